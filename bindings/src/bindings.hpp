@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+void bind_low_level(nanobind::module_& m);
+void bind_robot(nanobind::module_& m);

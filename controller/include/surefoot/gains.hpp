@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+namespace surefoot {
+
+/// Everything that can be tuned, and nothing else: there is no hidden term in the controller.
+///
+/// `gain_table()` says each one's unit, range, default and meaning. Stiffness and damping are per
+/// unit of inertia, so they carry over between robots.
+struct Gains {
+  // Body: where the centre of mass and the base are pulled to.
+  double com_kp_horizontal = 60.0;
+  double com_kd_horizontal = 15.0;
+  double com_kp_vertical = 150.0;
+  double com_kd_vertical = 24.0;
+  double base_kp_tilt = 150.0;
+  double base_kd_tilt = 22.0;
+  double base_kp_yaw = 60.0;
+  double base_kd_yaw = 14.0;
+  double com_ki = 60.0;
+  double base_ki = 150.0;
+  // Feet: how a stance foot is kept where it stands.
+  double foot_kp = 100.0;
+  double foot_kd = 20.0;
+  // Quadratic program: what gives way when not everything fits.
+  double weight_com_horizontal = 1.0;
+  double weight_com_vertical = 2.0;
+  double weight_base_tilt = 1.0;
+  double weight_base_yaw = 0.3;
+  double weight_force = 0.02;
+  double force_min_contact = 0.0;
+  double force_max_contact = 3.0;
+  double force_lost_contact = 0.15;
+  // Estimator: what is believed, and how much.
+  double noise_accelerometer = 0.3;
+  double noise_foot_position = 0.002;
+  double noise_foot_velocity = 0.05;
+  double noise_foot_slip = 0.02;
+  double gate_foot = 4.0;
+  double contact_force_on = 0.06;
+  double contact_force_off = 0.03;
+  double contact_dwell = 0.02;
+  // Command.
+  double damping_kd = 3.0;
+
+  /// Throw surefoot::Error naming the first gain that is not finite or outside its range.
+  void validate() const;
+
+  bool operator==(const Gains& other) const;
+};
+
+/// One row of the gain table.
+struct GainInfo {
+  std::string_view name;
+  std::string_view unit;
+  double minimum;
+  double maximum;
+  double Gains::* member;
+  std::string_view meaning;
+};
+
+/// All gains, in the order of the struct.
+struct GainTable {
+  const GainInfo* rows;
+  int size;
+  const GainInfo* begin() const { return rows; }
+  const GainInfo* end() const { return rows + size; }
+};
+GainTable gain_table() noexcept;
+
+/// Read or write a gain by name; throws surefoot::Error with the nearest valid names.
+double get_gain(const Gains& gains, std::string_view name);
+void set_gain(Gains& gains, std::string_view name, double value);
+
+}  // namespace surefoot

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/gains.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "surefoot/error.hpp"
+#include "text.hpp"
+
+namespace surefoot {
+
+namespace {
+
+using G = Gains;
+constexpr GainInfo kRows[] = {
+    {"com_kp_horizontal", "1/s^2", 0, 2000, &G::com_kp_horizontal, "sway stiffness per unit mass"},
+    {"com_kd_horizontal", "1/s", 0, 200, &G::com_kd_horizontal, "sway damping per unit mass"},
+    {"com_kp_vertical", "1/s^2", 0, 2000, &G::com_kp_vertical, "height stiffness per unit mass"},
+    {"com_kd_vertical", "1/s", 0, 200, &G::com_kd_vertical, "height damping per unit mass"},
+    {"base_kp_tilt", "1/s^2", 0, 2000, &G::base_kp_tilt, "roll and pitch stiffness"},
+    {"base_kd_tilt", "1/s", 0, 200, &G::base_kd_tilt, "roll and pitch damping"},
+    {"base_kp_yaw", "1/s^2", 0, 2000, &G::base_kp_yaw, "yaw stiffness"},
+    {"base_kd_yaw", "1/s", 0, 200, &G::base_kd_yaw, "yaw damping"},
+    {"com_ki", "1/s^3", 0, 2000, &G::com_ki, "integral of the centre-of-mass error"},
+    {"base_ki", "1/s^3", 0, 2000, &G::base_ki, "integral of the base orientation error"},
+    {"foot_kp", "1/s^2", 0, 5000, &G::foot_kp, "stiffness that returns a foot to its anchor"},
+    {"foot_kd", "1/s", 0, 500, &G::foot_kd, "damping of a foot that moves"},
+    {"weight_com_horizontal", "1", 1e-4, 1e4, &G::weight_com_horizontal,
+     "importance of horizontal acceleration of the centre of mass"},
+    {"weight_com_vertical", "1", 1e-4, 1e4, &G::weight_com_vertical,
+     "importance of vertical acceleration of the centre of mass"},
+    {"weight_base_tilt", "1", 1e-4, 1e4, &G::weight_base_tilt,
+     "importance of roll and pitch acceleration"},
+    {"weight_base_yaw", "1", 1e-4, 1e4, &G::weight_base_yaw, "importance of yaw acceleration"},
+    {"weight_force", "1", 1e-6, 1e2, &G::weight_force, "pull towards the even force distribution"},
+    {"force_min_contact", "m g", 0, 0.2, &G::force_min_contact,
+     "least normal force of a foot in contact"},
+    {"force_max_contact", "m g", 0.3, 10, &G::force_max_contact,
+     "greatest normal force of a foot in contact"},
+    {"force_lost_contact", "m g", 0, 0.5, &G::force_lost_contact,
+     "greatest normal force of a stance foot whose contact is lost"},
+    {"noise_accelerometer", "m/s^2", 1e-4, 100, &G::noise_accelerometer,
+     "accelerometer noise of the base filter, at 500 Hz"},
+    {"noise_foot_position", "m", 1e-6, 1, &G::noise_foot_position,
+     "noise of a foot position from the joint angles"},
+    {"noise_foot_velocity", "m/s", 1e-5, 10, &G::noise_foot_velocity,
+     "noise of a stance foot's velocity from the joint velocities"},
+    {"noise_foot_slip", "m/s", 1e-6, 10, &G::noise_foot_slip,
+     "how fast a stance foot may be believed to wander"},
+    {"gate_foot", "sigma", 1, 100, &G::gate_foot, "innovations beyond this are not believed"},
+    {"contact_force_on", "m g", 0.001, 0.5, &G::contact_force_on, "load that makes a contact"},
+    {"contact_force_off", "m g", 0.001, 0.5, &G::contact_force_off, "load that ends a contact"},
+    {"contact_dwell", "s", 0, 0.5, &G::contact_dwell, "how long a change must last to count"},
+    {"damping_kd", "N.m.s/rad", 0.0625, 50, &G::damping_kd,
+     "motor-side damping when something is wrong"},
+};
+
+std::vector<std::string> gain_names() {
+  std::vector<std::string> names;
+  for (const GainInfo& info : kRows) names.emplace_back(info.name);
+  return names;
+}
+
+const GainInfo& find_gain(std::string_view name) {
+  for (const GainInfo& info : kRows) {
+    if (info.name == name) return info;
+  }
+  throw Error("unknown gain: got '" + std::string(name) + "'" + suggestion(name, gain_names()) +
+              "; valid names: " + join(gain_names()));
+}
+
+void check_gain(const GainInfo& info, double value) {
+  if (std::isfinite(value) && value >= info.minimum && value <= info.maximum) return;
+  throw Error("gain '" + std::string(info.name) + "' out of range: got " + to_text(value) +
+              ", expected " + to_text(info.minimum) + " .. " + to_text(info.maximum) + " [" +
+              std::string(info.unit) + "]");
+}
+
+}  // namespace
+
+GainTable gain_table() noexcept { return {kRows, static_cast<int>(std::size(kRows))}; }
+
+void Gains::validate() const {
+  for (const GainInfo& info : kRows) check_gain(info, this->*info.member);
+  if (contact_force_off >= contact_force_on) {
+    throw Error("gain 'contact_force_off' must be below 'contact_force_on': got " +
+                to_text(contact_force_off) + " and " + to_text(contact_force_on));
+  }
+}
+
+bool Gains::operator==(const Gains& other) const {
+  for (const GainInfo& info : kRows) {
+    if (this->*info.member != other.*info.member) return false;
+  }
+  return true;
+}
+
+double get_gain(const Gains& gains, std::string_view name) {
+  return gains.*find_gain(name).member;
+}
+
+void set_gain(Gains& gains, std::string_view name, double value) {
+  const GainInfo& info = find_gain(name);
+  check_gain(info, value);
+  gains.*info.member = value;
+}
+
+}  // namespace surefoot

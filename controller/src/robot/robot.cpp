@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/robot.hpp"
+
+#include <pinocchio/multibody.hpp>
+#include <pinocchio/serialization.hpp>
+
+#include "robot_data.hpp"
+#include "surefoot/error.hpp"
+#include "text.hpp"
+
+namespace surefoot {
+
+namespace {
+
+void check_base(const pinocchio::Model& model, const RobotConfig& config) {
+  const bool free_flyer = model.njoints > 1 && model.joints[1].nq() == 7 && model.joints[1].nv() == 6;
+  if (!free_flyer) {
+    throw Error("robot '" + config.name + "': the model's first joint is " +
+                (model.njoints > 1 ? "'" + model.names[1] + "' (" + model.joints[1].shortname() + ")"
+                                   : std::string("missing")) +
+                ", expected a free-flyer; build the model with a JointModelFreeFlyer root");
+  }
+}
+
+void match_joints(const pinocchio::Model& model, const RobotConfig& config, Robot::Data& data) {
+  std::vector<std::string> valid(model.names.begin() + 2, model.names.end());
+  for (int i = 0; i < kMotors; ++i) {
+    const std::string& name = config.joint_names[i];
+    if (!model.existJointName(name)) {
+      throw Error("robot '" + config.name + "': missing joint '" + name + "' (motor " +
+                  std::to_string(i) + ")" + suggestion(name, valid) +
+                  "; the model has: " + join(valid));
+    }
+    const auto& joint = model.joints[model.getJointId(name)];
+    if (joint.nq() != 1 || joint.nv() != 1) {
+      throw Error("robot '" + config.name + "': joint '" + name + "' is a " + joint.shortname() +
+                  ", expected a bounded one-axis joint");
+    }
+    data.motor_to_q[i] = joint.idx_q();
+    data.motor_to_v[i] = joint.idx_v();
+  }
+}
+
+void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot::Data& data) {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const std::string& name = config.foot_frames[leg];
+    // Bodies and joints may share a name, so look for the first frame of that name ourselves.
+    int id = -1;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < model.frames.size(); ++k) {
+      names.push_back(model.frames[k].name);
+      if (id < 0 && model.frames[k].name == name) id = static_cast<int>(k);
+    }
+    if (id < 0) {
+      throw Error("robot '" + config.name + "': missing foot frame '" + name + "'" +
+                  suggestion(name, names) + "; the model has: " + join(names));
+    }
+    if (model.frames[id].parentJoint != model.getJointId(config.joint_names[3 * leg + 2])) {
+      throw Error("robot '" + config.name + "': foot frame '" + name + "' hangs on joint '" +
+                  model.names[model.frames[id].parentJoint] + "', expected the calf joint '" +
+                  config.joint_names[3 * leg + 2] + "'");
+    }
+    data.foot_frame_ids[leg] = id;
+  }
+}
+
+}  // namespace
+
+Robot::Robot(const pinocchio::Model& model, const RobotConfig& config) {
+  config.validate();
+  check_base(model, config);
+  auto data = std::make_shared<Data>(Data{model, config, {}, {}, {}, 0.0});
+  match_joints(model, config, *data);
+  match_feet(model, config, *data);
+  for (int i = 0; i < kMotors; ++i) data->model.armature[data->motor_to_v[i]] = config.armature[i];
+  for (const auto& inertia : data->model.inertias) data->mass += inertia.mass();
+  if (!(data->mass > 0.0)) {
+    throw Error("robot '" + config.name + "': total mass is " + to_text(data->mass) +
+                " kg, expected more than 0");
+  }
+  data_ = std::move(data);
+}
+
+Robot Robot::from_serialized_model(const std::string& text, const RobotConfig& config) {
+  pinocchio::Model model;
+  try {
+    model.loadFromString(text);
+  } catch (const std::exception& problem) {
+    throw Error("robot '" + config.name + "': the serialised model cannot be read (" +
+                problem.what() + "); it must come from the same Pinocchio version");
+  }
+  return Robot(model, config);
+}
+
+const pinocchio::Model& Robot::model() const noexcept { return data_->model; }
+const RobotConfig& Robot::config() const noexcept { return data_->config; }
+std::string Robot::serialized_model() const { return data_->model.saveToString(); }
+int Robot::nq() const noexcept { return data_->model.nq; }
+int Robot::nv() const noexcept { return data_->model.nv; }
+double Robot::mass() const noexcept { return data_->mass; }
+const std::array<int, kMotors>& Robot::motor_to_v() const noexcept { return data_->motor_to_v; }
+const std::array<int, kMotors>& Robot::motor_to_q() const noexcept { return data_->motor_to_q; }
+const std::array<int, kLegs>& Robot::foot_frame_ids() const noexcept {
+  return data_->foot_frame_ids;
+}
+
+Eigen::VectorXd Robot::q_standing() const {
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(nq());
+  q[6] = 1.0;
+  for (int i = 0; i < kMotors; ++i) q[data_->motor_to_q[i]] = data_->config.q_standing[i];
+  return q;
+}
+
+}  // namespace surefoot

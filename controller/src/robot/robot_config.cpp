@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/robot_config.hpp"
+
+#include <cmath>
+
+#include "surefoot/error.hpp"
+#include "text.hpp"
+
+namespace surefoot {
+
+namespace {
+
+[[noreturn]] void fail(const RobotConfig& config, const std::string& field, const std::string& got,
+                       const std::string& expected) {
+  throw Error("robot '" + config.name + "', " + field + ": got " + got + ", expected " + expected);
+}
+
+void check_positive(const RobotConfig& config, const char* field, const Vector12& values,
+                    bool zero_allowed) {
+  for (int i = 0; i < kMotors; ++i) {
+    const bool good = std::isfinite(values[i]) && (values[i] > 0.0 || (zero_allowed && values[i] == 0.0));
+    if (!good) {
+      fail(config, std::string(field) + " of " + config.joint_names[i], to_text(values[i]),
+           zero_allowed ? "a number >= 0" : "a number > 0");
+    }
+  }
+}
+
+void check_names(const RobotConfig& config) {
+  if (config.name.empty() || config.name.find_first_of(" \n\t") != std::string::npos) {
+    fail(config, "name", "'" + config.name + "'", "a word without spaces");
+  }
+  for (int i = 0; i < kMotors; ++i) {
+    if (config.joint_names[i].empty()) fail(config, "joint name " + std::to_string(i), "''", "a name");
+    for (int j = 0; j < i; ++j) {
+      if (config.joint_names[i] == config.joint_names[j]) {
+        fail(config, "joint names", "'" + config.joint_names[i] + "' twice", "12 different names");
+      }
+    }
+  }
+  for (const std::string& foot : config.foot_frames) {
+    if (foot.empty()) fail(config, "foot frame", "''", "a frame name");
+  }
+}
+
+void check_positions(const RobotConfig& config) {
+  for (int i = 0; i < kMotors; ++i) {
+    const double lower = config.q_lower[i], upper = config.q_upper[i], q = config.q_standing[i];
+    if (!(std::isfinite(lower) && std::isfinite(upper) && lower < upper)) {
+      fail(config, "position limits of " + config.joint_names[i],
+           to_text(lower) + " .. " + to_text(upper), "lower < upper, finite");
+    }
+    if (!(q >= lower && q <= upper)) {
+      fail(config, "standing pose of " + config.joint_names[i], to_text(q),
+           "a value inside " + to_text(lower) + " .. " + to_text(upper));
+    }
+    if (!(config.corner_speed[i] < config.no_load_speed[i])) {
+      fail(config, "corner_speed of " + config.joint_names[i], to_text(config.corner_speed[i]),
+           "less than no_load_speed " + to_text(config.no_load_speed[i]));
+    }
+  }
+}
+
+}  // namespace
+
+void RobotConfig::validate() const {
+  check_names(*this);
+  check_positive(*this, "dq_max", dq_max, false);
+  check_positive(*this, "tau_max", tau_max, false);
+  check_positive(*this, "corner_speed", corner_speed, true);
+  check_positive(*this, "no_load_speed", no_load_speed, false);
+  check_positive(*this, "armature", armature, true);
+  check_positions(*this);
+  if (!(std::isfinite(foot_radius) && foot_radius >= 0.0 && foot_radius < 0.2)) {
+    fail(*this, "foot radius", to_text(foot_radius), "0 .. 0.2 m");
+  }
+  if (!(std::isfinite(friction) && friction > 0.0 && friction <= 2.0)) {
+    fail(*this, "friction", to_text(friction), "0 < friction <= 2");
+  }
+  if (!p_base_imu.allFinite()) fail(*this, "IMU position", "a non-finite value", "metres");
+  if (!(std::abs(quat_base_imu.norm() - 1.0) < 1e-6)) {
+    fail(*this, "IMU quaternion norm", to_text(quat_base_imu.norm()), "1");
+  }
+  gains.validate();
+}
+
+double motor_torque_limit(const RobotConfig& config, int i, double dq, double sign) noexcept {
+  const double driving_speed = dq * sign;  // negative while the motor brakes
+  if (driving_speed <= config.corner_speed[i]) return config.tau_max[i];
+  const double fraction = (config.no_load_speed[i] - driving_speed) /
+                          (config.no_load_speed[i] - config.corner_speed[i]);
+  return config.tau_max[i] * (fraction > 0.0 ? fraction : 0.0);
+}
+
+}  // namespace surefoot
