@@ -5,3 +5,4 @@
 
 void bind_low_level(nanobind::module_& m);
 void bind_robot(nanobind::module_& m);
+void bind_control(nanobind::module_& m);

@@ -11,4 +11,5 @@ NB_MODULE(_core, m) {
       "The message says what is wrong, what was got, what was expected, and the valid names.";
   bind_low_level(m);
   bind_robot(m);
+  bind_control(m);
 }

@@ -19,8 +19,12 @@ struct Gains {
   double base_kd_tilt = 22.0;
   double base_kp_yaw = 60.0;
   double base_kd_yaw = 14.0;
-  double com_ki = 60.0;
-  double base_ki = 150.0;
+  // Integral action, for what the model does not know; passed on as feed-forward accelerations.
+  double integral_com = 60.0;
+  double integral_base = 150.0;
+  double integral_com_max = 2.0;
+  double integral_base_max = 20.0;
+  double integral_speed = 0.03;
   // Feet: how a stance foot is kept where it stands.
   double foot_kp = 100.0;
   double foot_kd = 20.0;
@@ -30,7 +34,6 @@ struct Gains {
   double weight_base_tilt = 1.0;
   double weight_base_yaw = 0.3;
   double weight_force = 0.02;
-  double force_min_contact = 0.0;
   double force_max_contact = 3.0;
   double force_lost_contact = 0.15;
   // Estimator: what is believed, and how much.

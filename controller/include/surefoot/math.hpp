@@ -25,6 +25,8 @@ using Matrix3 = Eigen::Matrix3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Quaternion = Eigen::Quaterniond;
 
+constexpr double kGravity = 9.81;  ///< [m/s^2] Pinocchio's and MuJoCo's default
+
 /// One column a foot, FR FL RR RL.
 using FeetMatrix = Eigen::Matrix<double, 3, kLegs>;
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "surefoot/robot.hpp"
+#include "surefoot/types.hpp"
+
+namespace surefoot {
+
+/// What is set once, as opposed to tuned.
+struct StandOptions {
+  /// [N.m.s/rad] Motor-side damping added to every command, with dq = 0. 0 is pure torque mode;
+  /// hardware whose knees buzz under pure torque may need some.
+  double motor_damping = 0.0;
+
+  /// Throw surefoot::Error naming what is out of range.
+  void validate() const;
+};
+
+/// Holds the body where and as it stands: LowState in, LowCmd out. The whole tick.
+///
+/// The first good report latches the pose, relative to the feet. Commands are torque mode: motors
+/// 0 .. 11 in mode 0x0A with q = PosStopF, dq = VelStopF, Kp = Kd = 0 and tau from the whole-body
+/// program. When a report or a solve is bad, the last good command is repeated for at most 10 ms;
+/// then the motors damp (dq = 0, Kd > 0, tau = 0) until reset(). Time comes from LowState::tick.
+class StandController {
+ public:
+  /// Throws surefoot::Error when the robot, a gain or an option is invalid.
+  explicit StandController(const Robot& robot);
+  StandController(const Robot& robot, const Gains& gains, const StandOptions& options = {});
+  ~StandController();
+  StandController(StandController&&) noexcept;
+
+  /// Compute one tick; never throws, allocates, locks or logs. Real-time: yes.
+  /// @return the command; status() says what it is worth
+  const LowCmd& update(const LowState& low_state) noexcept;
+
+  /// kOk, or why this tick's command is not fresh; kDamping while latched.
+  Status status() const noexcept;
+  /// What was wrong when the last tick was not kOk; stays after the damping has latched.
+  Status fault() const noexcept;
+
+  const RobotState& state() const noexcept;       ///< estimated
+  const Reference& reference() const noexcept;    ///< of the last good tick
+  const Solution& solution() const noexcept;      ///< of the last good tick
+  bool foot_force_alive() const noexcept;         ///< does footForceEst carry anything?
+  Eigen::Vector4d torque_force() const noexcept;  ///< [N] normal force per foot from torques
+  const Gains& gains() const noexcept;
+
+  /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
+  void set_gains(const Gains& gains);
+  /// Leave damping and latch the pose anew with the next report. Not in the tick.
+  void reset() noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "surefoot/robot.hpp"
+#include "surefoot/types.hpp"
+
+namespace surefoot {
+
+class Dynamics;
+
+/// LowState in, RobotState out: what the robot's own sensors say about its base and its contacts.
+///
+/// Orientation and rate from the IMU at its mount; contact from footForceEst with hysteresis, or
+/// from joint torques where that field is dead; position and velocity from leg kinematics and
+/// accelerometer in a gated Kalman filter. The world frame starts with the base's heading, the feet
+/// at height zero, and drifts in x, y and yaw, as it must. Real-time: update() yes.
+class StateEstimator {
+ public:
+  explicit StateEstimator(const Robot& robot);
+  ~StateEstimator();
+  StateEstimator(StateEstimator&&) noexcept;
+
+  /// Take in one report. @param dt [s] since the last one
+  /// @return kOk; kNonFinite or kBadQuaternion with the state as it was
+  Status update(const LowState& low_state, double dt) noexcept;
+
+  const RobotState& state() const noexcept;
+  /// Joint velocities, SDK motor order [rad/s].
+  const Vector12& dq_motor() const noexcept;
+  /// Normal force per foot from the motors' torques [N].
+  const Eigen::Vector4d& torque_force() const noexcept;
+  /// Does footForceEst carry anything?
+  bool foot_force_alive() const noexcept;
+  /// Pinocchio's terms at the present state, for whoever needs them in the same tick.
+  const Dynamics& dynamics() const noexcept;
+
+  /// Throws surefoot::Error and changes nothing if a gain is invalid.
+  void set_gains(const Gains& gains);
+  /// The ground's normal as the contacts know it; unit, world axes.
+  void set_ground_normal(const Vector3& normal) noexcept;
+  /// Begin anew with the next report.
+  void reset() noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace surefoot

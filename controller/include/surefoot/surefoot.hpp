@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Everything: #include <surefoot/surefoot.hpp>
+#include "surefoot/error.hpp"
+#include "surefoot/low_level.hpp"
+#include "surefoot/robot.hpp"
+#include "surefoot/stand_controller.hpp"
+#include "surefoot/state_estimator.hpp"
+#include "surefoot/whole_body_controller.hpp"

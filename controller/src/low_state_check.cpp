@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "low_state_check.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// Beyond anything a sensor of these robots can say, in any of the units; false for NaN.
+bool credible(float value) noexcept { return std::abs(value) <= 1e4F; }
+
+bool credible(const IMU& imu) noexcept {
+  bool good = true;
+  for (int i = 0; i < 4; ++i) good = good && credible(imu.quaternion[i]);
+  for (int i = 0; i < 3; ++i) {
+    good = good && credible(imu.gyroscope[i]) && credible(imu.accelerometer[i]);
+  }
+  return good;
+}
+
+}  // namespace
+
+bool finite(const LowState& state) noexcept {
+  bool good = credible(state.imu);
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorState& motor = state.motorState[i];
+    good = good && credible(motor.q) && credible(motor.dq) && credible(motor.tauEst);
+  }
+  return good;
+}
+
+}  // namespace surefoot

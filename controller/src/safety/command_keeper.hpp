@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/types.hpp"
+
+namespace surefoot {
+
+/// How long an old command may live. One table, used everywhere.
+constexpr double kHoldTime = 0.010;  ///< [s] the last good command is repeated at most this long
+
+/// Keeps the last good command over a gap, then damps and latches.
+///
+/// Damping is the motors' own (Kd > 0, dq = 0): it goes on when the program has died. A robot that
+/// was never under control is damped without latching. Real-time: yes.
+class CommandKeeper {
+ public:
+  /// A tick that ended well: this is what leaves.
+  const LowCmd& accept(const LowCmd& command) noexcept;
+
+  /// A tick that did not: the last good command until kHoldTime, then damping, latched.
+  /// @param elapsed [s] this tick's share of time
+  const LowCmd& refuse(double elapsed, double damping_kd) noexcept;
+
+  bool latched() const noexcept { return latched_; }
+  void reset() noexcept { *this = CommandKeeper(); }
+
+ private:
+  LowCmd command_ = init_low_cmd();
+  bool has_command_ = false;
+  bool latched_ = false;
+  double age_ = 0.0;  // [s] of the last good command
+};
+
+}  // namespace surefoot

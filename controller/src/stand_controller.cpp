@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/stand_controller.hpp"
+
+#include "reference/stand_reference.hpp"
+#include "safety/command_keeper.hpp"
+#include "safety/tick_clock.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/state_estimator.hpp"
+#include "surefoot/whole_body_controller.hpp"
+#include "text.hpp"
+
+namespace surefoot {
+
+void StandOptions::validate() const {
+  if (!(motor_damping >= 0.0 && motor_damping <= 50.0)) {
+    throw Error("option 'motor_damping' out of range: got " + to_text(motor_damping) +
+                ", expected 0 .. 50 [N.m.s/rad]");
+  }
+}
+
+struct StandController::Impl {
+  Impl(const Robot& r, const Gains& g, const StandOptions& o)
+      : robot(r), options(o), estimator(r), controller(r, g) {
+    options.validate();
+    estimator.set_gains(g);
+  }
+  Status think(const LowState& low_state, double dt) noexcept;
+  LowCmd torque_command(const Solution& solution) const noexcept;
+
+  Robot robot;
+  StandOptions options;
+  TickClock clock;
+  StateEstimator estimator;
+  StandReference reference;
+  WholeBodyController controller;
+  CommandKeeper keeper;
+  Status status = Status::kWaiting;
+  Status fault = Status::kOk;
+};
+
+const LowCmd& StandController::update(const LowState& low_state) noexcept {
+  Impl& s = *impl_;
+  const double step = s.clock.advance(low_state.tick);
+  const double elapsed = step > 0.0 ? step : s.clock.period();
+  Status status = Status::kStaleTick;
+  if (s.keeper.latched()) {
+    status = Status::kDamping;
+  } else if (step >= 0.0) {
+    status = s.think(low_state, s.clock.period());
+  }
+  if (status == Status::kOk) {
+    s.status = status;
+    return s.keeper.accept(s.torque_command(s.controller.solution()));
+  }
+  if (status != Status::kDamping) s.fault = status;
+  const LowCmd& command = s.keeper.refuse(elapsed, s.controller.gains().damping_kd);
+  s.status = s.keeper.latched() ? Status::kDamping : status;
+  return command;
+}
+
+// Estimate, refer, solve: each stage hands one struct to the next.
+Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
+  const Status estimated = estimator.update(low_state, dt);
+  if (estimated != Status::kOk) return estimated;
+  const Dynamics& dynamics = estimator.dynamics();
+  const Eigen::Vector4d& contact = estimator.state().contact;
+  if (!reference.latched()) reference.latch(dynamics);
+  const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
+  estimator.set_ground_normal(wanted.ground_normal);
+  return controller.solve(dynamics, contact, estimator.dq_motor(), wanted).status;
+}
+
+// Torque mode exactly; with motor damping the velocity loop is on and asks for rest.
+LowCmd StandController::Impl::torque_command(const Solution& solution) const noexcept {
+  LowCmd command = init_low_cmd();
+  for (int i = 0; i < kMotors; ++i) {
+    MotorCmd& motor = command.motorCmd[i];
+    motor.tau = static_cast<float>(solution.torques[robot.motor_to_v()[i] - 6]);
+    if (options.motor_damping > 0.0) {
+      motor.dq = 0.0F;
+      motor.Kd = static_cast<float>(options.motor_damping);
+    }
+  }
+  return command;
+}
+
+StandController::StandController(const Robot& robot)
+    : StandController(robot, robot.config().gains) {}
+StandController::StandController(const Robot& robot, const Gains& gains,
+                                 const StandOptions& options)
+    : impl_(std::make_unique<Impl>(robot, gains, options)) {}
+StandController::~StandController() = default;
+StandController::StandController(StandController&&) noexcept = default;
+
+Status StandController::status() const noexcept { return impl_->status; }
+Status StandController::fault() const noexcept { return impl_->fault; }
+const RobotState& StandController::state() const noexcept { return impl_->estimator.state(); }
+const Reference& StandController::reference() const noexcept {
+  return impl_->reference.reference();
+}
+const Solution& StandController::solution() const noexcept {
+  return impl_->controller.solution();
+}
+bool StandController::foot_force_alive() const noexcept {
+  return impl_->estimator.foot_force_alive();
+}
+Eigen::Vector4d StandController::torque_force() const noexcept {
+  return impl_->estimator.torque_force();
+}
+const Gains& StandController::gains() const noexcept { return impl_->controller.gains(); }
+
+void StandController::set_gains(const Gains& gains) {
+  impl_->controller.set_gains(gains);
+  impl_->estimator.set_gains(gains);
+}
+
+void StandController::reset() noexcept {
+  Impl& s = *impl_;
+  s.clock.reset();
+  s.estimator.reset();
+  s.reference.reset();
+  s.controller.reset();
+  s.keeper.reset();
+  s.status = Status::kWaiting;
+  s.fault = Status::kOk;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tasks/base_orientation_task.hpp"
+
+namespace surefoot {
+
+Vector3 base_angular_acceleration(const Gains& gains, const Reference& reference,
+                                  const Dynamics& dynamics) noexcept {
+  const Quaternion R_world_base(dynamics.R_world_base());
+  const Vector3 error = log_so3(reference.R_world_base * R_world_base.conjugate());
+  const Vector3 kp(gains.base_kp_tilt, gains.base_kp_tilt, gains.base_kp_yaw);
+  const Vector3 kd(gains.base_kd_tilt, gains.base_kd_tilt, gains.base_kd_yaw);
+  return reference.alpha_world_base + kp.cwiseProduct(error) +
+         kd.cwiseProduct(reference.w_world_base - dynamics.w_world_base());
+}
+
+TaskRows base_orientation_task(const Gains& gains, const Vector3& angular_acceleration_world,
+                               const Dynamics& dynamics, const Condensed& condensed) noexcept {
+  TaskRows rows;
+  rows.A = condensed.B.bottomRows<3>();
+  rows.b = dynamics.R_world_base().transpose() * angular_acceleration_world -
+           condensed.c.tail<3>();
+  rows.weight << gains.weight_base_tilt, gains.weight_base_tilt, gains.weight_base_yaw;
+  return rows;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "tasks/task.hpp"
+
+namespace surefoot {
+
+/// Acceleration of every contact point, world axes [m/s^2], one column a foot:
+///   a = a_ref + kp (p_ref - p) + kd (v_ref - v)
+/// For a stance foot p_ref is its anchor: this is the contact stabilisation. It is met exactly, not
+/// traded: the gains enter nothing but this acceleration. Real-time: yes.
+FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
+                              const Dynamics& dynamics) noexcept;
+
+}  // namespace surefoot

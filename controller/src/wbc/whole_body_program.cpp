@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/whole_body_program.hpp"
+
+#include "surefoot/error.hpp"
+
+namespace surefoot {
+
+namespace {
+
+// Lengths of the angular rows in the standing pose: what "weight 1" is measured in.
+Vector3 standing_row_lengths(const Robot& robot) {
+  Dynamics dynamics(robot);
+  dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  Condensed condensed;
+  if (!condense(dynamics, FeetMatrix::Zero(), condensed)) {
+    throw Error("robot '" + robot.config().name +
+                "': a leg is singular in the standing pose; expected every foot well below its hip "
+                "and no straight knee");
+  }
+  return condensed.B.bottomRows<3>().rowwise().norm();
+}
+
+}  // namespace
+
+WholeBodyProgram::WholeBodyProgram(const Robot& robot)
+    : tau_max_(robot.config().tau_max),
+      force_unit_(robot.mass() * kGravity / kLegs),
+      com_scale_(Vector3::Constant(robot.mass() / std::sqrt(double(kLegs)))),
+      angular_scale_(standing_row_lengths(robot).cwiseInverse()),
+      problem_(kForces, kRows) {
+  com_scale_ /= force_unit_;
+  angular_scale_ /= force_unit_;
+}
+
+void WholeBodyProgram::add_task(const TaskRows& rows, const Vector3& scale) noexcept {
+  // In force units: A f = (A * unit) x; scaled so that the row has length one when standing.
+  const Eigen::Matrix<double, 3, 12> A = (scale * force_unit_).asDiagonal() * rows.A;
+  const Vector3 b = scale.cwiseProduct(rows.b);
+  problem_.H.noalias() += A.transpose() * rows.weight.asDiagonal() * A;
+  problem_.g.noalias() -= A.transpose() * rows.weight.cwiseProduct(b);
+}
+
+void WholeBodyProgram::set_cost(const Gains& gains, const TaskRows& com,
+                                const TaskRows& orientation, const Vector12& even) noexcept {
+  problem_.H.setZero();
+  problem_.H.diagonal().setConstant(gains.weight_force);
+  problem_.g = (-gains.weight_force / force_unit_) * even;
+  add_task(com, com_scale_);
+  add_task(orientation, angular_scale_);
+  const double scale = kForces / problem_.H.trace();
+  problem_.H *= scale;
+  problem_.g *= scale;
+}
+
+void WholeBodyProgram::set_friction(const Vector3& normal, double friction,
+                                    const Eigen::Vector4d& maximum) noexcept {
+  const ConeRows cone = friction_cone(normal, friction);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const int row = leg * (kFacets + 1);
+    problem_.C.block<kFacets, 3>(row, 3 * leg) = cone;
+    problem_.l.segment<kFacets>(row).setConstant(-1e20);
+    problem_.u.segment<kFacets>(row).setZero();
+    problem_.C.block<1, 3>(row + kFacets, 3 * leg) = normal.transpose();
+    problem_.l[row + kFacets] = 0.0;
+    problem_.u[row + kFacets] = maximum[leg] / force_unit_;
+  }
+}
+
+void WholeBodyProgram::set_torque_limits(
+    const Condensed& condensed, const Eigen::Matrix<double, kMotors, 2>& limits) noexcept {
+  const int row = kLegs * (kFacets + 1);
+  const Vector12 inverse = tau_max_.cwiseInverse();
+  problem_.C.block<kMotors, kForces>(row, 0) =
+      (force_unit_ * inverse).asDiagonal() * condensed.T;
+  const Vector12 lower = (limits.col(0) - condensed.t0).cwiseProduct(inverse);
+  const Vector12 upper = (limits.col(1) - condensed.t0).cwiseProduct(inverse);
+  problem_.l.segment<kMotors>(row) = lower.cwiseMin(0.0);
+  problem_.u.segment<kMotors>(row) = upper.cwiseMax(0.0);
+}
+
+}  // namespace surefoot
