@@ -11,7 +11,10 @@ namespace {
 namespace proxqp = proxsuite::proxqp;
 
 constexpr double kSolverTolerance = 1e-6;
+constexpr double kSolverGap = 1e-7;
 constexpr double kAcceptTolerance = 5e-6;  // ours; the same residuals, computed by us
+constexpr double kAcceptGap = 1e-6;
+constexpr double kInfinity = 1e20;  // ProxQP's word for "no bound"
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -40,7 +43,12 @@ QpSolver::QpSolver(int n, int n_in) : workspace_(std::make_unique<Workspace>(n, 
   // With the default 1e-4 a warm start makes feasible balance programs "infeasible".
   qp.settings.eps_primal_inf = 1e-12;
   qp.settings.eps_dual_inf = 1e-12;
-  qp.settings.default_mu_in = 1e-2;
+  // Primal and dual residuals alone let it stop with multipliers on rows that are not active: forces
+  // that look converged and are not optimal. The gap is what tells.
+  qp.settings.check_duality_gap = true;
+  qp.settings.eps_duality_gap_abs = kSolverGap;
+  qp.settings.eps_duality_gap_rel = 0.0;
+  qp.settings.default_mu_in = 1e-3;
   qp.settings.initial_guess = proxqp::InitialGuessStatus::WARM_START_WITH_PREVIOUS_RESULT;
   // Once through the front door for sizes and the identity preconditioner.
   const QpProblem dummy(n, n_in);
@@ -84,8 +92,8 @@ QpResult QpSolver::attempt(const QpProblem& problem, bool warm) noexcept {
   qp.model.H = problem.H;
   qp.model.g = problem.g;
   qp.model.C = problem.C;
-  qp.model.l = problem.l.cwiseMax(-1e20);
-  qp.model.u = problem.u.cwiseMin(1e20);
+  qp.model.l = problem.l.cwiseMax(-kInfinity);
+  qp.model.u = problem.u.cwiseMin(kInfinity);
   qp.work.H_scaled = qp.model.H;
   qp.work.g_scaled = qp.model.g;
   qp.work.C_scaled = qp.model.C;
@@ -114,11 +122,13 @@ QpResult QpSolver::attempt(const QpProblem& problem, bool warm) noexcept {
   out.dual_residual = gradient.lpNorm<Eigen::Infinity>();
   for (Eigen::Index i = 0; i < Cx.size(); ++i) {
     const double bound = results.z[i] > 0.0 ? qp.model.u[i] : qp.model.l[i];
-    out.gap = std::max(out.gap, std::abs(results.z[i]) * std::abs(bound - Cx[i]));
+    // A multiplier on a side that has no bound is wrong by its whole size.
+    const double distance = std::abs(bound) < kInfinity ? std::abs(bound - Cx[i]) : 1.0;
+    out.gap = std::max(out.gap, std::abs(results.z[i]) * distance);
   }
   const bool accepted = results.x.allFinite() && results.z.allFinite() &&
                         out.primal_residual <= kAcceptTolerance &&
-                        out.dual_residual <= kAcceptTolerance && out.gap <= 10 * kAcceptTolerance;
+                        out.dual_residual <= kAcceptTolerance && out.gap <= kAcceptGap;
   const bool infeasible = results.info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||
                           results.info.status == proxqp::QPSolverOutput::PROXQP_DUAL_INFEASIBLE;
   out.status = accepted ? Status::kOk : infeasible ? Status::kInfeasible : Status::kMaxIterations;

@@ -30,7 +30,7 @@ struct QpResult {
   int iterations = 0;            ///< inner iterations
   double primal_residual = 0.0;  ///< greatest violation of l <= C x <= u
   double dual_residual = 0.0;    ///< greatest entry of H x + g + C'z
-  double gap = 0.0;              ///< greatest |z_i| times its distance from the bound
+  double gap = 0.0;              ///< greatest |z_i| times row i's distance from its bound
 };
 
 /// ProxQP behind a small interface: fixed size, warm start, our own residual check.
