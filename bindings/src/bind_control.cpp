@@ -56,16 +56,19 @@ void bind_structs(nb::module_& m) {
       .def_rw("p_com", &Reference::p_com, "Centre of mass [m].")
       .def_rw("v_com", &Reference::v_com, "[m/s].")
       .def_rw("a_com", &Reference::a_com, "Feed-forward [m/s^2].")
-      .def_prop_rw("quat_world_base",
-                   [](const Reference& r) { return to_wxyz(r.R_world_base); },
-                   [](Reference& r, const Eigen::Vector4d& q) { r.R_world_base = from_wxyz(q); },
-                   "Orientation of the base, quaternion w x y z.")
+      .def_prop_rw(
+          "quat_world_base", [](const Reference& r) { return to_wxyz(r.R_world_base); },
+          [](Reference& r, const Eigen::Vector4d& q) { r.R_world_base = from_wxyz(q); },
+          "Orientation of the base, quaternion w x y z.")
       .def_rw("w_world_base", &Reference::w_world_base, "[rad/s], world axes.")
       .def_rw("alpha_world_base", &Reference::alpha_world_base, "Feed-forward [rad/s^2].")
-      .def("foot", [](Reference& r, int leg) -> FootReference& {
-             if (leg < 0 || leg >= kLegs) throw nb::index_error("leg out of range: 0 .. 3");
-             return r.feet[leg];
-           }, "leg"_a, nb::rv_policy::reference_internal, "Reference of a foot: FR FL RR RL = 0 .. 3.")
+      .def(
+          "foot",
+          [](Reference& r, int leg) -> FootReference& {
+            if (leg < 0 || leg >= kLegs) throw nb::index_error("leg out of range: 0 .. 3");
+            return r.feet[leg];
+          },
+          "leg"_a, nb::rv_policy::reference_internal, "Reference of a foot: FR FL RR RL = 0 .. 3.")
       .def_rw("ground_normal", &Reference::ground_normal, "Unit, out of the ground.");
   nb::class_<Solution>(m, "Solution", "What the whole-body program decided.")
       .def_ro("status", &Solution::status, "OK, or why the rest is that of the last good tick.")
@@ -83,11 +86,16 @@ void bind_whole_body(nb::module_& m) {
                                   "For people who bring their own estimator or planner.")
       .def(nb::init<const Robot&>(), "robot"_a)
       .def(nb::init<const Robot&, const Gains&>(), "robot"_a, "gains"_a)
-      .def("update", [](WholeBodyController& c, const RobotState& s, const Reference& r) {
-             return Solution(c.update(s, r));
-           }, "state"_a, "reference"_a, "Compute one tick: Solution. Never raises.")
-      .def("set_gains", &WholeBodyController::set_gains, "gains"_a, "Raise Error if one is invalid.")
-      .def_prop_ro("gains", [](const WholeBodyController& c) { return Gains(c.gains()); }, "A copy.")
+      .def(
+          "update",
+          [](WholeBodyController& c, const RobotState& s, const Reference& r) {
+            return Solution(c.update(s, r));
+          },
+          "state"_a, "reference"_a, "Compute one tick: Solution. Never raises.")
+      .def("set_gains", &WholeBodyController::set_gains, "gains"_a,
+           "Raise Error if one is invalid.")
+      .def_prop_ro(
+          "gains", [](const WholeBodyController& c) { return Gains(c.gains()); }, "A copy.")
       .def("reset", &WholeBodyController::reset, "Forget the warm start.");
 }
 
@@ -96,7 +104,8 @@ void bind_estimator(nb::module_& m) {
       .def(nb::init<const Robot&>(), "robot"_a)
       .def("update", &StateEstimator::update, "low_state"_a, "dt"_a,
            "Take in one report, dt seconds after the last: Status. Never raises.")
-      .def_prop_ro("state", [](const StateEstimator& e) { return RobotState(e.state()); }, "A copy.")
+      .def_prop_ro(
+          "state", [](const StateEstimator& e) { return RobotState(e.state()); }, "A copy.")
       .def_prop_ro("torque_force", &StateEstimator::torque_force, "Normal force per foot [N].")
       .def_prop_ro("foot_force_alive", &StateEstimator::foot_force_alive, "Does footForceEst live?")
       .def("set_gains", &StateEstimator::set_gains, "gains"_a, "Raise Error if one is invalid.")
@@ -106,27 +115,37 @@ void bind_estimator(nb::module_& m) {
 void bind_stand(nb::module_& m) {
   nb::class_<StandOptions>(m, "StandOptions", "What is set once, as opposed to tuned.")
       .def(nb::init<>())
-      .def("__init__", [](StandOptions* o, double d) { new (o) StandOptions{d}; }, "motor_damping"_a)
+      .def(
+          "__init__", [](StandOptions* o, double d) { new (o) StandOptions{d}; }, "motor_damping"_a)
       .def_rw("motor_damping", &StandOptions::motor_damping,
               "[N.m.s/rad] motor-side damping in every command; 0 is pure torque mode.");
-  nb::class_<StandController>(m, "StandController",
-                              "Holds the body where and as it stands: LowState in, LowCmd out.\n\n"
-                              "Torque mode: Kp = Kd = 0, q = PosStopF, dq = VelStopF. On a bad report "
-                              "or solve the last\ngood command is repeated for at most 10 ms, then the "
-                              "motors damp until reset().")
+  nb::class_<StandController>(
+      m, "StandController",
+      "Holds the body where and as it stands: LowState in, LowCmd out.\n\n"
+      "Torque mode: Kp = Kd = 0, q = PosStopF, dq = VelStopF. On a bad report "
+      "or solve the last\ngood command is repeated for at most 10 ms, then the "
+      "motors damp until reset().")
       .def(nb::init<const Robot&>(), "robot"_a)
       .def(nb::init<const Robot&, const Gains&, const StandOptions&>(), "robot"_a, "gains"_a,
            "options"_a = StandOptions())
-      .def("update", [](StandController& c, const LowState& s) { return LowCmd(c.update(s)); },
-           "low_state"_a, "Compute one tick: LowCmd. Never raises; read status.")
+      .def(
+          "update", [](StandController& c, const LowState& s) { return LowCmd(c.update(s)); },
+          "low_state"_a, "Compute one tick: LowCmd. Never raises; read status.")
       .def_prop_ro("status", &StandController::status, "What this tick's command is worth.")
       .def_prop_ro("fault", &StandController::fault, "What was wrong when a tick last was not OK.")
-      .def_prop_ro("state", [](const StandController& c) { return RobotState(c.state()); }, "Estimate, a copy.")
-      .def_prop_ro("reference", [](const StandController& c) { return Reference(c.reference()); }, "A copy.")
-      .def_prop_ro("solution", [](const StandController& c) { return Solution(c.solution()); }, "A copy.")
-      .def_prop_ro("torque_force", &StandController::torque_force, "Normal force per foot from torques [N].")
-      .def_prop_ro("foot_force_alive", &StandController::foot_force_alive, "Does footForceEst live?")
-      .def_prop_ro("gains", [](const StandController& c) { return Gains(c.gains()); }, "A copy.")
+      .def_prop_ro(
+          "state", [](const StandController& c) { return RobotState(c.state()); },
+          "Estimate, a copy.")
+      .def_prop_ro(
+          "reference", [](const StandController& c) { return Reference(c.reference()); }, "A copy.")
+      .def_prop_ro(
+          "solution", [](const StandController& c) { return Solution(c.solution()); }, "A copy.")
+      .def_prop_ro("torque_force", &StandController::torque_force,
+                   "Normal force per foot from torques [N].")
+      .def_prop_ro("foot_force_alive", &StandController::foot_force_alive,
+                   "Does footForceEst live?")
+      .def_prop_ro(
+          "gains", [](const StandController& c) { return Gains(c.gains()); }, "A copy.")
       .def("set_gains", &StandController::set_gains, "gains"_a, "Raise Error if one is invalid.")
       .def("reset", &StandController::reset, "Leave damping; latch the pose anew.");
 }

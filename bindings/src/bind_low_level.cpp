@@ -66,8 +66,10 @@ void def_raw(nb::class_<Struct>& c, Struct (*make)() noexcept) {
   c.def("__init__", [make](Struct* self) { new (self) Struct(make()); });
   c.def("__copy__", [](const Struct& self) { return Struct(self); });
   c.def("__deepcopy__", [](const Struct& self, nb::dict) { return Struct(self); });
-  c.def("to_bytes", [](const Struct& s) { return nb::bytes(reinterpret_cast<const char*>(&s), sizeof(Struct)); },
-        "Return the packed struct as the SDK's headers lay it out in memory (not the UDP frame).");
+  c.def(
+      "to_bytes",
+      [](const Struct& s) { return nb::bytes(reinterpret_cast<const char*>(&s), sizeof(Struct)); },
+      "Return the packed struct as the SDK's headers lay it out in memory (not the UDP frame).");
   c.def_static(
       "from_bytes",
       [](const nb::bytes& data) {
@@ -91,7 +93,8 @@ void def_raw(nb::class_<Struct>& c, Struct (*make)() noexcept) {
 
 void bind_imu(nb::module_& m) {
   nb::class_<IMU> imu(m, "IMU", "Inertial measurement unit, in the IMU's own axes.");
-  def_array(imu, "quaternion", &IMU::quaternion, "w, x, y, z: IMU to world, vendor's filter. Used.");
+  def_array(imu, "quaternion", &IMU::quaternion,
+            "w, x, y, z: IMU to world, vendor's filter. Used.");
   def_array(imu, "gyroscope", &IMU::gyroscope, "Angular rate [rad/s], raw. Used.");
   def_array(imu, "accelerometer", &IMU::accelerometer,
             "Specific force [m/s^2], raw: +9.81 on z at rest. Used.");
@@ -115,8 +118,8 @@ void bind_motor_state(nb::module_& m) {
 }
 
 void bind_motor_cmd(nb::module_& m) {
-  nb::class_<MotorCmd> c(m, "MotorCmd",
-                         "One motor's command: tau' = tau + Kp (q - q') + Kd (dq - dq'), joint-side.");
+  nb::class_<MotorCmd> c(
+      m, "MotorCmd", "One motor's command: tau' = tau + Kp (q - q') + Kd (dq - dq'), joint-side.");
   def_number(c, "mode", &MotorCmd::mode, "0x0A servo, 0x00 damping.");
   def_number(c, "q", &MotorCmd::q, "Joint angle [rad], or PosStopF.");
   def_number(c, "dq", &MotorCmd::dq, "Joint velocity [rad/s], or VelStopF.");
@@ -160,30 +163,37 @@ void bind_frames(nb::module_& m) {
   nb::class_<LowState> state(
       m, "LowState",
       "What the robot says every tick: unitree_legged_sdk v3.5 - v3.8 (Go1), 937 bytes, packed.\n\n"
-      "Used: imu.quaternion, gyroscope, accelerometer; motorState q, dq, tauEst of motors 0 .. 11;\n"
+      "Used: imu.quaternion, gyroscope, accelerometer; motorState q, dq, tauEst of motors 0 .. "
+      "11;\n"
       "footForceEst; tick. Everything else is carried unused.");
   def_raw(state, init_low_state);
   def_header(state);
-  state.def_prop_ro("imu", [](LowState& s) -> IMU& { return s.imu; }, nb::rv_policy::reference_internal, "IMU.");
-  state.def_prop_ro("motorState", [](LowState& s) -> auto& { return s.motorState; },
-                    nb::rv_policy::reference_internal, "20 slots, 12 motors: FR FL RR RL x hip thigh calf.");
-  state.def_prop_ro("bms", [](LowState& s) -> BmsState& { return s.bms; },
-                    nb::rv_policy::reference_internal, "Battery report.");
+  state.def_prop_ro(
+      "imu", [](LowState& s) -> IMU& { return s.imu; }, nb::rv_policy::reference_internal, "IMU.");
+  state.def_prop_ro(
+      "motorState", [](LowState& s) -> auto& { return s.motorState; },
+      nb::rv_policy::reference_internal, "20 slots, 12 motors: FR FL RR RL x hip thigh calf.");
+  state.def_prop_ro(
+      "bms", [](LowState& s) -> BmsState& { return s.bms; }, nb::rv_policy::reference_internal,
+      "Battery report.");
   def_array(state, "footForce", &LowState::footForce, "Raw counts; own offset per foot, drifting.");
   def_array(state, "footForceEst", &LowState::footForceEst, "[N]; zero on most real robots. Used.");
   def_number(state, "tick", &LowState::tick, "[ms] modulo 2^32; only differences mean time. Used.");
 
   nb::class_<LowCmd> cmd(
       m, "LowCmd",
-      "What the robot is told every tick: unitree_legged_sdk v3.5 - v3.8 (Go1), 734 bytes, packed.\n\n"
+      "What the robot is told every tick: unitree_legged_sdk v3.5 - v3.8 (Go1), 734 bytes, "
+      "packed.\n\n"
       "LowCmd() is what the SDK's InitCmdData makes: 20 slots, mode 0x0A, q = PosStopF,\n"
       "dq = VelStopF, tau = Kp = Kd = 0.");
   def_raw(cmd, init_low_cmd);
   def_header(cmd);
-  cmd.def_prop_ro("motorCmd", [](LowCmd& c) -> auto& { return c.motorCmd; },
-                  nb::rv_policy::reference_internal, "20 slots, 12 motors: FR FL RR RL x hip thigh calf.");
-  cmd.def_prop_ro("bms", [](LowCmd& c) -> BmsCmd& { return c.bms; },
-                  nb::rv_policy::reference_internal, "Battery command.");
+  cmd.def_prop_ro(
+      "motorCmd", [](LowCmd& c) -> auto& { return c.motorCmd; }, nb::rv_policy::reference_internal,
+      "20 slots, 12 motors: FR FL RR RL x hip thigh calf.");
+  cmd.def_prop_ro(
+      "bms", [](LowCmd& c) -> BmsCmd& { return c.bms; }, nb::rv_policy::reference_internal,
+      "Battery command.");
 }
 
 void bind_constants(nb::module_& m) {

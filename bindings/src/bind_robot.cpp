@@ -18,14 +18,20 @@ namespace {
 
 void bind_gains(nb::module_& m) {
   nb::class_<GainInfo>(m, "GainInfo", "One row of gain_table().")
-      .def_prop_ro("name", [](const GainInfo& i) { return std::string(i.name); }, "Attribute of Gains.")
-      .def_prop_ro("unit", [](const GainInfo& i) { return std::string(i.unit); }, "Unit of the value.")
-      .def_prop_ro("minimum", [](const GainInfo& i) { return i.minimum; }, "Least valid value.")
-      .def_prop_ro("maximum", [](const GainInfo& i) { return i.maximum; }, "Greatest valid value.")
-      .def_prop_ro("default", [](const GainInfo& i) { return Gains().*i.member; }, "Library default.")
-      .def_prop_ro("meaning", [](const GainInfo& i) { return std::string(i.meaning); }, "What it does.");
-  nb::class_<Gains> gains(m, "Gains",
-                          "Everything that can be tuned; gain_table() says unit, range and meaning.");
+      .def_prop_ro(
+          "name", [](const GainInfo& i) { return std::string(i.name); }, "Attribute of Gains.")
+      .def_prop_ro(
+          "unit", [](const GainInfo& i) { return std::string(i.unit); }, "Unit of the value.")
+      .def_prop_ro(
+          "minimum", [](const GainInfo& i) { return i.minimum; }, "Least valid value.")
+      .def_prop_ro(
+          "maximum", [](const GainInfo& i) { return i.maximum; }, "Greatest valid value.")
+      .def_prop_ro(
+          "default", [](const GainInfo& i) { return Gains().*i.member; }, "Library default.")
+      .def_prop_ro(
+          "meaning", [](const GainInfo& i) { return std::string(i.meaning); }, "What it does.");
+  nb::class_<Gains> gains(
+      m, "Gains", "Everything that can be tuned; gain_table() says unit, range and meaning.");
   gains.def(nb::init<>());
   for (const GainInfo& info : gain_table()) {
     const auto member = info.member;
@@ -37,12 +43,16 @@ void bind_gains(nb::module_& m) {
   gains.def("validate", &Gains::validate, "Raise Error naming the first gain out of range or NaN.");
   gains.def("__copy__", [](const Gains& g) { return Gains(g); });
   gains.def("__eq__", [](const Gains& a, const Gains& b) { return a == b; }, nb::is_operator());
-  m.def("gain_table", [] {
-    std::vector<GainInfo> rows;
-    for (const GainInfo& info : gain_table()) rows.push_back(info);
-    return rows;
-  }, "List every gain: name, unit, range, default, meaning.");
-  m.def("get_gain", &get_gain, "gains"_a, "name"_a, "Read a gain by name; raises Error with valid names.");
+  m.def(
+      "gain_table",
+      [] {
+        std::vector<GainInfo> rows;
+        for (const GainInfo& info : gain_table()) rows.push_back(info);
+        return rows;
+      },
+      "List every gain: name, unit, range, default, meaning.");
+  m.def("get_gain", &get_gain, "gains"_a, "name"_a,
+        "Read a gain by name; raises Error with valid names.");
   m.def("set_gain", &set_gain, "gains"_a, "name"_a, "value"_a,
         "Write a gain by name; raises Error on an unknown name or a value out of range.");
 }
@@ -78,23 +88,28 @@ void bind_config(nb::module_& m) {
 void bind_robot(nb::module_& m) {
   bind_gains(m);
   bind_config(m);
-  nb::class_<Robot>(m, "Robot",
-                    "A robot: the part that never changes. Cheap to copy, safe to share.\n\n"
-                    "q and v are Pinocchio's: [position, quaternion x y z w, joints] and [base twist in\n"
-                    "base axes, joint velocities], joints in Pinocchio's order.")
+  nb::class_<Robot>(
+      m, "Robot",
+      "A robot: the part that never changes. Cheap to copy, safe to share.\n\n"
+      "q and v are Pinocchio's: [position, quaternion x y z w, joints] and [base twist in\n"
+      "base axes, joint velocities], joints in Pinocchio's order.")
       .def_static("from_serialized_model", &Robot::from_serialized_model, "text"_a, "config"_a,
                   "Build from pinocchio.Model.saveToString() text; the versions must agree.")
       .def_static("load", &Robot::load, "path"_a, "Read a .robot file; raises Error.")
       .def("save", &Robot::save, "path"_a, "Write a .robot file that C++ and Python read alike.")
       .def("serialized_model", &Robot::serialized_model,
            "Return the model as text for pinocchio.Model.loadFromString().")
-      .def_prop_ro("config", [](const Robot& r) { return RobotConfig(r.config()); }, "A copy of the configuration.")
-      .def_prop_ro("name", [](const Robot& r) { return r.config().name; }, "Name of the robot.")
+      .def_prop_ro(
+          "config", [](const Robot& r) { return RobotConfig(r.config()); },
+          "A copy of the configuration.")
+      .def_prop_ro(
+          "name", [](const Robot& r) { return r.config().name; }, "Name of the robot.")
       .def_prop_ro("nq", &Robot::nq, "Size of q.")
       .def_prop_ro("nv", &Robot::nv, "Size of v.")
       .def_prop_ro("mass", &Robot::mass, "Total mass [kg].")
       .def_prop_ro("motor_to_v", &Robot::motor_to_v, "Index in v of each SDK motor.")
       .def_prop_ro("motor_to_q", &Robot::motor_to_q, "Index in q of each SDK motor.")
-      .def_prop_ro("foot_frame_ids", &Robot::foot_frame_ids, "Pinocchio frame of each foot, FR FL RR RL.")
+      .def_prop_ro("foot_frame_ids", &Robot::foot_frame_ids,
+                   "Pinocchio frame of each foot, FR FL RR RL.")
       .def("q_standing", &Robot::q_standing, "q with the base level at the origin, standing pose.");
 }

@@ -98,9 +98,7 @@ const RobotState& StandController::state() const noexcept { return impl_->estima
 const Reference& StandController::reference() const noexcept {
   return impl_->reference.reference();
 }
-const Solution& StandController::solution() const noexcept {
-  return impl_->controller.solution();
-}
+const Solution& StandController::solution() const noexcept { return impl_->controller.solution(); }
 bool StandController::foot_force_alive() const noexcept {
   return impl_->estimator.foot_force_alive();
 }

@@ -37,6 +37,8 @@ struct Gains {
   double force_max_contact = 3.0;
   double force_lost_contact = 0.15;
   // Estimator: what is believed, and how much.
+  double attitude_gain = 0.2;
+  double gyro_bias_time = 2.0;
   double noise_accelerometer = 0.3;
   double noise_foot_position = 0.002;
   double noise_foot_velocity = 0.05;

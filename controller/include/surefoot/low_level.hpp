@@ -13,8 +13,8 @@
 /// number = 3 * leg + {0 hip, 1 thigh, 2 calf}. Slots 12 .. 19 exist on the wire and drive nothing.
 namespace surefoot {
 
-constexpr double PosStopF = 2.146e9;   ///< MotorCmd::q that switches the position loop off
-constexpr double VelStopF = 16000.0;   ///< MotorCmd::dq that switches the velocity loop off
+constexpr double PosStopF = 2.146e9;         ///< MotorCmd::q that switches the position loop off
+constexpr double VelStopF = 16000.0;         ///< MotorCmd::dq that switches the velocity loop off
 constexpr std::uint8_t kModeServo = 0x0A;    ///< motor follows q, dq, tau, Kp, Kd
 constexpr std::uint8_t kModeDamping = 0x00;  ///< motor brakes by itself
 constexpr std::uint8_t LOWLEVEL = 0xFF;      ///< levelFlag of every low-level frame
@@ -29,10 +29,18 @@ enum Leg : int { FR_ = 0, FL_ = 1, RR_ = 2, RL_ = 3 };
 
 /// Motor numbers of the SDK's quadruped.h.
 enum Motor : int {
-  FR_0 = 0, FR_1, FR_2,  // hip (abduction), thigh, calf
-  FL_0, FL_1, FL_2,
-  RR_0, RR_1, RR_2,
-  RL_0, RL_1, RL_2
+  FR_0 = 0,
+  FR_1,
+  FR_2,  // hip (abduction), thigh, calf
+  FL_0,
+  FL_1,
+  FL_2,
+  RR_0,
+  RR_1,
+  RR_2,
+  RL_0,
+  RL_1,
+  RL_2
 };
 
 #pragma pack(push, 1)
@@ -82,11 +90,11 @@ struct BmsState {
   std::uint8_t version_h;
   std::uint8_t version_l;
   std::uint8_t bms_status;
-  std::uint8_t SOC;     ///< [%] state of charge
-  std::int32_t current; ///< [mA]
+  std::uint8_t SOC;      ///< [%] state of charge
+  std::int32_t current;  ///< [mA]
   std::uint16_t cycle;
-  std::array<std::int8_t, 2> BQ_NTC;   ///< [deg C]
-  std::array<std::int8_t, 2> MCU_NTC;  ///< [deg C]
+  std::array<std::int8_t, 2> BQ_NTC;       ///< [deg C]
+  std::array<std::int8_t, 2> MCU_NTC;      ///< [deg C]
   std::array<std::uint16_t, 10> cell_vol;  ///< [mV]
 };
 

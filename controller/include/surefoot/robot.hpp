@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pinocchio/multibody/fwd.hpp>
-
 #include <memory>
+#include <pinocchio/multibody/fwd.hpp>
 #include <string>
 #include <string_view>
 

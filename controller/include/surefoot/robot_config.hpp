@@ -20,14 +20,14 @@ struct RobotConfig {
   Vector3 p_base_imu = Vector3::Zero();                  ///< [m] IMU origin in the base frame
   Eigen::Vector4d quat_base_imu = {1.0, 0.0, 0.0, 0.0};  ///< w x y z; maps IMU axes to base axes
 
-  Vector12 q_lower = Vector12::Zero();         ///< [rad] SDK and URDF limits, intersected
-  Vector12 q_upper = Vector12::Zero();         ///< [rad]
-  Vector12 dq_max = Vector12::Zero();          ///< [rad/s]
-  Vector12 tau_max = Vector12::Zero();         ///< [N.m] up to corner_speed
-  Vector12 corner_speed = Vector12::Zero();    ///< [rad/s] torque starts to fall here ...
-  Vector12 no_load_speed = Vector12::Zero();   ///< [rad/s] ... and has vanished here
-  Vector12 armature = Vector12::Zero();        ///< [kg.m^2] rotor inertia times gear ratio squared
-  Vector12 q_standing = Vector12::Zero();      ///< [rad]
+  Vector12 q_lower = Vector12::Zero();        ///< [rad] SDK and URDF limits, intersected
+  Vector12 q_upper = Vector12::Zero();        ///< [rad]
+  Vector12 dq_max = Vector12::Zero();         ///< [rad/s]
+  Vector12 tau_max = Vector12::Zero();        ///< [N.m] up to corner_speed
+  Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] torque starts to fall here ...
+  Vector12 no_load_speed = Vector12::Zero();  ///< [rad/s] ... and has vanished here
+  Vector12 armature = Vector12::Zero();       ///< [kg.m^2] rotor inertia times gear ratio squared
+  Vector12 q_standing = Vector12::Zero();     ///< [rad]
 
   double friction = 0.6;  ///< coefficient that the controller assumes between foot and ground
   Gains gains;            ///< this robot's defaults

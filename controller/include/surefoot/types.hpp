@@ -37,17 +37,17 @@ struct RobotState {
 
 /// What one foot is asked to do, in the world frame of RobotState.
 struct FootReference {
-  bool stance = true;                     ///< false: swing, carries no force
-  Vector3 p_world = Vector3::Zero();      ///< [m] where its contact point belongs (its anchor)
-  Vector3 v_world = Vector3::Zero();      ///< [m/s]
-  Vector3 a_world = Vector3::Zero();      ///< [m/s^2]
+  bool stance = true;                 ///< false: swing, carries no force
+  Vector3 p_world = Vector3::Zero();  ///< [m] where its contact point belongs (its anchor)
+  Vector3 v_world = Vector3::Zero();  ///< [m/s]
+  Vector3 a_world = Vector3::Zero();  ///< [m/s^2]
 };
 
 /// What the robot is asked to do, in the world frame of RobotState.
 struct Reference {
-  Vector3 p_com = Vector3::Zero();         ///< [m] centre of mass
-  Vector3 v_com = Vector3::Zero();         ///< [m/s]
-  Vector3 a_com = Vector3::Zero();         ///< [m/s^2] feed-forward
+  Vector3 p_com = Vector3::Zero();  ///< [m] centre of mass
+  Vector3 v_com = Vector3::Zero();  ///< [m/s]
+  Vector3 a_com = Vector3::Zero();  ///< [m/s^2] feed-forward
   Quaternion R_world_base = Quaternion::Identity();
   Vector3 w_world_base = Vector3::Zero();      ///< [rad/s] in world axes
   Vector3 alpha_world_base = Vector3::Zero();  ///< [rad/s^2] feed-forward, world axes
@@ -60,11 +60,11 @@ struct Solution {
   explicit Solution(int nv = 18)
       : accelerations(Eigen::VectorXd::Zero(nv)), torques(Eigen::VectorXd::Zero(nv - 6)) {}
   Status status = Status::kWaiting;
-  Eigen::VectorXd accelerations;          ///< shape (nv,), Pinocchio's order
-  FeetMatrix forces = FeetMatrix::Zero(); ///< [N] ground on foot, world axes, FR FL RR RL
-  Eigen::VectorXd torques;                ///< [N.m] shape (nv - 6,), order of v[6:]
-  int iterations = 0;                     ///< inner iterations of the solver
-  double primal_residual = 0.0;           ///< our own check, in the program's scaling
+  Eigen::VectorXd accelerations;           ///< shape (nv,), Pinocchio's order
+  FeetMatrix forces = FeetMatrix::Zero();  ///< [N] ground on foot, world axes, FR FL RR RL
+  Eigen::VectorXd torques;                 ///< [N.m] shape (nv - 6,), order of v[6:]
+  int iterations = 0;                      ///< inner iterations of the solver
+  double primal_residual = 0.0;            ///< our own check, in the program's scaling
   double dual_residual = 0.0;
 };
 

@@ -21,10 +21,10 @@ Dynamics::Dynamics(const Robot& robot)
     for (int k = 1; k < kLegJoints; ++k) {
       // The leg's blocks are read as contiguous 3x3 pieces of the mass matrix.
       if (robot.motor_to_v()[3 * leg + k] == first + k) continue;
-      throw Error("robot '" + robot.config().name + "': joint '" +
-                  robot.config().joint_names[3 * leg + k] +
-                  "' does not follow its leg's previous joint in the model; expected the chain hip, "
-                  "thigh, calf");
+      throw Error(
+          "robot '" + robot.config().name + "': joint '" + robot.config().joint_names[3 * leg + k] +
+          "' does not follow its leg's previous joint in the model; expected the chain hip, "
+          "thigh, calf");
     }
   }
 }
@@ -66,7 +66,8 @@ void Dynamics::update_com(const Eigen::VectorXd& v) noexcept {
   v_world_com_ = R_world_base_ * momentum / robot_.mass();
 }
 
-void Dynamics::update_leg(int leg, const Vector3& ground_normal, const Eigen::VectorXd& v) noexcept {
+void Dynamics::update_leg(int leg, const Vector3& ground_normal,
+                          const Eigen::VectorXd& v) noexcept {
   const auto& [model, data] = *pinocchio_;
   const auto& frame = model.frames[robot_.foot_frame_ids()[leg]];
   const auto& placement = data.oMi[frame.parentJoint];
@@ -90,8 +91,8 @@ void Dynamics::update_leg(int leg, const Vector3& ground_normal, const Eigen::Ve
   const auto& accel = data.a_gf[frame.parentJoint];
   const Vector3 w = twist.angular();
   const Vector3 r = frame.placement.translation();
-  const Vector3 centre = accel.linear() + accel.angular().cross(r) +
-                         w.cross(twist.linear() + w.cross(r));
+  const Vector3 centre =
+      accel.linear() + accel.angular().cross(r) + w.cross(twist.linear() + w.cross(r));
   out.drift = placement.rotation() * centre + model.gravity.linear() +
               lever.cross(placement.rotation() * accel.angular());
 

@@ -13,14 +13,14 @@ using Matrix36 = Eigen::Matrix<double, 3, 6>;
 
 /// One leg's share of the equations of motion, and its contact point. World axes for points.
 struct LegDynamics {
-  Vector3 p_world_contact;     ///< [m] foot centre minus radius times ground normal
-  Vector3 v_world_contact;     ///< [m/s] of the foot's material point there: zero when it rolls
-  Matrix36 J_base;             ///< contact velocity from the base twist
-  Matrix3 J_leg;               ///< contact velocity from the leg's three joint velocities
-  Vector3 drift;               ///< [m/s^2] contact acceleration at zero generalised acceleration
-  Matrix63 M_base_leg;         ///< block of the mass matrix
-  Matrix3 M_leg;               ///< block of the mass matrix, armature included
-  Vector3 h_leg;               ///< [N.m] Coriolis, centrifugal and gravity
+  Vector3 p_world_contact;  ///< [m] foot centre minus radius times ground normal
+  Vector3 v_world_contact;  ///< [m/s] of the foot's material point there: zero when it rolls
+  Matrix36 J_base;          ///< contact velocity from the base twist
+  Matrix3 J_leg;            ///< contact velocity from the leg's three joint velocities
+  Vector3 drift;            ///< [m/s^2] contact acceleration at zero generalised acceleration
+  Matrix63 M_base_leg;      ///< block of the mass matrix
+  Matrix3 M_leg;            ///< block of the mass matrix, armature included
+  Vector3 h_leg;            ///< [N.m] Coriolis, centrifugal and gravity
 };
 
 /// Everything Pinocchio computes in one tick; the only caller of its algorithms.

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/attitude.hpp"
 
+#include <Eigen/LU>
+
 namespace surefoot {
 
-Status read_attitude(const IMU& imu, const RobotConfig& config, Attitude& out) noexcept {
+namespace {
+
+constexpr double kBiasMax = 0.1;      // [rad/s] no sane gyroscope is off by more
+constexpr double kAlignTime = 1.0;    // [s] and kAlignGain: follow faster at first, because
+constexpr double kAlignGain = 2.0;    // [1/s] the vendor's filter may start far off
+constexpr double kBelievableG = 1.0;  // [m/s^2] |f| further from g than this is no plumb line
+
+}  // namespace
+
+Status read_imu(const IMU& imu, const RobotConfig& config, ImuReading& out) noexcept {
   Quaternion R_world_imu(imu.quaternion[0], imu.quaternion[1], imu.quaternion[2],
                          imu.quaternion[3]);
   const double norm = R_world_imu.norm();
@@ -16,8 +27,54 @@ Status read_attitude(const IMU& imu, const RobotConfig& config, Attitude& out) n
   out.w_base = R_base_imu * Vector3(imu.gyroscope[0], imu.gyroscope[1], imu.gyroscope[2]);
   out.f_base =
       R_base_imu * Vector3(imu.accelerometer[0], imu.accelerometer[1], imu.accelerometer[2]);
-  out.p_base_imu = config.p_base_imu;
   return Status::kOk;
+}
+
+void AttitudeFilter::reset(const ImuReading& imu) noexcept {
+  const Vector3 x_axis = imu.R_world_base * Vector3::UnitX();
+  const Quaternion R_level(
+      Eigen::AngleAxisd(-std::atan2(x_axis.y(), x_axis.x()), Vector3::UnitZ()));
+  R_world_base_ = R_level * imu.R_world_base;
+  bias_.setZero();
+  age_ = 0.0;
+  w_base_ = imu.w_base;
+}
+
+void AttitudeFilter::update(const Gains& gains, const ImuReading& imu, double dt) noexcept {
+  w_base_ = imu.w_base - bias_;
+  Vector3 turn = w_base_;
+  const double magnitude = imu.f_base.norm();
+  if (std::abs(magnitude - kGravity) < kBelievableG) {
+    const Vector3 up_base = R_world_base_.conjugate() * Vector3::UnitZ();
+    const double gain = gains.attitude_gain + kAlignGain * std::exp(-age_ / kAlignTime);
+    turn += gain * (imu.f_base / magnitude).cross(up_base);
+  }
+  age_ += dt;
+  R_world_base_ = (R_world_base_ * exp_so3(dt * turn)).normalized();
+}
+
+// Contact points at rest: v_base + v_i = 0 for every stance foot, where v_i holds w x p_i. A rate
+// that is wrong by b leaves v_i - mean = b x (p_i - mean): least squares for b over the feet.
+void AttitudeFilter::learn_bias(const Gains& gains, const Dynamics& dynamics,
+                                const Eigen::Vector4d& contact, double dt) noexcept {
+  if (contact.minCoeff() < 0.99) return;
+  Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();
+  for (const LegDynamics& L : dynamics.legs()) {
+    p_mean += 0.25 * L.p_world_contact;
+    v_mean += 0.25 * L.v_world_contact;
+  }
+  Matrix3 normal_matrix = Matrix3::Zero();
+  Vector3 moment = Vector3::Zero();
+  for (const LegDynamics& L : dynamics.legs()) {
+    const Vector3 arm = L.p_world_contact - p_mean;
+    normal_matrix += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
+    moment += arm.cross(L.v_world_contact - v_mean);
+  }
+  const Vector3 wrong = R_world_base_.conjugate() * (normal_matrix.inverse() * moment);
+  if (!wrong.allFinite()) return;
+  const Vector3 step = wrong.cwiseMax(-kBiasMax).cwiseMin(kBiasMax);
+  bias_ += dt / (dt + gains.gyro_bias_time) * step;
+  bias_ = bias_.cwiseMax(-kBiasMax).cwiseMin(kBiasMax);
 }
 
 }  // namespace surefoot

@@ -20,13 +20,10 @@ void BaseFilter::reset(const Vector3& p_imu, const FeetMatrix& p_feet) noexcept 
   wandering_.fill(false);
 }
 
-void BaseFilter::update(const Gains& gains, const Attitude& attitude, const Dynamics& dynamics,
+void BaseFilter::update(const Gains& gains, const Vector3& f_world, const Vector3& p_imu,
+                        const Vector3& v_imu, const Dynamics& dynamics,
                         const Eigen::Vector4d& contact, double dt) noexcept {
-  const Matrix3 R = attitude.R_world_base.toRotationMatrix();
-  predict(gains, R * attitude.f_base - kGravity * Vector3::UnitZ(), contact, dt);
-
-  const Vector3 p_imu = R * attitude.p_base_imu;
-  const Vector3 v_imu = (R * attitude.w_base).cross(p_imu);
+  predict(gains, f_world - kGravity * Vector3::UnitZ(), contact, dt);
   refused_ = 0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
@@ -40,15 +37,15 @@ void BaseFilter::update(const Gains& gains, const Attitude& attitude, const Dyna
     // v_foot = v_base + v_relative = 0 in stance, and v_imu = v_base + w x p_imu.
     const double doubt = 1.0 - contact[leg];
     const double sigma = gains.noise_foot_velocity + doubt * doubt * kSwingSigma;
-    const bool velocity_ok = correct(Vector6::Unit(1), v_imu - L.v_world_contact, sigma * sigma,
-                                     gains.gate_foot);
+    const bool velocity_ok =
+        correct(Vector6::Unit(1), v_imu - L.v_world_contact, sigma * sigma, gains.gate_foot);
     wandering_[leg] = !(position_ok && velocity_ok);
     refused_ += !position_ok + !velocity_ok;
   }
 }
 
-void BaseFilter::predict(const Gains& gains, const Vector3& a_world,
-                         const Eigen::Vector4d& contact, double dt) noexcept {
+void BaseFilter::predict(const Gains& gains, const Vector3& a_world, const Eigen::Vector4d& contact,
+                         double dt) noexcept {
   x_.row(0) += dt * x_.row(1) + 0.5 * dt * dt * a_world.transpose();
   x_.row(1) += dt * a_world.transpose();
   P_.row(0) += dt * P_.row(1);

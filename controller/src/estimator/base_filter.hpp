@@ -2,7 +2,6 @@
 #pragma once
 
 #include "dynamics/dynamics.hpp"
-#include "estimator/attitude.hpp"
 #include "surefoot/gains.hpp"
 
 namespace surefoot {
@@ -19,10 +18,13 @@ class BaseFilter {
   /// Put the IMU point at `p_imu`, at rest, feet where the kinematics say.
   void reset(const Vector3& p_imu, const FeetMatrix& p_feet) noexcept;
 
+  /// @param f_world specific force at the IMU, world axes [m/s^2]
+  /// @param p_imu,v_imu of the IMU from the base's origin, world axes [m], [m/s]
   /// @param dynamics updated with the base at the origin and no linear velocity
   /// @param contact belief per foot, 0 .. 1
-  void update(const Gains& gains, const Attitude& attitude, const Dynamics& dynamics,
-              const Eigen::Vector4d& contact, double dt) noexcept;
+  void update(const Gains& gains, const Vector3& f_world, const Vector3& p_imu,
+              const Vector3& v_imu, const Dynamics& dynamics, const Eigen::Vector4d& contact,
+              double dt) noexcept;
 
   Vector3 p_imu() const noexcept { return x_.row(0).transpose(); }
   Vector3 v_imu() const noexcept { return x_.row(1).transpose(); }

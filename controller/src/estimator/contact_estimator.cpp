@@ -7,14 +7,13 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kForceFilter = 0.01;   // [s] smooths the torque-based force
-constexpr double kDeadAfter = 0.1;      // [s] of zeros on all feet
-constexpr double kCarrying = 0.5;       // share of the weight that the torques must show meanwhile
+constexpr double kForceFilter = 0.01;  // [s] smooths the torque-based force
+constexpr double kDeadAfter = 0.1;     // [s] of zeros on all feet
+constexpr double kCarrying = 0.5;      // share of the weight that the torques must show meanwhile
 
 }  // namespace
 
-void ContactEstimator::update(const Gains& gains, const Dynamics& dynamics,
-                              const Vector12& tau_est,
+void ContactEstimator::update(const Gains& gains, const Dynamics& dynamics, const Vector12& tau_est,
                               const std::array<std::int16_t, kLegs>& foot_force_est,
                               const Vector3& normal, double dt) noexcept {
   const double blend = dt / (dt + kForceFilter);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/state_estimator.hpp"
 
+#include "estimator/attitude.hpp"
 #include "estimator/base_filter.hpp"
 #include "estimator/contact_estimator.hpp"
 #include "low_state_check.hpp"
@@ -15,19 +16,18 @@ struct StateEstimator::Impl {
         contact(r.mass() * kGravity),
         state(r.nq(), r.nv()) {}
   void read_joints(const LowState& low_state) noexcept;
-  void write_base() noexcept;
+  void place_base(const Vector3& f_base, double dt) noexcept;
 
   Robot robot;
   Gains gains;
   Dynamics dynamics;
-  Attitude attitude;
+  AttitudeFilter attitude;
   ContactEstimator contact;
   BaseFilter filter;
   RobotState state;
   Vector12 dq_motor = Vector12::Zero();
   Vector12 tau_est = Vector12::Zero();
   Vector3 normal = Vector3::UnitZ();
-  Quaternion R_heading = Quaternion::Identity();  // takes the IMU's first yaw away
   bool started = false;
 };
 
@@ -38,9 +38,7 @@ StateEstimator::StateEstimator(StateEstimator&&) noexcept = default;
 const RobotState& StateEstimator::state() const noexcept { return impl_->state; }
 const Vector12& StateEstimator::dq_motor() const noexcept { return impl_->dq_motor; }
 const Dynamics& StateEstimator::dynamics() const noexcept { return impl_->dynamics; }
-bool StateEstimator::foot_force_alive() const noexcept {
-  return impl_->contact.foot_force_alive();
-}
+bool StateEstimator::foot_force_alive() const noexcept { return impl_->contact.foot_force_alive(); }
 const Eigen::Vector4d& StateEstimator::torque_force() const noexcept {
   return impl_->contact.torque_force();
 }
@@ -61,36 +59,24 @@ void StateEstimator::reset() noexcept {
 Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   Impl& s = *impl_;
   if (!finite(low_state)) return Status::kNonFinite;
-  Attitude attitude;
-  const Status status = read_attitude(low_state.imu, s.robot.config(), attitude);
+  ImuReading imu;
+  const Status status = read_imu(low_state.imu, s.robot.config(), imu);
   if (status != Status::kOk) return status;
-  if (!s.started) {
-    const Vector3 x_axis = attitude.R_world_base * Vector3::UnitX();
-    s.R_heading = Eigen::AngleAxisd(-std::atan2(x_axis.y(), x_axis.x()), Vector3::UnitZ());
-  }
-  attitude.R_world_base = s.R_heading * attitude.R_world_base;
-  s.attitude = attitude;
+  if (!s.started) s.attitude.reset(imu);
+  s.attitude.update(s.gains, imu, dt);
 
   // Kinematics and dynamics as if the base were at the origin and at rest; moved below.
   s.read_joints(low_state);
   s.state.q.head<3>().setZero();
-  s.state.q.segment<4>(3) = attitude.R_world_base.coeffs();  // x y z w
+  s.state.q.segment<4>(3) = s.attitude.R_world_base().coeffs();  // x y z w
   s.state.v.head<3>().setZero();
-  s.state.v.segment<3>(3) = attitude.w_base;
+  s.state.v.segment<3>(3) = s.attitude.w_base();
   s.dynamics.update(s.state.q, s.state.v, s.normal);
 
   s.contact.update(s.gains, s.dynamics, s.tau_est, low_state.footForceEst, s.normal, dt);
   s.state.contact = s.contact.probability();
-  if (!s.started) {
-    FeetMatrix p_feet;
-    for (int leg = 0; leg < kLegs; ++leg) p_feet.col(leg) = s.dynamics.legs()[leg].p_world_contact;
-    const Vector3 origin(0.0, 0.0, -p_feet.row(2).mean());
-    s.filter.reset(origin + attitude.R_world_base * attitude.p_base_imu,
-                   p_feet.colwise() + origin);
-    s.started = true;
-  }
-  s.filter.update(s.gains, attitude, s.dynamics, s.state.contact, dt);
-  s.write_base();
+  s.attitude.learn_bias(s.gains, s.dynamics, s.state.contact, dt);
+  s.place_base(imu.f_base, dt);
   return Status::kOk;
 }
 
@@ -104,12 +90,22 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
   }
 }
 
-// From the IMU's point to the base's origin.
-void StateEstimator::Impl::write_base() noexcept {
-  const Matrix3 R = attitude.R_world_base.toRotationMatrix();
-  const Vector3 arm = R * attitude.p_base_imu;
+// The filter tracks the IMU's own point, where the accelerometer is right; the base's origin is an
+// arm away from it.
+void StateEstimator::Impl::place_base(const Vector3& f_base, double dt) noexcept {
+  const Matrix3& R = dynamics.R_world_base();
+  const Vector3 arm = R * robot.config().p_base_imu;
+  const Vector3 arm_speed = dynamics.w_world_base().cross(arm);
+  if (!started) {
+    FeetMatrix p_feet;
+    for (int leg = 0; leg < kLegs; ++leg) p_feet.col(leg) = dynamics.legs()[leg].p_world_contact;
+    const Vector3 origin(0.0, 0.0, -p_feet.row(2).mean());
+    filter.reset(origin + arm, p_feet.colwise() + origin);
+    started = true;
+  }
+  filter.update(gains, R * f_base, arm, arm_speed, dynamics, state.contact, dt);
   const Vector3 p_base = filter.p_imu() - arm;
-  const Vector3 v_base = filter.v_imu() - (R * attitude.w_base).cross(arm);
+  const Vector3 v_base = filter.v_imu() - arm_speed;
   state.q.head<3>() = p_base;
   state.v.head<3>() = R.transpose() * v_base;
   dynamics.shift(p_base, v_base);

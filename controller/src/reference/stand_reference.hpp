@@ -9,8 +9,9 @@ namespace surefoot {
 
 /// Makes the Reference that holds the body where and as it stood when latched.
 ///
-/// What is kept is relative to the feet: centre of mass from their centroid, yaw from their
-/// heading, each foot's place in their frame; roll and pitch from gravity. Real-time: yes.
+/// Everything is kept in the support frame, which joint angles alone determine: centre of mass,
+/// orientation and the feet's own places. The IMU's slow errors move that frame and the body
+/// together and so cannot lean the robot. Real-time: yes.
 class StandReference {
  public:
   bool latched() const noexcept { return latched_; }
@@ -28,18 +29,19 @@ class StandReference {
  private:
   void follow_ground(const SupportFrame& support, const Eigen::Vector4d& contact,
                      double dt) noexcept;
-  void follow_moved_feet(const SupportFrame& support, const Dynamics& dynamics,
-                         const Eigen::Vector4d& contact, double dt) noexcept;
-  void integrate(const Gains& gains, const Dynamics& dynamics, const Matrix3& R_world_heading,
+  void follow_moved_feet(const SupportFrame& support, const Matrix3& R_world_support,
+                         const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                         double dt) noexcept;
+  void integrate(const Gains& gains, const Dynamics& dynamics, const Matrix3& R_world_support,
                  double dt) noexcept;
 
   bool latched_ = false;
-  Vector3 com_from_centroid_ = Vector3::Zero();               // heading axes
-  Quaternion R_heading_base_ = Quaternion::Identity();
-  FeetMatrix anchors_ = FeetMatrix::Zero();                   // heading axes, from the centroid
+  Vector3 com_from_centroid_ = Vector3::Zero();  // support axes
+  Quaternion R_support_base_ = Quaternion::Identity();
+  FeetMatrix anchors_ = FeetMatrix::Zero();  // support axes, from the centroid
   Vector3 normal_ = Vector3::UnitZ();
-  Vector3 com_integral_ = Vector3::Zero();                    // [m/s^2] heading axes
-  Vector3 base_integral_ = Vector3::Zero();                   // [rad/s^2] heading axes
+  Vector3 com_integral_ = Vector3::Zero();   // [m/s^2] support axes
+  Vector3 base_integral_ = Vector3::Zero();  // [rad/s^2] support axes
   Reference reference_;
 };
 

@@ -5,8 +5,13 @@
 
 namespace surefoot {
 
-Matrix3 SupportFrame::R_world_heading() const noexcept {
-  return Eigen::AngleAxisd(heading, Vector3::UnitZ()).toRotationMatrix();
+Matrix3 SupportFrame::R_world_support(const Vector3& smooth_normal) const noexcept {
+  const Vector3 forward(std::cos(heading), std::sin(heading), 0.0);
+  Matrix3 R;
+  R.col(2) = smooth_normal;
+  R.col(1) = smooth_normal.cross(forward).normalized();
+  R.col(0) = R.col(1).cross(R.col(2));
+  return R;
 }
 
 SupportFrame fit_support_frame(const FeetMatrix& p) noexcept {

@@ -10,11 +10,12 @@ namespace surefoot {
 /// World x, y and yaw of a legged robot drift; a reference that stayed there would lean the robot
 /// off its feet. The feet themselves do not drift.
 struct SupportFrame {
-  Vector3 centroid = Vector3::Zero();       ///< [m] mean of the four contact points, world
-  double heading = 0.0;                     ///< [rad] from the rear feet's middle to the front's
-  Vector3 normal = Vector3::UnitZ();        ///< of the plane through the feet, upwards
+  Vector3 centroid = Vector3::Zero();  ///< [m] mean of the four contact points, world
+  double heading = 0.0;                ///< [rad] from the rear feet's middle to the front's
+  Vector3 normal = Vector3::UnitZ();   ///< of the plane through the feet, upwards
 
-  Matrix3 R_world_heading() const noexcept;  ///< rotation about the vertical by `heading`
+  /// Axes of the frame: z along a normal (given, so that it may be smoothed), x towards `heading`.
+  Matrix3 R_world_support(const Vector3& smooth_normal) const noexcept;
 };
 
 /// Fit the frame to the contact points, one column a foot, world axes. Real-time: yes.

@@ -44,6 +44,10 @@ constexpr GainInfo kRows[] = {
      "greatest normal force of a foot in contact"},
     {"force_lost_contact", "m g", 0, 0.5, &G::force_lost_contact,
      "greatest normal force of a stance foot whose contact is lost"},
+    {"attitude_gain", "1/s", 0, 20, &G::attitude_gain,
+     "how fast the tilt follows the accelerometer"},
+    {"gyro_bias_time", "s", 0.1, 1000, &G::gyro_bias_time,
+     "time constant of the gyroscope's bias, learnt from the legs"},
     {"noise_accelerometer", "m/s^2", 1e-4, 100, &G::noise_accelerometer,
      "accelerometer noise of the base filter, at 500 Hz"},
     {"noise_foot_position", "m", 1e-6, 1, &G::noise_foot_position,
@@ -100,9 +104,7 @@ bool Gains::operator==(const Gains& other) const {
   return true;
 }
 
-double get_gain(const Gains& gains, std::string_view name) {
-  return gains.*find_gain(name).member;
-}
+double get_gain(const Gains& gains, std::string_view name) { return gains.*find_gain(name).member; }
 
 void set_gain(Gains& gains, std::string_view name, double value) {
   const GainInfo& info = find_gain(name);

@@ -13,11 +13,13 @@ namespace surefoot {
 namespace {
 
 void check_base(const pinocchio::Model& model, const RobotConfig& config) {
-  const bool free_flyer = model.njoints > 1 && model.joints[1].nq() == 7 && model.joints[1].nv() == 6;
+  const bool free_flyer =
+      model.njoints > 1 && model.joints[1].nq() == 7 && model.joints[1].nv() == 6;
   if (!free_flyer) {
     throw Error("robot '" + config.name + "': the model's first joint is " +
-                (model.njoints > 1 ? "'" + model.names[1] + "' (" + model.joints[1].shortname() + ")"
-                                   : std::string("missing")) +
+                (model.njoints > 1
+                     ? "'" + model.names[1] + "' (" + model.joints[1].shortname() + ")"
+                     : std::string("missing")) +
                 ", expected a free-flyer; build the model with a JointModelFreeFlyer root");
   }
 }

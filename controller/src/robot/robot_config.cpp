@@ -18,7 +18,8 @@ namespace {
 void check_positive(const RobotConfig& config, const char* field, const Vector12& values,
                     bool zero_allowed) {
   for (int i = 0; i < kMotors; ++i) {
-    const bool good = std::isfinite(values[i]) && (values[i] > 0.0 || (zero_allowed && values[i] == 0.0));
+    const bool good =
+        std::isfinite(values[i]) && (values[i] > 0.0 || (zero_allowed && values[i] == 0.0));
     if (!good) {
       fail(config, std::string(field) + " of " + config.joint_names[i], to_text(values[i]),
            zero_allowed ? "a number >= 0" : "a number > 0");
@@ -31,7 +32,8 @@ void check_names(const RobotConfig& config) {
     fail(config, "name", "'" + config.name + "'", "a word without spaces");
   }
   for (int i = 0; i < kMotors; ++i) {
-    if (config.joint_names[i].empty()) fail(config, "joint name " + std::to_string(i), "''", "a name");
+    if (config.joint_names[i].empty())
+      fail(config, "joint name " + std::to_string(i), "''", "a name");
     for (int j = 0; j < i; ++j) {
       if (config.joint_names[i] == config.joint_names[j]) {
         fail(config, "joint names", "'" + config.joint_names[i] + "' twice", "12 different names");

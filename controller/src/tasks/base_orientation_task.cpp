@@ -17,8 +17,7 @@ TaskRows base_orientation_task(const Gains& gains, const Vector3& angular_accele
                                const Dynamics& dynamics, const Condensed& condensed) noexcept {
   TaskRows rows;
   rows.A = condensed.B.bottomRows<3>();
-  rows.b = dynamics.R_world_base().transpose() * angular_acceleration_world -
-           condensed.c.tail<3>();
+  rows.b = dynamics.R_world_base().transpose() * angular_acceleration_world - condensed.c.tail<3>();
   rows.weight << gains.weight_base_tilt, gains.weight_base_tilt, gains.weight_base_yaw;
   return rows;
 }

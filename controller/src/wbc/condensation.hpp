@@ -16,9 +16,9 @@ using Matrix12 = Eigen::Matrix<double, 12, 12>;
 ///   joints:  tau = T f + t0
 /// so dynamics and contacts hold by construction whatever f is. Derived in docs/condensed-qp.md.
 struct Condensed {
-  Matrix6x12 B;   ///< base acceleration from forces; forces FR FL RR RL, world axes [N]
+  Matrix6x12 B;  ///< base acceleration from forces; forces FR FL RR RL, world axes [N]
   Vector6 c;
-  Matrix12 T;     ///< joint torques (SDK motor order) from forces
+  Matrix12 T;  ///< joint torques (SDK motor order) from forces
   Vector12 t0;
   Eigen::Matrix<double, 12, 6> W;  ///< leg accelerations (SDK motor order) from the base's
   Vector12 w;

@@ -30,8 +30,7 @@ ConeRows friction_cone(const Vector3& normal, double friction) noexcept {
   const Vector3 inward = friction * std::cos(M_PI / kFacets) * normal;
   ConeRows rows;
   for (int k = 0; k < kFacets; ++k) {
-    rows.row(k) =
-        kDirections.cosine[k] * forward + kDirections.sine[k] * lateral - inward;
+    rows.row(k) = kDirections.cosine[k] * forward + kDirections.sine[k] * lateral - inward;
   }
   return rows;
 }

@@ -42,7 +42,8 @@ class QpSolver {
   QpSolver(int n, int n_in);
   ~QpSolver();
 
-  /// Solve, warm started from the last answer; on failure once more from nothing.
+  /// Solve, warm started from the last answer; go on from a corrected one while our check fails,
+  /// and at last from nothing.
   QpResult solve(const QpProblem& problem) noexcept;
 
   /// Forget the last answer: the next solve starts cold.
@@ -53,7 +54,12 @@ class QpSolver {
 
  private:
   struct Workspace;
-  QpResult attempt(const QpProblem& problem, bool warm) noexcept;
+  void write(const QpProblem& problem) noexcept;
+  QpResult run(const QpProblem& problem) noexcept;
+  QpResult check(const QpProblem& problem) noexcept;
+  double gap(Eigen::Index row) const noexcept;
+  void drop_slack_multipliers() noexcept;
+  void forget() noexcept;
   std::unique_ptr<Workspace> workspace_;
   bool has_answer_ = false;
 };

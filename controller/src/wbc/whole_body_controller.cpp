@@ -67,8 +67,7 @@ const Solution& WholeBodyController::update(const RobotState& state,
   return solve(s.dynamics, state.contact, dq, reference);
 }
 
-const Solution& WholeBodyController::solve(const Dynamics& dynamics,
-                                           const Eigen::Vector4d& contact,
+const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                                            const Vector12& dq_motor,
                                            const Reference& reference) noexcept {
   Impl& s = *impl_;
@@ -83,7 +82,8 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics,
       s.gains, base_angular_acceleration(s.gains, reference, dynamics), dynamics, s.condensed);
 
   const Eigen::Vector4d normal_limits = s.normal_force_limits(contact, reference);
-  const Eigen::Vector4d share = normal_limits / (s.gains.force_max_contact * s.robot.mass() * kGravity);
+  const Eigen::Vector4d share =
+      normal_limits / (s.gains.force_max_contact * s.robot.mass() * kGravity);
   const auto limits = s.torque_limits(dq_motor);
   s.program.set_cost(s.gains, com, orientation, even_forces(com, orientation, share));
   s.program.set_friction(reference.ground_normal, s.robot.config().friction, normal_limits);
@@ -109,8 +109,8 @@ Eigen::Vector4d WholeBodyController::Impl::normal_force_limits(
   const double weight = robot.mass() * kGravity;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double belief = std::min(std::max(contact[leg], 0.0), 1.0);
-    const double limit = gains.force_lost_contact +
-                         belief * (gains.force_max_contact - gains.force_lost_contact);
+    const double limit =
+        gains.force_lost_contact + belief * (gains.force_max_contact - gains.force_lost_contact);
     limits[leg] = reference.feet[leg].stance ? limit * weight : 0.0;
   }
   return limits;
@@ -127,8 +127,7 @@ Eigen::Matrix<double, kMotors, 2> WholeBodyController::Impl::torque_limits(
 }
 
 void WholeBodyController::Impl::write_solution(
-    const Vector12& forces,
-    const Eigen::Matrix<double, kMotors, 2>& limits) noexcept {
+    const Vector12& forces, const Eigen::Matrix<double, kMotors, 2>& limits) noexcept {
   const Vector6 a_base = condensed.B * forces + condensed.c;
   const Vector12 a_legs = condensed.leg_accelerations(a_base);
   const Vector12 tau =

@@ -66,12 +66,11 @@ void WholeBodyProgram::set_friction(const Vector3& normal, double friction,
   }
 }
 
-void WholeBodyProgram::set_torque_limits(
-    const Condensed& condensed, const Eigen::Matrix<double, kMotors, 2>& limits) noexcept {
+void WholeBodyProgram::set_torque_limits(const Condensed& condensed,
+                                         const Eigen::Matrix<double, kMotors, 2>& limits) noexcept {
   const int row = kLegs * (kFacets + 1);
   const Vector12 inverse = tau_max_.cwiseInverse();
-  problem_.C.block<kMotors, kForces>(row, 0) =
-      (force_unit_ * inverse).asDiagonal() * condensed.T;
+  problem_.C.block<kMotors, kForces>(row, 0) = (force_unit_ * inverse).asDiagonal() * condensed.T;
   const Vector12 lower = (limits.col(0) - condensed.t0).cwiseProduct(inverse);
   const Vector12 upper = (limits.col(1) - condensed.t0).cwiseProduct(inverse);
   problem_.l.segment<kMotors>(row) = lower.cwiseMin(0.0);
