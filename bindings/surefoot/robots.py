@@ -86,6 +86,8 @@ def load_gains(path: str | Path, start: Gains | None = None) -> Gains:
     table = _read_toml(Path(path))
     gains = start.__copy__() if start is not None else Gains()
     rows = table["gains"] if set(table) == {"gains"} else table
+    if not isinstance(rows, dict):
+        raise Error(f"{path}: 'gains' is {rows!r}, expected a table of names and numbers")
     _apply_gains(gains, rows, str(path))
     return gains
 
@@ -127,7 +129,12 @@ def load_pinocchio_model(description: RobotDescription) -> Any:
 
     if not description.urdf.is_file():
         raise Error(f"URDF not found: got '{description.urdf}', expected a file")
-    return pinocchio.buildModelFromUrdf(str(description.urdf), pinocchio.JointModelFreeFlyer())
+    try:
+        return pinocchio.buildModelFromUrdf(
+            str(description.urdf), pinocchio.JointModelFreeFlyer()
+        )
+    except ValueError as problem:
+        raise Error(f"'{description.urdf}' is not a URDF: {problem}") from None
 
 
 def build_robot(description: RobotDescription) -> Robot:
@@ -235,6 +242,8 @@ def _read_toml(path: Path) -> dict[str, Any]:
 
 def _check_table(table: dict[str, Any], source: str) -> None:
     for section, rows in table.items():
+        if section in _KEYS and not isinstance(rows, dict):
+            raise Error(f"{source}: '{section}' is {rows!r}, expected a table [{section}]")
         if section not in _KEYS:
             raise Error(
                 f"{source}: unknown section [{section}]{_suggest(section, _KEYS)}; "

@@ -30,6 +30,7 @@ Dynamics::Dynamics(const Robot& robot)
 }
 
 Dynamics::~Dynamics() = default;
+Dynamics::Dynamics(Dynamics&&) noexcept = default;
 
 void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       const Vector3& ground_normal) noexcept {

@@ -32,6 +32,7 @@ class Dynamics {
  public:
   explicit Dynamics(const Robot& robot);
   ~Dynamics();
+  Dynamics(Dynamics&&) noexcept;
 
   /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,

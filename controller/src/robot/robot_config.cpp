@@ -87,7 +87,7 @@ void RobotConfig::validate() const {
 }
 
 double motor_torque_limit(const RobotConfig& config, int i, double dq, double sign) noexcept {
-  const double driving_speed = dq * sign;  // negative while the motor brakes
+  const double driving_speed = sign < 0.0 ? -dq : dq;  // negative while the motor brakes
   if (driving_speed <= config.corner_speed[i]) return config.tau_max[i];
   const double fraction = (config.no_load_speed[i] - driving_speed) /
                           (config.no_load_speed[i] - config.corner_speed[i]);

@@ -6,7 +6,7 @@
 namespace surefoot {
 
 bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
-              Condensed& out) noexcept {
+              double smallest_determinant, Condensed& out) noexcept {
   Matrix6 A = dynamics.M_base();
   Vector6 r = dynamics.h_base();
   Matrix6x12 base_from_force;
@@ -15,8 +15,7 @@ bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
     const LegDynamics& L = dynamics.legs()[leg];
     Matrix3 inverse;
     bool invertible = false;
-    // Determinants of real legs are about (0.2 m)^3; far below that accelerations run away.
-    L.J_leg.computeInverseWithCheck(inverse, invertible, 2e-4);
+    L.J_leg.computeInverseWithCheck(inverse, invertible, smallest_determinant);
     if (!invertible) return false;
     const Matrix36 W = -inverse * L.J_base;
     const Vector3 w = inverse * (feet_acceleration.col(leg) - L.drift);

@@ -29,8 +29,9 @@ struct Condensed {
 
 /// Eliminate; false when a leg is singular (foot near hip height, or leg straight).
 /// @param feet_acceleration desired contact accelerations, world axes [m/s^2]
+/// @param smallest_determinant of a leg's Jacobian [m^3] that may still be inverted
 /// Real-time: yes.
 bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
-              Condensed& out) noexcept;
+              double smallest_determinant, Condensed& out) noexcept;
 
 }  // namespace surefoot

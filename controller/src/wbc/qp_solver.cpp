@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wbc/qp_solver.hpp"
 
-#include <cmath>
+// clang-format off: this one must come before the solver
+#include "wbc/proxqp_no_malloc.hpp"
 #include <proxsuite/proxqp/dense/dense.hpp>
+// clang-format on
+
+#include <cmath>
 
 namespace surefoot {
 

@@ -72,7 +72,8 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Eigen
                                            const Reference& reference) noexcept {
   Impl& s = *impl_;
   // Feet first: their accelerations are met exactly and fix what is left to choose.
-  if (!condense(dynamics, feet_accelerations(s.gains, reference, dynamics), s.condensed)) {
+  if (!condense(dynamics, feet_accelerations(s.gains, reference, dynamics),
+                s.program.smallest_determinant(), s.condensed)) {
     s.solution.status = Status::kSingular;
     return s.solution;
   }

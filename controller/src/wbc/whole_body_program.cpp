@@ -1,18 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wbc/whole_body_program.hpp"
 
+#include <Eigen/LU>
+#include <limits>
+
 #include "surefoot/error.hpp"
 
 namespace surefoot {
 
 namespace {
 
-// Lengths of the angular rows in the standing pose: what "weight 1" is measured in.
-Vector3 standing_row_lengths(const Robot& robot) {
+// A leg's Jacobian may shrink to this share of what it is in the standing pose: less is a knee
+// nearly straight or a foot near hip height, where accelerations run away.
+constexpr double kSmallestShare = 0.1;
+
+Dynamics standing_dynamics(const Robot& robot) {
   Dynamics dynamics(robot);
   dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  return dynamics;
+}
+
+double standing_determinant(const Robot& robot) {
+  const Dynamics dynamics = standing_dynamics(robot);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const LegDynamics& leg : dynamics.legs()) {
+    smallest = std::min(smallest, std::abs(leg.J_leg.determinant()));
+  }
+  return smallest;
+}
+
+// Lengths of the angular rows in the standing pose: what "weight 1" is measured in.
+Vector3 standing_row_lengths(const Robot& robot) {
   Condensed condensed;
-  if (!condense(dynamics, FeetMatrix::Zero(), condensed)) {
+  if (!condense(standing_dynamics(robot), FeetMatrix::Zero(), 1e-9, condensed)) {
     throw Error("robot '" + robot.config().name +
                 "': a leg is singular in the standing pose; expected every foot well below its hip "
                 "and no straight knee");
@@ -25,6 +45,7 @@ Vector3 standing_row_lengths(const Robot& robot) {
 WholeBodyProgram::WholeBodyProgram(const Robot& robot)
     : tau_max_(robot.config().tau_max),
       force_unit_(robot.mass() * kGravity / kLegs),
+      smallest_determinant_(kSmallestShare * standing_determinant(robot)),
       com_scale_(Vector3::Constant(robot.mass() / std::sqrt(double(kLegs)))),
       angular_scale_(standing_row_lengths(robot).cwiseInverse()),
       problem_(kForces, kRows) {

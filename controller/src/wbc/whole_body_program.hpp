@@ -21,6 +21,8 @@ class WholeBodyProgram {
   explicit WholeBodyProgram(const Robot& robot);
 
   double force_unit() const noexcept { return force_unit_; }  ///< [N]
+  /// [m^3] of a leg's Jacobian: with less, the condensed form does not hold.
+  double smallest_determinant() const noexcept { return smallest_determinant_; }
   const QpProblem& problem() const noexcept { return problem_; }
 
   /// Write the cost: both tasks, and the pull towards `even`. Scaled to trace(H) = 12.
@@ -40,6 +42,7 @@ class WholeBodyProgram {
 
   Vector12 tau_max_;
   double force_unit_;
+  double smallest_determinant_;
   Vector3 com_scale_, angular_scale_;  // rows to length one in the standing pose
   QpProblem problem_;
 };

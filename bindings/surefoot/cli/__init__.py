@@ -1,0 +1,48 @@
+"""The command surefoot."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+
+from surefoot._core import Error
+from surefoot.cli.arguments import parse_arguments
+
+WRONG_ARGUMENT = 2
+INTERRUPTED = 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command.
+
+    Args:
+        argv: Arguments without the command's own name; those of the process if None.
+
+    Returns:
+        Exit status: 0 done, 1 a file could not be written, 2 a wrong argument, 130 interrupted.
+        What was wrong is one line on stderr.
+    """
+    words = list(sys.argv[1:] if argv is None else argv)
+    try:
+        arguments = parse_arguments(words)
+        arguments.words = words
+        arguments.run(arguments)
+        sys.stdout.flush()
+    except SystemExit as end:  # argparse, after --help, --version or its own error line
+        return int(end.code or 0)
+    except Error as problem:
+        return _complain(str(problem), WRONG_ARGUMENT)
+    except BrokenPipeError:  # surefoot gains | head
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except OSError as problem:
+        return _complain(str(problem), 1)
+    except KeyboardInterrupt:
+        return _complain("interrupted", INTERRUPTED)
+    return 0
+
+
+def _complain(text: str, status: int) -> int:
+    print("surefoot: error:", " ".join(text.split()), file=sys.stderr)
+    return status

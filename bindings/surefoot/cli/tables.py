@@ -1,0 +1,61 @@
+"""surefoot robots and surefoot gains: what is there, as tables."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+
+import numpy as np
+
+from surefoot._core import Gains, gain_table, get_gain
+from surefoot.robots import available_robots, build_robot, describe_robot
+
+
+def list_robots(arguments: argparse.Namespace) -> None:
+    """Print the robots known by name."""
+    rows = []
+    for name in available_robots():
+        description = describe_robot(name)
+        robot = build_robot(description)
+        source = description.urdf.relative_to(description.mesh_root / "robots")
+        rows.append(
+            (
+                name,
+                f"{robot.mass:.1f}",
+                _triple(robot.config.tau_max),
+                _triple(robot.config.dq_max),
+                str(source),
+            )
+        )
+    print_table(("name", "mass [kg]", "torque [N.m]", "speed [rad/s]", "source"), rows)
+    print("\nTorque and speed limits: hip, thigh, calf. Sources: example-robot-data.")
+
+
+def list_gains(arguments: argparse.Namespace) -> None:
+    """Print every gain, with a robot's values or the library's; raises Error."""
+    gains = Gains()
+    if arguments.robot is not None:
+        gains = build_robot(describe_robot(arguments.robot)).config.gains
+    rows = [
+        (
+            row.name,
+            f"{get_gain(gains, row.name):g}",
+            row.unit,
+            f"{row.minimum:g} .. {row.maximum:g}",
+            row.meaning,
+        )
+        for row in gain_table()
+    ]
+    print_table(("name", "value", "unit", "range", "meaning"), rows)
+
+
+def print_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Print columns as wide as they need to be."""
+    widths = [max(len(line[k]) for line in (head, *rows)) for k in range(len(head))]
+    for line in (head, ["-" * width for width in widths], *rows):
+        cells = (cell.ljust(width) for cell, width in zip(line, widths, strict=True))
+        print("  ".join(cells).rstrip())
+
+
+def _triple(values: np.ndarray) -> str:
+    return " ".join(f"{value:.1f}" for value in values[:3])

@@ -1,0 +1,23 @@
+"""The plant: a quadruped in MuJoCo behind the low-level interface."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from surefoot.sim.plant import Plant
+from surefoot.sim.settings import PlantSettings, Push
+from surefoot.sim.truth import Truth
+
+if TYPE_CHECKING:
+    from surefoot.sim.render import Renderer
+
+__all__ = ["Plant", "PlantSettings", "Push", "Renderer", "Truth"]
+
+
+def __getattr__(name: str) -> Any:
+    # The renderer opens a graphics library; runs without pictures must not need one.
+    if name == "Renderer":
+        from surefoot.sim.render import Renderer
+
+        return Renderer
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")

@@ -1,0 +1,24 @@
+"""Checks of settings: every complaint says what, got, and expected."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from surefoot._core import Error
+
+
+def one_of(name: str, value: Any, valid: tuple[str, ...], more: str = "") -> None:
+    """Raise Error unless a value is one of the valid names; `more` says what else goes."""
+    if value not in valid:
+        raise Error(f"{name}: got {value!r}; valid names: {', '.join(valid)}{more}")
+
+
+def number(name: str, value: Any, low: float, high: float) -> None:
+    """Raise Error unless a value is a number from low to high."""
+    try:
+        got = math.nan if isinstance(value, bool | str) else float(value)
+    except (TypeError, ValueError):
+        got = math.nan
+    if not low <= got <= high:
+        raise Error(f"{name}: got {value!r}, expected a number from {low:g} to {high:g}")

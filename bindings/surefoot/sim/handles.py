@@ -1,0 +1,70 @@
+"""Where the robot's parts are in MuJoCo's arrays, looked up by name once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import Robot
+from surefoot.sim.model import IMU
+from surefoot.sim.rotations import Array, matrix_from_wxyz
+from surefoot.sim.scene import GROUND
+
+Indices = npt.NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Handles:
+    """Indices into a model's arrays. Twelve run in SDK motor order, four FR FL RR RL.
+
+    Attributes:
+        root: Body of the base.
+        motor_q: (12,) in qpos.
+        motor_v: (12,) in qvel.
+        foot_bodies: (4,) bodies.
+        foot_geoms: (4,) spheres.
+        ground_geom: The plane.
+        gyro: (3,) in sensordata, IMU axes.
+        accelerometer: (3,) in sensordata, IMU axes.
+        quaternion: (4,) in sensordata, IMU to world.
+        foot_forces: (4, 3) in sensordata: ground on foot, world axes.
+        ground_normal: (3,) unit vector, world axes.
+    """
+
+    root: int
+    motor_q: Indices
+    motor_v: Indices
+    foot_bodies: Indices
+    foot_geoms: Indices
+    ground_geom: int
+    gyro: slice
+    accelerometer: slice
+    quaternion: slice
+    foot_forces: Indices
+    ground_normal: Array
+
+
+def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
+    """Look every part up by its name."""
+    joints, feet = robot.config.joint_names, robot.config.foot_frames
+
+    def sensor(name: str) -> slice:
+        start, size = model.sensor(name).adr[0], model.sensor(name).dim[0]
+        return slice(int(start), int(start + size))
+
+    return Handles(
+        root=int(model.site(IMU).bodyid[0]),
+        motor_q=np.array([model.joint(name).qposadr[0] for name in joints]),
+        motor_v=np.array([model.joint(name).dofadr[0] for name in joints]),
+        foot_bodies=np.array([model.body(name).id for name in feet]),
+        foot_geoms=np.array([model.geom(name).id for name in feet]),
+        ground_geom=int(model.geom(GROUND).id),
+        gyro=sensor("gyro"),
+        accelerometer=sensor("accelerometer"),
+        quaternion=sensor("quaternion"),
+        foot_forces=np.array([np.arange(sensor(name).start, sensor(name).stop) for name in feet]),
+        ground_normal=matrix_from_wxyz(model.geom(GROUND).quat)[:, 2],
+    )

@@ -1,0 +1,180 @@
+"""A quadruped in MuJoCo behind the low-level interface: LowCmd in, LowState out."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+
+from surefoot._core import Error, LowCmd, LowState
+from surefoot.robots import RobotDescription, build_robot, describe_robot, load_pinocchio_model
+from surefoot.sim.adapter import Adapter
+from surefoot.sim.handles import find_handles
+from surefoot.sim.model import build_model
+from surefoot.sim.motors import Law, Motors, command_law
+from surefoot.sim.pushes import PushSchedule
+from surefoot.sim.rotations import Array
+from surefoot.sim.sensors import Sensors
+from surefoot.sim.settings import PlantSettings, Push, direction_degrees
+from surefoot.sim.stance import SETTLE_TIME, place, standing_law
+from surefoot.sim.support import lip_limit
+from surefoot.sim.truth import Truth, measure_truth
+from surefoot.sim.wire import Wire
+
+_MOTOR_STREAM = 3  # of random numbers; the sensors have 0 .. 2
+
+
+class Plant:
+    """One robot on its ground, standing as reset() leaves it.
+
+    Args:
+        robot: A name of surefoot.available_robots(), or a RobotDescription.
+        settings: Sensors, ground, payload, flaws, rates, seed.
+        pushes: Pushes to come; add_push() adds more.
+        tick0: LowState.tick of the first reading [ms], modulo 2^32.
+
+    Raises:
+        Error: An unknown robot, a missing file, joint or foot.
+
+    Attributes:
+        robot: The surefoot.Robot that a controller of this plant should be given.
+        description: Its files.
+        settings: The settings, with foot_force resolved.
+        model: The MuJoCo model.
+        data: The MuJoCo state; read it, do not write it.
+        handles: Where things are in model and data.
+    """
+
+    def __init__(
+        self,
+        robot: str | RobotDescription,
+        settings: PlantSettings | None = None,
+        pushes: Iterable[Push] = (),
+        tick0: int = 0,
+    ) -> None:
+        self.description = describe_robot(robot) if isinstance(robot, str) else robot
+        self.robot = build_robot(self.description)
+        self.settings = _resolve(settings or PlantSettings(), self.description)
+        self.model = build_model(self.robot, self.description, self.settings)
+        self.data = mujoco.MjData(self.model)
+        self.handles = find_handles(self.model, self.robot)
+        self._adapter = Adapter(self.model, load_pinocchio_model(self.description))
+        self._wire = Wire(self.robot.name, self.settings.real)
+        self._tick0 = tick0
+        self._pushes = list(pushes)
+        self.reset()
+
+    @property
+    def time(self) -> float:
+        """Time since reset [s]."""
+        return self._step * self.settings.physics_dt
+
+    @property
+    def truth(self) -> Truth:
+        """The true state of this instant."""
+        torque = self._motors.torque
+        return measure_truth(self.model, self.data, self.handles, self._adapter, self.time, torque)
+
+    @property
+    def push_force(self) -> tuple[Array, Array]:
+        """Force of the pushes (3,) [N] in the last physics step, and its point (3,), world."""
+        return self._schedule.force, self._schedule.point
+
+    def add_push(self, push: Push) -> None:
+        """Add a push; after reset() it comes again at its time."""
+        self._pushes.append(push)
+        self._schedule.add(push)
+
+    def reset(self) -> LowState:
+        """Stand the robot up, let it settle in position mode and return the first LowState.
+
+        The position command stays in force until the first LowCmd takes effect. The same seed
+        gives the same run again.
+        """
+        settings = self.settings
+        rng = np.random.default_rng([settings.seed, _MOTOR_STREAM]) if settings.real else None
+        self._motors = Motors(self.robot.config, settings.physics_dt, settings.lag, rng)
+        self._motors.law = standing_law(self.robot)
+        self._sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
+        self._commands: deque[tuple[int, Law]] = deque()
+        self._schedule = PushSchedule(self.handles.root, settings.physics_dt, ())
+        self._step = 0
+        place(self.model, self.data, self.handles, self.robot)
+        mujoco.mj_step1(self.model, self.data)
+        self._advance(round(SETTLE_TIME / settings.physics_dt))
+        self._sensors.start()
+        first = self._next = self._read()
+        if settings.real:
+            self._advance(settings.steps_per_tick)
+            self._next = self._read()
+        self._step = 0
+        for push in self._pushes:
+            self._schedule.add(push)
+        return first
+
+    def step(self, cmd: LowCmd) -> LowState:
+        """Advance one control period.
+
+        Args:
+            cmd: In force from now on; with real sensors, from one period later.
+
+        Returns:
+            The state after this period; with real sensors, the state before it.
+        """
+        settings = self.settings
+        delay = round(settings.extra_delay / settings.physics_dt)
+        if settings.real:
+            delay += settings.steps_per_tick
+        self._commands.append((self._step + delay, command_law(self._wire.read(cmd))))
+        self._advance(settings.steps_per_tick)
+        previous, self._next = self._next, self._read()
+        return previous if settings.real else self._next
+
+    def lip_limit(self, direction: str | float, duration: float = 0.1) -> float:
+        """Return the push that the linear inverted pendulum survives from here [N.s].
+
+        J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h): true mass m, height h of the centre
+        of mass above the ground below it, distance d from there to the edge of the four feet.
+
+        Args:
+            direction: "forward", "lateral" or degrees from forward towards left.
+            duration: Of the push, T [s].
+        """
+        degrees = direction_degrees(direction)
+        return lip_limit(self.model, self.data, self.handles, self.robot, degrees, duration)
+
+    def _read(self) -> LowState:
+        return self._sensors.read(self._motors.believed)
+
+    def _advance(self, steps: int) -> None:
+        """Take physics steps; between them kinematics and velocities are up to date.
+
+        mj_step2 uses what mj_step1 has computed of the same instant, so torque laws see the
+        present state, and after the loop every position belongs to the present too.
+        """
+        model, data, handles, motors = self.model, self.data, self.handles, self._motors
+        qpos, qvel, applied = data.qpos, data.qvel, data.qfrc_applied
+        motor_q, motor_v = handles.motor_q, handles.motor_v
+        dq = qvel[motor_v]
+        for _ in range(steps):
+            while self._commands and self._commands[0][0] <= self._step:
+                motors.law = self._commands.popleft()[1]
+            applied[motor_v] = motors.step(qpos[motor_q], dq)
+            self._schedule.apply(data, self.time)
+            mujoco.mj_step2(model, data)
+            mujoco.mj_step1(model, data)
+            dq = qvel[motor_v]
+            self._sensors.step(dq)
+            self._step += 1
+
+
+def _resolve(settings: PlantSettings, description: RobotDescription) -> PlantSettings:
+    if not isinstance(settings, PlantSettings):
+        raise Error(f"settings: got {type(settings).__name__}, expected PlantSettings")
+    if settings.foot_force is not None:
+        return settings
+    alive = description.table.get("simulation", {}).get("foot_force_est", False)
+    return replace(settings, foot_force="est" if alive else "dead")

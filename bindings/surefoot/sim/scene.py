@@ -1,0 +1,71 @@
+"""The world around the robot: ground, light, sky, and how physics is stepped."""
+
+from __future__ import annotations
+
+import mujoco
+
+from surefoot.sim.rotations import slope_quaternion
+from surefoot.sim.settings import PlantSettings
+
+GROUND = "ground"
+BODY_FRICTION = 0.6  # of everything that is not a foot
+
+
+def set_physics(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
+    """Choose integrator, solver and friction cone.
+
+    Euler treats joint damping implicitly, which is all the implicit treatment a model without
+    actuators can use; the motors' velocity feedback is slow against the step. The elliptic cone
+    has no preferred direction, and a large impratio makes its friction much stiffer than its
+    normal force, so that feet do not creep.
+    """
+    spec.option.timestep = settings.physics_dt
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_EULER
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    spec.option.impratio = 100.0
+    spec.option.gravity = [0.0, 0.0, -9.81]
+
+
+def add_ground(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
+    """Add an endless checkered plane through the origin, tilted by the slope."""
+    spec.add_texture(
+        name=GROUND,
+        type=mujoco.mjtTexture.mjTEXTURE_2D,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
+        rgb1=[0.82, 0.84, 0.86],
+        rgb2=[0.66, 0.69, 0.72],
+        width=512,
+        height=512,
+    )
+    material = spec.add_material(name=GROUND, texrepeat=[2.0, 2.0], texuniform=True)
+    material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = GROUND
+    spec.worldbody.add_geom(
+        name=GROUND,
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        size=[0.0, 0.0, 0.5],
+        quat=slope_quaternion(settings.slope_deg, settings.slope_heading_deg),
+        material=GROUND,
+        friction=[BODY_FRICTION, 0.005, 0.0001],
+        condim=3,
+    )
+
+
+def add_light_and_sky(spec: mujoco.MjSpec) -> None:
+    """Add a pale sky and a sun that stays above the robot, for its shadow to be sharp."""
+    spec.add_texture(
+        name="sky",
+        type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+        rgb1=[0.75, 0.84, 0.93],
+        rgb2=[0.97, 0.98, 1.0],
+        width=256,
+        height=1536,
+    )
+    spec.worldbody.first_body().add_light(
+        name="sun",
+        type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
+        mode=mujoco.mjtCamLight.mjCAMLIGHT_TRACKCOM,
+        pos=[0.6, -0.8, 2.0],
+        dir=[-0.3, 0.4, -1.0],
+        castshadow=True,
+    )

@@ -1,0 +1,153 @@
+"""What a plant can be asked to be: settings and pushes, checked when they are made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from surefoot._core import Error
+from surefoot.sim.checks import number, one_of
+
+_SENSORS = ("real", "ideal")
+_FOOT_FORCE = ("est", "raw", "dead")
+_DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
+
+
+@dataclass(frozen=True)
+class PlantSettings:
+    """The robot's surroundings, its flaws and its clock.
+
+    Attributes:
+        sensors: "real" (noise, bias, attitude filter, one period of delay each way, quantised
+            wire, motor lag) or "ideal" (exact and at once).
+        foot_force: "est" (newtons and raw counts), "raw" (raw counts alone), "dead" (zeros);
+            None takes what the robot's TOML says of the real robot.
+        friction: Coefficient between foot and ground.
+        slope_deg: Steepness of the ground [deg]; gravity stays on world z.
+        slope_heading_deg: Direction of steepest ascent, from forward towards left [deg].
+        payload_kg: Mass welded to the trunk, unknown to the controller [kg].
+        payload_position: Its centre in the base frame [m].
+        control_rate: LowCmd and LowState per second [Hz].
+        physics_dt: Physics step [s]; a control period is a whole number of them.
+        joint_friction_scale: Factor on joint friction and joint damping.
+        armature_scale: Factor on the reflected rotor inertia.
+        motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
+        extra_delay: Further delay of commands [s], rounded to physics steps.
+        seed: Of every random number; the same seed gives the same run.
+    """
+
+    sensors: str = "real"
+    foot_force: str | None = None
+    friction: float = 0.8
+    slope_deg: float = 0.0
+    slope_heading_deg: float = 0.0
+    payload_kg: float = 0.0
+    payload_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    control_rate: float = 500.0
+    physics_dt: float = 0.0005
+    joint_friction_scale: float = 1.0
+    armature_scale: float = 1.0
+    motor_lag: float | None = None
+    extra_delay: float = 0.0
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        one_of("sensors", self.sensors, _SENSORS)
+        if self.foot_force is not None:
+            one_of("foot_force", self.foot_force, _FOOT_FORCE)
+        for name, low, high in (
+            ("friction", 0.0, 10.0),
+            ("slope_deg", -45.0, 45.0),
+            ("slope_heading_deg", -360.0, 360.0),
+            ("payload_kg", 0.0, 1000.0),
+            ("control_rate", 10.0, 10_000.0),
+            ("physics_dt", 1e-5, 0.002),
+            ("joint_friction_scale", 0.0, 100.0),
+            ("armature_scale", 0.0, 100.0),
+            ("extra_delay", 0.0, 1.0),
+        ):
+            number(name, getattr(self, name), low, high)
+        if self.motor_lag is not None:
+            number("motor_lag", self.motor_lag, 0.0, 1.0)
+        self._check_position()
+        self._check_clock()
+        if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
+            raise Error(f"seed: got {self.seed!r}, expected a whole number from 0 up")
+
+    @property
+    def steps_per_tick(self) -> int:
+        """Physics steps in a control period."""
+        return round(1.0 / (self.control_rate * self.physics_dt))
+
+    @property
+    def real(self) -> bool:
+        """Whether sensors, wire and motors have the flaws of real ones."""
+        return self.sensors == "real"
+
+    @property
+    def lag(self) -> float:
+        """Time constant of the motor torque, the default resolved [s]."""
+        if self.motor_lag is not None:
+            return self.motor_lag
+        return 0.002 if self.real else 0.0
+
+    def _check_position(self) -> None:
+        try:
+            size = len(self.payload_position)
+        except TypeError:
+            size = 0
+        if size != 3:
+            raise Error(f"payload_position: got {self.payload_position!r}, expected x, y, z [m]")
+        for value in self.payload_position:
+            number("payload_position", value, -10.0, 10.0)
+
+    def _check_clock(self) -> None:
+        steps = 1.0 / (self.control_rate * self.physics_dt)
+        if steps < 0.5 or abs(steps - round(steps)) > 1e-6 * steps:
+            raise Error(
+                f"physics_dt: got {self.physics_dt} s, expected the control period "
+                f"{1.0 / self.control_rate:.6g} s (control_rate {self.control_rate} Hz) "
+                "divided by a whole number"
+            )
+
+
+@dataclass(frozen=True)
+class Push:
+    """A horizontal force on the robot, constant in the world, rectangular in time.
+
+    It acts through the true centre of mass, wherever that moves, or at a height above it.
+
+    Attributes:
+        direction: "forward", "lateral" (left), or degrees from forward towards left; seen from
+            the robot's heading when the push begins.
+        impulse: [N.s]; the force is impulse / duration.
+        duration: [s].
+        time: When it begins, since reset [s].
+        height: Of the line of action above the centre of mass [m].
+    """
+
+    direction: str | float
+    impulse: float
+    duration: float = 0.1
+    time: float = 0.0
+    height: float = 0.0
+
+    def __post_init__(self) -> None:
+        direction_degrees(self.direction)
+        number("impulse", self.impulse, -10_000.0, 10_000.0)
+        number("duration", self.duration, 1e-6, 1e6)
+        number("time", self.time, 0.0, 1e9)
+        number("height", self.height, -10.0, 10.0)
+
+    @property
+    def degrees(self) -> float:
+        """Direction from forward towards left [deg]."""
+        return direction_degrees(self.direction)
+
+
+def direction_degrees(direction: str | float) -> float:
+    """Return a push direction in degrees from forward towards left; raises Error."""
+    if isinstance(direction, str):
+        one_of("direction", direction, tuple(_DIRECTIONS), " or a number of degrees")
+        return _DIRECTIONS[direction]
+    number("direction", direction, -360.0, 360.0)
+    return float(direction)

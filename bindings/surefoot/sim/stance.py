@@ -1,0 +1,31 @@
+"""How a run begins: standing on the ground, held by the motors in position mode."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from surefoot._core import Robot
+from surefoot.sim.handles import Handles
+from surefoot.sim.motors import Law, hold_law
+
+SETTLE_TIME = 0.8  # [s] in position mode before the first LowState
+HOLD_KP = 25.0  # [N.m/rad] per kilogram of robot: calves sag by a degree or so
+HOLD_KD = 0.8  # [N.m.s/rad] per kilogram of robot
+
+
+def place(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles, robot: Robot) -> None:
+    """Reset to the standing pose, level with the ground, the lowest foot just touching it."""
+    mujoco.mj_resetData(model, data)
+    data.qpos[3:7] = model.geom_quat[handles.ground_geom]
+    data.qpos[handles.motor_q] = robot.config.q_standing
+    mujoco.mj_kinematics(model, data)
+    heights = data.xpos[handles.foot_bodies] @ handles.ground_normal
+    gap = heights.min() - robot.config.foot_radius
+    data.qpos[:3] -= gap * handles.ground_normal
+
+
+def standing_law(robot: Robot) -> Law:
+    """Return the law that holds the standing pose in position mode."""
+    q = np.array(robot.config.q_standing)
+    return hold_law(q, HOLD_KP * robot.mass, HOLD_KD * robot.mass)

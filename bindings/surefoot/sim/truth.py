@@ -1,0 +1,87 @@
+"""The plant's true state, for judging a controller; none of it reaches the controller."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+import numpy.typing as npt
+
+from surefoot.sim.adapter import Adapter
+from surefoot.sim.handles import Handles
+from surefoot.sim.rotations import Array
+
+FALLEN_TILT_COS = 0.5  # 60 deg
+
+
+@dataclass(frozen=True)
+class Truth:
+    """What is, not what the sensors say. World z is up; feet run FR FL RR RL.
+
+    Attributes:
+        time: Since reset [s].
+        q: (nq,) Pinocchio's: position, quaternion x y z w, joints in the model's order.
+        v: (nv,) Pinocchio's: base twist in base axes, joint velocities.
+        p_world_feet: (3, 4) centres of the foot spheres [m].
+        foot_forces: (3, 4) ground on foot, world axes, over the last physics step [N].
+        contact: (4,) whether a foot bears any force.
+        com: (3,) the whole robot's centre of mass, payload included [m].
+        com_velocity: (3,) [m/s].
+        tau: (12,) true motor torque, SDK order [N.m].
+        dq: (12,) true joint velocity, SDK order [rad/s].
+        fell: Something other than a foot touches the ground, or the tilt exceeds 60 deg.
+    """
+
+    time: float
+    q: Array
+    v: Array
+    p_world_feet: Array
+    foot_forces: Array
+    contact: npt.NDArray[np.bool_]
+    com: Array
+    com_velocity: Array
+    tau: Array
+    dq: Array
+    fell: bool
+
+
+def measure_truth(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    handles: Handles,
+    adapter: Adapter,
+    time: float,
+    tau: Array,
+) -> Truth:
+    """Copy the true state out of MuJoCo, whose kinematics must be up to date."""
+    mujoco.mj_subtreeVel(model, data)
+    qpos, qvel = data.qpos.copy(), data.qvel.copy()
+    forces = data.sensordata[handles.foot_forces]
+    return Truth(
+        time=time,
+        q=adapter.q_from_mujoco(qpos),
+        v=adapter.v_from_mujoco(qpos, qvel),
+        p_world_feet=data.xpos[handles.foot_bodies].T.copy(),
+        foot_forces=forces.T.copy(),
+        contact=forces @ handles.ground_normal > 0.0,
+        com=data.subtree_com[handles.root].copy(),
+        com_velocity=data.subtree_linvel[handles.root].copy(),
+        tau=tau.copy(),
+        dq=qvel[handles.motor_v],
+        fell=has_fallen(data, handles),
+    )
+
+
+def has_fallen(data: mujoco.MjData, handles: Handles) -> bool:
+    """Whether a trunk or leg touches the ground, or the base tilts by more than 60 deg."""
+    # A state that is not a number counts as fallen.
+    if not data.xmat[handles.root, 8] >= FALLEN_TILT_COS:
+        return True
+    pairs = data.contact.geom
+    if len(pairs) == 0:
+        return False
+    on_ground = pairs[np.any(pairs == handles.ground_geom, axis=1)]
+    # The ground itself stands once in each of these pairs.
+    others = np.isin(on_ground, handles.foot_geoms, invert=True).sum() - len(on_ground)
+    return bool(others > 0)

@@ -1,0 +1,112 @@
+"""What each number of a summary means, said once: for the report, the documentation, the tests."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Field:
+    """One entry of a summary.
+
+    Attributes:
+        name: Its key.
+        unit: "" for words, counts and ratios.
+        meaning: One sentence or less.
+        group: Heading that it stands under.
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    group: str
+
+
+_GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
+    "Conditions": (
+        ("version", "", "of Surefoot"),
+        ("robot", "", "name of the robot"),
+        ("seed", "", "of every random number of the plant"),
+        ("sensors", "", "real: noise, bias, delay, quantisation, motor lag; ideal: none of them"),
+        ("foot_force", "", "which force field lives: est, raw or dead"),
+        ("rate", "Hz", "LowStates and LowCmds per second"),
+        ("duration", "s", "simulated time; shorter than asked for if the robot fell"),
+        ("friction", "", "coefficient between foot and ground"),
+        ("slope_deg", "deg", "steepness of the ground"),
+        ("slope_heading_deg", "deg", "direction of steepest ascent, from forward towards left"),
+        ("payload_kg", "kg", "mass on the trunk that the controller does not know of"),
+        ("payload_position", "m", "its centre in the base frame"),
+        ("motor_damping", "N.m.s/rad", "motor-side damping in every command"),
+        ("gains_changed", "", "gains that differ from the robot's own"),
+        (
+            "lip_limit_ns",
+            "N.s",
+            "push of 0.1 s that a linear inverted pendulum of the robot's true mass, height and "
+            "support survives",
+        ),
+        ("pushes", "", "direction, impulse [N.s], share of the limit, duration [s], time [s]"),
+    ),
+    "Outcome": (
+        ("fell", "", "trunk or leg on the ground, or tilted by more than 60 deg"),
+        ("fall_time_s", "s", "when; null if it did not"),
+        (
+            "settled",
+            "",
+            "at the end: base within 10 mm and 2 deg of its first pose relative to the mean and "
+            "the heading of the true feet, and slower than 0.05 m/s",
+        ),
+        (
+            "settle_time_s",
+            "s",
+            "from the end of the last push until settled for good; null without a push or if not",
+        ),
+    ),
+    "Pose": (
+        ("height_error_mm", "mm", "at the end: change of the base's height above its true feet"),
+        ("tilt_error_deg", "deg", "at the end: angle between first and last direction of gravity"),
+        ("yaw_error_deg", "deg", "at the end: change of yaw relative to the true feet's heading"),
+        ("max_tilt_deg", "deg", "greatest tilt away from the first attitude"),
+        ("max_foot_travel_mm", "mm", "farthest that a foot ever was from its first place"),
+    ),
+    "Stillness, last 2 s": (
+        ("com_rms_mm", "mm", "RMS distance of the true centre of mass from its mean"),
+        ("joint_velocity_rms", "rad/s", "RMS of the true joint velocities, all joints together"),
+        ("torque_hf_rms", "N.m", "RMS of the true torque above 30 Hz, of the worst joint"),
+    ),
+    "Effort": (
+        (
+            "peak_torque_ratio",
+            "",
+            "greatest true torque over its motor's limit at low speed; a real one errs by 5 %",
+        ),
+        ("peak_power_w", "W", "greatest sum over the motors of |torque x velocity|"),
+    ),
+    "Estimator": (
+        (
+            "estimator_velocity_rmse",
+            "m/s",
+            "RMS error of the base velocity, in base axes, against the truth of the same instant",
+        ),
+        ("estimator_tilt_rmse_deg", "deg", "RMS angle between estimated and true gravity"),
+    ),
+    "Loop": (
+        ("ticks", "", "calls of the controller"),
+        ("qp_failures", "", "ticks without an accepted solution: status other than OK"),
+        ("first_failure", "", "status of the first of them; null if there was none"),
+        (
+            "torque_mode_only",
+            "",
+            "in every command all 12 motors had mode 0x0A, Kp = Kd = 0, q = PosStopF, "
+            "dq = VelStopF",
+        ),
+        ("iterations", "", "of the solver: mean and max"),
+        ("tick_us", "us", "wall time of update() called from Python: p50, p90, p99, max"),
+    ),
+}
+
+FIELDS: tuple[Field, ...] = tuple(
+    Field(name, unit, meaning, group)
+    for group, rows in _GROUPS.items()
+    for name, unit, meaning in rows
+)
+"""Every entry of surefoot.stand.summarise(), in its order."""

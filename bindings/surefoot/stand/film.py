@@ -1,0 +1,100 @@
+"""A film of a run, in real time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+
+from surefoot._core import LowCmd
+from surefoot.sim import Plant, Renderer
+from surefoot.stand.log import StandLog
+from surefoot.stand.loop import Progress, make_plant
+
+WIDTH, HEIGHT = 480, 360
+PERIOD_S = 0.08  # between pictures
+PUSH_PERIOD_S = 0.03  # between pictures while a push acts; it itself is short
+MOST_PICTURES = 250  # longer runs get fewer a second
+END_PAUSE_MS = 800  # before the film begins again
+CAPTION_TIME = 0.8  # [s] a push is named; long enough to be read
+_INK, _RED = (40, 46, 54), (190, 30, 30)
+
+
+def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> None:
+    """Draw a run as an animated WebP.
+
+    The plant plays the run again from its recorded commands: the same seed and the same commands
+    give the same motion, and drawing does not disturb the timing of the run itself.
+
+    Args:
+        log: The run.
+        path: The file.
+        progress: Told after every picture.
+    """
+    ticks = picture_ticks(log)
+    pictures = []
+    for k, picture in enumerate(_pictures(log, set(ticks))):
+        pictures.append(picture)
+        if progress is not None:
+            progress("film", k + 1, len(ticks))
+    durations = np.diff([*ticks, len(log.time)]) * (1000.0 / log.rate)
+    durations[-1] += END_PAUSE_MS
+    first, *rest = pictures
+    first.save(
+        path,
+        save_all=True,
+        append_images=rest,
+        duration=np.rint(durations).astype(int).tolist(),
+        loop=0,
+        quality=75,
+        method=3,
+    )
+
+
+def picture_ticks(log: StandLog) -> list[int]:
+    """Return the ticks that are drawn: evenly spaced, and closer while a push acts."""
+    coarse = max(PERIOD_S, log.duration / MOST_PICTURES)
+    fine = [
+        np.arange(push.time + PUSH_PERIOD_S / 2, push.time + push.duration, PUSH_PERIOD_S)[:10]
+        for push in log.pushes
+    ]
+    times = np.concatenate([np.arange(0.0, log.duration, coarse), *fine])
+    ticks = np.unique(np.rint(times * log.rate).astype(int))
+    return [int(k) for k in ticks if k < len(log.time)]
+
+
+def replay(log: StandLog) -> Iterator[tuple[int, Plant]]:
+    """Play a run again: yields the tick and the plant as it was at that instant."""
+    plant = make_plant(log.settings)
+    plant.reset()
+    for k, command in enumerate(log.commands):
+        yield k, plant
+        plant.step(LowCmd.from_bytes(command.tobytes()))
+
+
+def _pictures(log: StandLog, wanted: set[int]) -> Iterator[Image.Image]:
+    renderer: Renderer | None = None
+    try:
+        for k, plant in replay(log):
+            if renderer is None:
+                renderer = Renderer(plant, WIDTH, HEIGHT)
+            if k in wanted:
+                yield _captioned(renderer.frame(), log, float(log.time[k]))
+    finally:
+        if renderer is not None:
+            renderer.close()
+
+
+def _captioned(pixels: np.ndarray, log: StandLog, time: float) -> Image.Image:
+    picture = Image.fromarray(pixels)
+    draw = ImageDraw.Draw(picture)
+    font = ImageFont.load_default(size=15)
+    draw.text((12, 10), f"{log.robot.name}   {time:5.2f} s", fill=_INK, font=font)
+    for push in log.pushes:
+        if push.time <= time < push.time + push.duration + CAPTION_TIME:
+            name = push.direction if isinstance(push.direction, str) else f"{push.direction:g} deg"
+            text = f"push {name} {push.impulse:.1f} N.s"
+            draw.text((WIDTH - 12, 10), text, fill=_RED, font=font, anchor="ra")
+    return picture

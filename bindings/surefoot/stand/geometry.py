@@ -1,0 +1,112 @@
+"""Base and feet of a whole run at once: headings, and poses seen from the feet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from surefoot._core import Robot
+from surefoot.stand.log import Array
+
+_FRONT = np.array([1.0, 1.0, -1.0, -1.0])  # FR FL against RR RL
+
+
+@dataclass(frozen=True)
+class FootFramePose:
+    """The base as seen from its feet.
+
+    The frame sits at the mean of the four feet, z up as the world's, x along their heading.
+
+    Attributes:
+        position: (n, 3) of the base [m].
+        rotation: (n, 3, 3) maps base axes to the frame.
+    """
+
+    position: Array
+    rotation: Array
+
+    @property
+    def rpy(self) -> Array:
+        """(n, 3) roll, pitch, yaw [rad] (ZYX)."""
+        R = self.rotation
+        roll = np.arctan2(R[:, 2, 1], R[:, 2, 2])
+        pitch = np.arcsin(np.clip(-R[:, 2, 0], -1.0, 1.0))
+        yaw = np.arctan2(R[:, 1, 0], R[:, 0, 0])
+        return np.stack([roll, pitch, yaw], axis=1)
+
+
+def matrices_from_xyzw(quaternions: Array) -> Array:
+    """Return the (n, 3, 3) matrices of unit quaternions x y z w, (n, 4)."""
+    x, y, z, w = quaternions.T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), 2, 0)
+
+
+def up_in_base(q: Array) -> Array:
+    """Return world z in base axes, (n, 3), for Pinocchio's q (n, nq)."""
+    return matrices_from_xyzw(q[:, 3:7])[:, 2, :]
+
+
+def feet_heading(feet: Array) -> Array:
+    """Return the heading (n,) [rad] of feet (n, 3, 4): from hind to fore feet."""
+    ahead = feet @ _FRONT
+    return np.asarray(np.arctan2(ahead[:, 1], ahead[:, 0]))
+
+
+def pose_from_feet(q: Array, feet: Array) -> FootFramePose:
+    """Return the base's pose relative to the feet.
+
+    Args:
+        q: (n, nq) Pinocchio's.
+        feet: (n, 3, 4) in the same world [m].
+    """
+    heading = feet_heading(feet)
+    c, s, o = np.cos(heading), np.sin(heading), np.zeros_like(heading)
+    to_frame = np.moveaxis(np.array([[c, s, o], [-s, c, o], [o, o, o + 1.0]]), 2, 0)
+    offset = q[:, :3] - feet.mean(axis=2)
+    return FootFramePose(
+        np.einsum("nij,nj->ni", to_frame, offset),
+        to_frame @ matrices_from_xyzw(q[:, 3:7]),
+    )
+
+
+def feet_of(robot: Robot, q: Array) -> Array:
+    """Return where a model's feet are, (n, 3, 4) [m], for Pinocchio's q (n, nq)."""
+    import pinocchio  # only reports need it
+
+    model = pinocchio.Model()
+    model.loadFromString(robot.serialized_model())
+    data = model.createData()
+    feet = np.zeros((len(q), 3, 4))
+    for k, row in enumerate(q):
+        pinocchio.forwardKinematics(model, data, row)
+        for leg, frame in enumerate(robot.foot_frame_ids):
+            feet[k, :, leg] = pinocchio.updateFramePlacement(model, data, frame).translation
+    return feet
+
+
+def angle_between(a: Array, b: Array) -> Array:
+    """Return the angles (n,) [rad] between vectors (n, 3); exact for small ones too."""
+    cross = np.linalg.norm(np.cross(a, b), axis=-1)
+    return np.asarray(np.arctan2(cross, np.sum(a * b, axis=-1)))
+
+
+def rotation_angle(rotation: Array) -> Array:
+    """Return the angles (n,) [rad] of rotation matrices (n, 3, 3)."""
+    R = rotation
+    axis = np.stack(
+        [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1
+    )
+    # Sine and cosine of the angle, both doubled.
+    doubled_cosine = np.trace(R, axis1=1, axis2=2) - 1.0
+    return np.asarray(np.arctan2(np.linalg.norm(axis, axis=1), doubled_cosine))
+
+
+def wrap(angle: Array) -> Array:
+    """Return angles [rad] brought into -pi .. pi."""
+    return (angle + np.pi) % (2.0 * np.pi) - np.pi

@@ -1,0 +1,179 @@
+"""Pictures of a log's numbers, over time and as a histogram."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+from matplotlib import style
+from matplotlib.figure import Figure
+
+from surefoot.stand.axes import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    STYLE,
+    at_least,
+    finish,
+    grid,
+    shade_pushes,
+)
+from surefoot.stand.geometry import feet_of, pose_from_feet
+from surefoot.stand.log import Array, StandLog
+
+LEGS = ("front right", "front left", "rear right", "rear left")
+JOINTS = ("hip", "thigh", "calf")
+
+
+@dataclass(frozen=True)
+class Plot:
+    """One picture of the report.
+
+    Attributes:
+        file: Its name in the report's folder.
+        title: Heading.
+        caption: What can be seen.
+        draw: Makes it.
+    """
+
+    file: str
+    title: str
+    caption: str
+    draw: Callable[[StandLog], Figure]
+
+
+def draw_plots(log: StandLog, folder: Path) -> None:
+    """Write every plot of PLOTS into a folder as PNG."""
+    with style.context(STYLE):
+        for plot in PLOTS:
+            plot.draw(log).savefig(folder / plot.file, dpi=130)
+
+
+def draw_pose(log: StandLog) -> Figure:
+    """Draw the base relative to its feet, change since the start, true and estimated."""
+    true = _pose_change(log.q_true, log.feet)
+    estimated = _pose_change(log.q_estimated, feet_of(log.robot, log.q_estimated))
+    labels = ("x [mm]", "y [mm]", "z [mm]", "roll [deg]", "pitch [deg]", "yaw [deg]")
+    figure, axes = grid(3, 2, 5.2)
+    for k, label in enumerate(labels):
+        ax = axes[k % 3][k // 3]
+        shade_pushes(ax, log)
+        ax.plot(log.time, true[:, k], color=BLUE, label="true")
+        ax.plot(log.time, estimated[:, k], color=ORANGE, lw=0.9, ls="--", label="estimated")
+        at_least(ax, 1.0 if k < 3 else 0.2)
+        ax.set_ylabel(label)
+    finish(figure, axes, log)
+    return figure
+
+
+def draw_torques(log: StandLog) -> Figure:
+    """Draw each leg's true torques with the limits of its motors."""
+    figure, axes = grid(2, 2, 4.6)
+    for leg, ax in enumerate(chain.from_iterable(axes)):
+        shade_pushes(ax, log)
+        for joint, color in enumerate((BLUE, ORANGE, GREEN)):
+            motor = 3 * leg + joint
+            limit = log.robot.config.tau_max[motor]
+            ax.plot(log.time, log.tau[:, motor], color=color, label=JOINTS[joint])
+            for side in (-limit, limit):
+                ax.axhline(side, color=color, ls=(0, (4, 3)), lw=0.8, alpha=0.7)
+        ax.set_title(LEGS[leg])
+        ax.set_ylabel("torque [N.m]")
+    finish(figure, axes, log)
+    return figure
+
+
+def draw_contacts(log: StandLog) -> Figure:
+    """Draw each foot's true vertical force and the estimated probability of contact."""
+    figure, axes = grid(2, 2, 4.6)
+    top = 1.15 * max(1.0, float(log.forces[:, 2].max()))
+    for leg, ax in enumerate(chain.from_iterable(axes)):
+        shade_pushes(ax, log)
+        ax.fill_between(log.time, log.forces[:, 2, leg], color=GREEN, alpha=0.25, lw=0)
+        ax.plot(log.time, log.forces[:, 2, leg], color=GREEN, label="true vertical force [N]")
+        ax.plot([], [], color=ORANGE, label="estimated probability of contact (right)")
+        ax.set_ylim(0.0, top)
+        ax.set_title(LEGS[leg])
+        ax.set_ylabel("force [N]")
+        right = ax.twinx()
+        right.plot(log.time, log.contact[:, leg], color=ORANGE, lw=0.9)
+        right.set_ylim(0.0, 1.15)
+        right.set_yticks([0.0, 0.5, 1.0])
+        right.grid(False)
+        right.spines["right"].set_visible(True)
+    finish(figure, axes, log)
+    return figure
+
+
+def draw_power(log: StandLog) -> Figure:
+    """Draw the motors' power."""
+    figure, axes = grid(1, 1, 2.4)
+    ax = axes[0][0]
+    shade_pushes(ax, log)
+    ax.fill_between(log.time, log.power, color=BLUE, alpha=0.2, lw=0)
+    ax.plot(log.time, log.power, color=BLUE, label="sum of |torque x velocity|")
+    ax.set_ylim(0.0, 1.1 * max(1.0, float(log.power.max())))
+    ax.set_ylabel("power [W]")
+    finish(figure, axes, log)
+    return figure
+
+
+def draw_ticks(log: StandLog) -> Figure:
+    """Draw how long the controller took, in logarithmic bins, with its percentiles."""
+    figure, axes = grid(1, 1, 2.6)
+    ax = axes[0][0]
+    low, high = float(log.tick_us.min()), float(log.tick_us.max())
+    ax.hist(log.tick_us, bins=np.geomspace(0.9 * low, 1.1 * high, 90).tolist(), color=GREY)
+    for share, color in ((50, BLUE), (90, GREEN), (99, ORANGE), (100, RED)):
+        value = float(np.percentile(log.tick_us, share))
+        name = "max" if share == 100 else f"p{share}"
+        ax.axvline(value, color=color, label=f"{name} {value:.0f} us")
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel(f"tick [us]; the control period is {1e6 / log.rate:.0f} us")
+    ax.set_ylabel("ticks")
+    figure.legend(loc="outside upper right", ncols=4)
+    return figure
+
+
+PLOTS = (
+    Plot(
+        "pose.png",
+        "Base pose relative to the feet",
+        "Change since the start, in a frame at the mean of the feet and along their heading. The "
+        "estimate is relative to the feet as the estimator sees them. Pushes are shaded red.",
+        draw_pose,
+    ),
+    Plot(
+        "torques.png",
+        "Joint torques and their limits",
+        "True torque of every motor; dashed, the greatest that each can give at low speed.",
+        draw_torques,
+    ),
+    Plot(
+        "contacts.png",
+        "Contact",
+        "What each foot bears, and how sure the estimator is that it bears anything.",
+        draw_contacts,
+    ),
+    Plot("power.png", "Power", "Of all motors together, braking counted as work.", draw_power),
+    Plot(
+        "ticks.png",
+        "Time of a tick",
+        "Wall time of the controller's update as called from Python on this machine. Where other "
+        "programs share the processor, the tail is theirs.",
+        draw_ticks,
+    ),
+)
+
+
+def _pose_change(q: Array, feet: Array) -> Array:
+    """Return x, y, z [mm] and roll, pitch, yaw [deg], (n, 6), less their first values."""
+    pose = pose_from_feet(q, feet)
+    rows = np.hstack([1000.0 * pose.position, np.degrees(np.unwrap(pose.rpy, axis=0))])
+    return np.asarray(rows - rows[0])

@@ -1,0 +1,82 @@
+"""Pushes as people write them: lateral:8.0:0.1@2.0, or lateral:50%:0.1@2.0."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+from surefoot._core import Error
+from surefoot.sim import Plant, Push
+
+FORM = "DIRECTION:IMPULSE:LENGTH@TIME"
+EXAMPLE = "lateral:8.0:0.1@2.0"
+_NAMED = ("lateral", "forward")
+
+
+@dataclass(frozen=True)
+class PushRequest:
+    """A push as asked for; a share of the pendulum's limit has a size only on a plant.
+
+    Attributes:
+        direction: "lateral" (left), "forward", or degrees from forward towards left.
+        impulse: [N.s], or percent of the limit.
+        percent: Whether impulse is percent of the limit.
+        duration: [s].
+        time: When it begins [s].
+    """
+
+    direction: str | float
+    impulse: float
+    percent: bool
+    duration: float
+    time: float
+
+    def __str__(self) -> str:
+        """Write the push in the form that parse_push() reads."""
+        unit = "%" if self.percent else ""
+        return f"{self.direction}:{self.impulse}{unit}:{self.duration}@{self.time}"
+
+    def resolve(self, plant: Plant) -> Push:
+        """Return the push in newton seconds for a plant as it stands now; raises Error."""
+        impulse = self.impulse
+        if self.percent:
+            impulse *= plant.lip_limit(self.direction, self.duration) / 100.0
+        return Push(self.direction, impulse, self.duration, self.time)
+
+
+def parse_push(text: str) -> PushRequest:
+    """Read DIRECTION:IMPULSE:LENGTH@TIME.
+
+    Args:
+        text: Direction lateral, forward or degrees from forward towards left; impulse in N.s, or
+            with a % sign in percent of the linear inverted pendulum's limit; length and time [s].
+
+    Raises:
+        Error: Another form, a number that is none, a length or time that cannot be.
+    """
+    match = re.fullmatch(r"([^:@]+):([^:@%]+)(%?):([^:@]+)@([^:@]+)", text.strip())
+    if match is None:
+        raise Error(f"push: got '{text}', expected {FORM}, such as {EXAMPLE}")
+    direction, impulse, percent, duration, time = match.groups()
+    request = PushRequest(
+        direction if direction in _NAMED else _number(direction, "direction", text, _NAMED),
+        _number(impulse, "impulse", text),
+        bool(percent),
+        _number(duration, "length", text),
+        _number(time, "time", text),
+    )
+    # The plant checks the ranges in its own terms; percent stands in for an impulse here.
+    Push(request.direction, request.impulse, request.duration, request.time)
+    return request
+
+
+def _number(digits: str, what: str, text: str, names: tuple[str, ...] = ()) -> float:
+    try:
+        value = float(digits)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        valid = ", ".join((*names, "")) + "a number"
+        raise Error(f"push '{text}': {what}: got '{digits}', expected {valid}")
+    return value

@@ -1,0 +1,35 @@
+"""How much a signal holds above a frequency."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from surefoot.stand.log import Array
+
+HIGH_FREQUENCY = 30.0  # [Hz]
+
+
+def high_frequency_rms(signal: Array, rate: float) -> Array:
+    """Return the RMS (m,) of what signals (n, m) hold above 30 Hz, NaN if nothing can be told.
+
+    The power in a Hann-windowed spectrum, so that slow changes do not leak into it.
+
+    Args:
+        signal: (n, m) sampled at `rate`.
+        rate: [Hz].
+    """
+    n = len(signal)
+    frequency = np.fft.rfftfreq(n, 1.0 / rate)
+    if n < 16 or frequency[-1] <= HIGH_FREQUENCY:
+        return np.full(signal.shape[1], math.nan)
+    window = np.hanning(n + 1)[:-1]
+    spectrum = np.fft.rfft((signal - signal.mean(axis=0)) * window[:, None], axis=0)
+    # Parseval: each frequency stands for itself and its mirror image, but the last of an even n.
+    share = np.full(len(frequency), 2.0)
+    share[0] = 1.0
+    if n % 2 == 0:
+        share[-1] = 1.0
+    power = share[:, None] * np.abs(spectrum) ** 2 / (n * np.sum(window**2))
+    return np.asarray(np.sqrt(power[frequency >= HIGH_FREQUENCY].sum(axis=0)))

@@ -1,0 +1,92 @@
+"""A run in a few lines of text."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def verdict(s: dict[str, Any]) -> str:
+    """Return in one sentence how a run went, from its summary."""
+    if s["fell"]:
+        return f"{s['robot']} fell after {s['fall_time_s']:g} s"
+    end = "and settled" if s["settled"] else "but did not settle"
+    return f"{s['robot']} stood {s['duration']:g} s {end}"
+
+
+def conditions(s: dict[str, Any]) -> str:
+    """Return the run's surroundings as one line."""
+    parts = [
+        f"{s['rate']:g} Hz",
+        f"{s['sensors']} sensors",
+        f"foot force {s['foot_force']}",
+        f"friction {s['friction']:g}",
+    ]
+    if s["slope_deg"]:
+        parts.append(f"slope {s['slope_deg']:g} deg towards {s['slope_heading_deg']:g} deg")
+    if s["payload_kg"]:
+        parts.append(f"payload {s['payload_kg']:g} kg")
+    if s["motor_damping"]:
+        parts.append(f"motor damping {s['motor_damping']:g} N.m.s/rad")
+    return ", ".join([*parts, f"seed {s['seed']}"])
+
+
+def push_line(push: dict[str, Any]) -> str:
+    """Return a push of a summary in words."""
+    direction = push["direction"]
+    name = direction if isinstance(direction, str) else f"at {direction:g} deg"
+    share = push["lip_share"]
+    of_limit = "" if share is None else f", {100 * share:.0f} % of the pendulum's limit"
+    return (
+        f"{name} {push['impulse_ns']:.2f} N.s in {push['duration_s']:g} s "
+        f"at {push['time_s']:g} s{of_limit}"
+    )
+
+
+def summary_text(s: dict[str, Any]) -> str:
+    """Return a summary for people to read."""
+    lines = [("run", conditions(s)), *(("push", push_line(push)) for push in s["pushes"])]
+    if s["settle_time_s"] is not None:
+        lines.append(("settled", f"{s['settle_time_s']:.2f} s after the last push"))
+    lines += _motion_lines(s) + _loop_lines(s)
+    return "\n".join([f"{verdict(s)}.", *(f"  {name:<9} {text}" for name, text in lines)])
+
+
+def _motion_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
+    torque = "unknown" if s["torque_hf_rms"] is None else f"{s['torque_hf_rms']:.3f} N.m"
+    return [
+        (
+            "pose",
+            f"off by {s['height_error_mm']:.2f} mm, {s['tilt_error_deg']:.2f} deg tilt, "
+            f"{s['yaw_error_deg']:.2f} deg yaw; at most {s['max_tilt_deg']:.1f} deg tilt, "
+            f"feet {s['max_foot_travel_mm']:.1f} mm",
+        ),
+        (
+            "still",
+            f"last 2 s RMS: centre of mass {s['com_rms_mm']:.3f} mm, "
+            f"joints {s['joint_velocity_rms']:.4f} rad/s, torque above 30 Hz {torque}",
+        ),
+        (
+            "effort",
+            f"peak torque {100 * s['peak_torque_ratio']:.0f} % of its limit, "
+            f"peak power {s['peak_power_w']:.0f} W",
+        ),
+        (
+            "estimate",
+            f"RMSE: velocity {s['estimator_velocity_rmse']:.4f} m/s, "
+            f"tilt {s['estimator_tilt_rmse_deg']:.3f} deg",
+        ),
+    ]
+
+
+def _loop_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
+    tick = s["tick_us"]
+    first = f" (first: {s['first_failure']})" if s["qp_failures"] else ""
+    mode = "torque mode only" if s["torque_mode_only"] else "NOT torque mode only"
+    return [
+        ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}, {mode}"),
+        (
+            "tick",
+            f"{tick['p50']:.0f} us median, {tick['p90']:.0f} p90, {tick['p99']:.0f} p99, "
+            f"{tick['max']:.0f} max",
+        ),
+    ]

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <proxsuite/linalg/dense/core.hpp>
+
+// ProxSuite 0.8.0 promises that solve() allocates nothing, but its LDLT update writes
+//   dst += (factor * lhs) * rhs
+// with dynamic sizes, and where dst happens to have one row Eigen evaluates `factor * lhs` into a
+// heap vector: a handful of mallocs in 20 000 ticks. The same product, coefficient by coefficient,
+// allocates nothing and is no slower at this size. To be included before the solver.
+namespace proxsuite::linalg::dense::_detail {
+
+using StridedMap =
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>, Eigen::Unaligned,
+               Eigen::Stride<Eigen::Dynamic, 1>>;
+using ConstStridedMap =
+    Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>, Eigen::Unaligned,
+               Eigen::Stride<Eigen::Dynamic, 1>>;
+
+template <>
+inline void noalias_mul_add_impl<StridedMap, ConstStridedMap, ConstStridedMap, double>(
+    StridedMap dst, ConstStridedMap lhs, ConstStridedMap rhs, double factor) {
+  for (Eigen::Index column = 0; column < dst.cols(); ++column) {
+    for (Eigen::Index k = 0; k < lhs.cols(); ++k) {
+      const double scale = factor * rhs(k, column);
+      for (Eigen::Index row = 0; row < dst.rows(); ++row) dst(row, column) += scale * lhs(row, k);
+    }
+  }
+}
+
+}  // namespace proxsuite::linalg::dense::_detail

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import surefoot
+from surefoot.robots import describe_robot
+from surefoot.sim import Plant, PlantSettings, Push
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("sensors", "perfect"),
+        ("foot_force", "on"),
+        ("friction", -0.1),
+        ("friction", float("nan")),
+        ("friction", "high"),
+        ("slope_deg", 60.0),
+        ("slope_heading_deg", 1e6),
+        ("payload_kg", -1.0),
+        ("payload_position", (0.0, 0.0)),
+        ("payload_position", (0.0, 0.0, float("inf"))),
+        ("payload_position", None),
+        ("control_rate", 0.0),
+        ("physics_dt", 0.0007),
+        ("physics_dt", 0.1),
+        ("joint_friction_scale", -1.0),
+        ("armature_scale", True),
+        ("motor_lag", -0.001),
+        ("extra_delay", -0.002),
+        ("seed", -1),
+        ("seed", 1.5),
+    ],
+)
+def test_a_bad_setting_raises_an_error_that_names_it(field: str, value: Any) -> None:
+    with pytest.raises(surefoot.Error, match=rf"^{field}: got "):
+        PlantSettings(**{field: value})
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [
+        ("direction", "up"),
+        ("direction", 400.0),
+        ("impulse", float("nan")),
+        ("duration", 0.0),
+        ("time", -1.0),
+        ("height", float("inf")),
+    ],
+)
+def test_a_bad_push_raises_an_error_that_names_the_field(field: str, value: Any) -> None:
+    good: dict[str, Any] = {"direction": "lateral", "impulse": 1.0, "duration": 0.1, "time": 0.0}
+    with pytest.raises(surefoot.Error, match=rf"^{field}: got "):
+        Push(**{**good, field: value})
+
+
+def test_an_error_lists_the_valid_names() -> None:
+    with pytest.raises(surefoot.Error, match="'perfect'; valid names: real, ideal"):
+        PlantSettings(sensors="perfect")
+    with pytest.raises(surefoot.Error, match="'up'; valid names: forward, lateral or a number"):
+        Push("up", 1.0)
+
+
+def test_settings_of_the_wrong_kind_are_refused() -> None:
+    with pytest.raises(surefoot.Error, match="expected PlantSettings"):
+        Plant("go1", {"sensors": "ideal"})  # type: ignore[arg-type]
+
+
+def test_the_defaults_follow_the_kind_of_sensors() -> None:
+    assert PlantSettings().lag == 0.002
+    assert PlantSettings(sensors="ideal").lag == 0.0
+    assert PlantSettings(motor_lag=0.005).lag == 0.005
+    assert PlantSettings().steps_per_tick == 4
+
+
+def test_a_plant_can_be_built_from_files_of_your_own() -> None:
+    go2 = describe_robot("go2")
+    models = surefoot.robots._models_folder()
+    plant = Plant(describe_robot(urdf=go2.urdf, config=models / "go2.toml"))
+    assert plant.robot.mass == pytest.approx(Plant("go2").robot.mass)
+
+
+def test_a_foot_that_is_no_link_is_named() -> None:
+    go1 = describe_robot("go1")
+    go1.table["feet"]["frames"][2] = "RR_foot_fixed"  # the joint of that name, not the link
+    with pytest.raises(surefoot.Error, match="'RR_foot_fixed' is no link of the URDF"):
+        Plant(go1)

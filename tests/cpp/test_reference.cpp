@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "quadruped.hpp"
+#include "reference/stand_reference.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+struct Latched {
+  Robot robot = quadruped();
+  Gains gains;
+  Dynamics dynamics{robot};
+  RobotState state = random_state(robot, 2, 0.0);
+  StandReference stand;
+  Latched() {
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+    stand.latch(dynamics);
+  }
+  // The whole scene, robot and ground, moved in the world: what drift looks like.
+  Dynamics drifted(const Vector3& p, const Quaternion& R) const {
+    Eigen::VectorXd q = state.q;
+    q.head<3>() = p + R * Vector3(q.head<3>());
+    q.segment<4>(3) = (R * Quaternion(q[6], q[3], q[4], q[5])).coeffs();
+    Dynamics d(robot);
+    d.update(q, state.v, Vector3::UnitZ());
+    return d;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(reference)
+
+BOOST_AUTO_TEST_CASE(exponential_and_logarithm_undo_each_other) {
+  for (int seed = 0; seed < 50; ++seed) {
+    std::srand(static_cast<unsigned>(seed));
+    const Vector3 w = 1.7 * Vector3::Random();
+    BOOST_TEST((log_so3(exp_so3(w)) - w).norm() < 1e-12);
+    Quaternion q = exp_so3(w);
+    q.coeffs() *= -1.0;  // the same rotation
+    BOOST_TEST((log_so3(q) - w).norm() < 1e-12);
+  }
+  BOOST_TEST(log_so3(exp_so3(Vector3(1e-12, 0, 0))).x() == 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(nothing_is_asked_of_a_robot_that_stands_as_it_was_latched, Latched) {
+  const Reference& wanted = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002);
+  BOOST_TEST((wanted.p_com - dynamics.p_world_com()).norm() < 1e-9);
+  BOOST_TEST(wanted.R_world_base.angularDistance(Quaternion(dynamics.R_world_base())) < 1e-6);
+  BOOST_TEST(wanted.a_com.norm() < 1e-9);
+}
+
+BOOST_FIXTURE_TEST_CASE(drift_in_place_and_yaw_asks_for_nothing, Latched) {
+  const Quaternion yaw(Eigen::AngleAxisd(1.3, Vector3::UnitZ()));
+  const Dynamics moved = drifted(Vector3(3.0, -2.0, 0.5), yaw);
+  // The ground's normal turns too, slowly: give it the time.
+  for (int tick = 0; tick < 5000; ++tick) {
+    stand.update(gains, moved, Eigen::Vector4d::Ones(), 0.002);
+  }
+  const Reference& wanted = stand.reference();
+  BOOST_TEST((wanted.p_com - moved.p_world_com()).norm() < 1e-6);
+  BOOST_TEST(wanted.R_world_base.angularDistance(Quaternion(moved.R_world_base())) < 1e-5);
+}
+
+BOOST_FIXTURE_TEST_CASE(an_attitude_error_of_the_imu_soon_asks_for_nothing, Latched) {
+  const Dynamics moved =
+      drifted(Vector3::Zero(), Quaternion(Eigen::AngleAxisd(0.02, Vector3::UnitX())));
+  for (int tick = 0; tick < 2500; ++tick) {
+    stand.update(gains, moved, Eigen::Vector4d::Ones(), 0.002);
+  }
+  const Reference& wanted = stand.reference();
+  BOOST_TEST(wanted.R_world_base.angularDistance(Quaternion(moved.R_world_base())) < 2e-3);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_lifted_foot_does_not_tilt_the_ground, Latched) {
+  const Vector3 before = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.0).ground_normal;
+  Eigen::VectorXd q = state.q;
+  q[robot.motor_to_q()[FR_2]] -= 0.4;
+  Dynamics lifted(robot);
+  lifted.update(q, state.v, Vector3::UnitZ());
+  for (int tick = 0; tick < 500; ++tick) {
+    stand.update(gains, lifted, Eigen::Vector4d(0, 1, 1, 1), 0.002);
+  }
+  BOOST_TEST((stand.reference().ground_normal - before).norm() < 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(integrals_stay_inside_their_limits, Latched) {
+  Eigen::VectorXd q = state.q;
+  for (int leg = 0; leg < kLegs; ++leg) q[robot.motor_to_q()[3 * leg + 2]] -= 0.3;  // lower
+  Dynamics low(robot);
+  low.update(q, state.v, Vector3::UnitZ());
+  for (int tick = 0; tick < 20000; ++tick) stand.update(gains, low, Eigen::Vector4d::Ones(), 0.002);
+  BOOST_TEST(stand.reference().a_com.norm() <=
+             gains.integral_com_max * std::sqrt(3.0) + 1e-9);
+  BOOST_TEST(stand.reference().a_com.z() > 0.99 * gains.integral_com_max);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

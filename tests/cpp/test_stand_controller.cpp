@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+#include <cstring>
+#include <random>
+
+#include "quadruped.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/stand_controller.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+bool same(const LowCmd& a, const LowCmd& b) { return std::memcmp(&a, &b, sizeof(LowCmd)) == 0; }
+
+bool torque_mode(const LowCmd& command) {
+  bool good = true;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorCmd& m = command.motorCmd[i];
+    good = good && m.mode == kModeServo && m.Kp == 0.0F && m.Kd == 0.0F &&
+           m.q == static_cast<float>(PosStopF) && m.dq == static_cast<float>(VelStopF);
+  }
+  return good;
+}
+
+bool damping(const LowCmd& command) {
+  bool good = true;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorCmd& m = command.motorCmd[i];
+    good = good && m.mode == kModeServo && m.Kp == 0.0F && m.Kd > 0.0F && m.tau == 0.0F &&
+           m.q == static_cast<float>(PosStopF) && m.dq == 0.0F;
+  }
+  return good;
+}
+
+struct Running {
+  Robot robot = quadruped();
+  StandController controller{robot};
+  std::uint32_t tick = 0;
+  LowState report = resting_report(robot, 0);
+  LowCmd last;
+  Running() {
+    for (int i = 0; i < 10; ++i) last = step();
+  }
+  LowCmd step() {
+    report.tick = tick;
+    tick += 2;
+    return controller.update(report);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(stand_controller)
+
+BOOST_FIXTURE_TEST_CASE(a_standing_robot_gets_the_torques_of_statics_in_torque_mode, Running) {
+  BOOST_TEST((controller.status() == Status::kOk));
+  BOOST_TEST(torque_mode(last));
+  for (int i = 0; i < kMotors; ++i) {
+    BOOST_TEST(std::abs(last.motorCmd[i].tau - report.motorState[i].tauEst) < 0.5);
+  }
+  BOOST_TEST(std::abs(controller.solution().forces.row(2).sum() - robot.mass() * kGravity) < 2.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_bad_report_is_bridged_for_ten_milliseconds_then_damped_and_latched,
+                        Running) {
+  report.imu.gyroscope[1] = std::nanf("");
+  for (int i = 0; i < 5; ++i) {
+    BOOST_TEST(same(step(), last));
+    BOOST_TEST((controller.status() == Status::kNonFinite));
+  }
+  BOOST_TEST(damping(step()));
+  report.imu.gyroscope[1] = 0.0F;
+  BOOST_TEST(damping(step()));
+  BOOST_TEST((controller.status() == Status::kDamping));
+  BOOST_TEST((controller.fault() == Status::kNonFinite));
+  controller.reset();
+  BOOST_TEST(torque_mode(step()));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_tick_that_stands_still_is_stale, Running) {
+  for (int i = 0; i < 5; ++i) {
+    tick -= 2;
+    report.tick = tick - 2;
+    const LowCmd held = controller.update(report);
+    tick += 2;
+    BOOST_TEST(same(held, last));
+    BOOST_TEST((controller.status() == Status::kStaleTick));
+  }
+  report.tick = tick - 2;
+  BOOST_TEST(damping(controller.update(report)));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_zero_quaternion_is_told_by_name, Running) {
+  report.imu.quaternion = {0.0F, 0.0F, 0.0F, 0.0F};
+  BOOST_TEST(same(step(), last));
+  BOOST_TEST((controller.status() == Status::kBadQuaternion));
+}
+
+BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_asked_for) {
+  const Robot robot = quadruped();
+  StandOptions options;
+  options.motor_damping = 0.5;
+  StandController controller(robot, Gains(), options);
+  const LowCmd command = controller.update(resting_report(robot, 0));
+  BOOST_TEST(command.motorCmd[3].Kd == 0.5F);
+  BOOST_TEST(command.motorCmd[3].dq == 0.0F);
+  BOOST_TEST(command.motorCmd[3].Kp == 0.0F);
+  options.motor_damping = -1.0;
+  BOOST_CHECK_THROW(StandController(robot, Gains(), options), Error);
+}
+
+BOOST_FIXTURE_TEST_CASE(random_bytes_never_make_a_command_that_is_not_finite_and_inside_limits,
+                        Running) {
+  std::mt19937 generator(7);
+  for (int round = 0; round < 20000; ++round) {
+    LowState noise = resting_report(robot, tick += 2);
+    auto* bytes = reinterpret_cast<unsigned char*>(&noise);
+    for (int k = 0; k < 1 + round % 40; ++k) bytes[22 + generator() % 860] = generator() & 0xFF;
+    const LowCmd command = controller.update(noise);
+    for (int i = 0; i < kMotors; ++i) {
+      BOOST_REQUIRE(std::abs(command.motorCmd[i].tau) <= robot.config().tau_max[i] * 1.0001);
+    }
+    BOOST_REQUIRE((torque_mode(command) || damping(command)));
+    if (controller.status() == Status::kDamping) controller.reset();
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

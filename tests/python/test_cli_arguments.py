@@ -1,0 +1,211 @@
+import json
+import os
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import pytest
+import surefoot
+from surefoot.cli import arguments, main
+from surefoot.cli.stand import choose_graphics, read_settings
+
+BAD = {
+    "no command": [],
+    "unknown command": ["dance"],
+    "unknown option": ["stand", "--speed", "3"],
+    "shortened option": ["stand", "--dur", "3"],
+    "unknown robot": ["stand", "--robot", "go7"],
+    "no number": ["stand", "--duration", "long"],
+    "no time at all": ["stand", "--duration", "0"],
+    "negative time": ["stand", "--duration", "-3"],
+    "time that is not a number": ["stand", "--duration", "nan"],
+    "endless time": ["stand", "--duration", "inf"],
+    "rate off the millisecond": ["stand", "--rate", "333"],
+    "rate beyond the millisecond": ["stand", "--rate", "2000"],
+    "rate of zero": ["stand", "--rate", "0"],
+    "unknown sensors": ["stand", "--sensors", "perfect"],
+    "unknown foot force": ["stand", "--foot-force", "alive"],
+    "negative friction": ["stand", "--friction", "-0.1"],
+    "slope without number": ["stand", "--slope", "steep"],
+    "slope with too many": ["stand", "--slope", "1:2:3"],
+    "slope too steep": ["stand", "--slope", "80"],
+    "payload without z": ["stand", "--payload", "2:0:0"],
+    "negative payload": ["stand", "--payload", "-2"],
+    "bad push": ["stand", "--push", "lateral:8:0.1"],
+    "push after the end": ["stand", "--duration", "1", "--push", "lateral:8:0.1@2"],
+    "negative seed": ["stand", "--seed", "-1"],
+    "fractional seed": ["stand", "--seed", "1.5"],
+    "negative damping": ["stand", "--motor-damping", "-1"],
+    "missing gains file": ["stand", "--gains", "nowhere.toml"],
+    "json into no folder": ["stand", "--json", "no/such/folder/out.json"],
+    "option without value": ["stand", "--json"],
+    "report under a file": ["stand", "--report", f"{__file__}/report"],
+    "export of nothing": ["export"],
+    "export without robot": ["export", "out.robot"],
+    "export of unknown robot": ["export", "go7", "out.robot"],
+    "export of two robots": ["export", "go1", "out.robot", "--urdf", "a", "--config", "b"],
+    "export without config": ["export", "out.robot", "--urdf", "a.urdf"],
+    "export of missing files": ["export", "out.robot", "--urdf", "a.urdf", "--config", "b.toml"],
+    "export into no folder": ["export", "go1", "no/such/folder/out.robot"],
+    "gains of unknown robot": ["gains", "--robot", "go7"],
+}
+BAD_GAINS = {
+    "unknown key": "com_kp_sideways = 3.0",
+    "negative": "com_kp_vertical = -1.0",
+    "not a number": "com_kp_vertical = nan",
+    "a word": 'com_kp_vertical = "high"',
+    "not TOML": "com_kp_vertical: 3",
+}
+
+
+@pytest.fixture(autouse=True)
+def empty_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def call(*words):
+    """Run the command in a process of its own."""
+    line = [sys.executable, "-m", "surefoot.cli", *words]
+    return subprocess.run(line, capture_output=True, text=True, timeout=60)
+
+
+def assert_one_line_of_complaint(status, out, err):
+    assert status == 2
+    assert out == ""
+    assert err.count("\n") == 1 and err.startswith("surefoot")
+    assert "Traceback" not in err
+
+
+@pytest.mark.parametrize("words", BAD.values(), ids=BAD.keys())
+def test_a_wrong_argument_costs_one_line_and_status_2(words, capsys):
+    status = main(words)
+    assert_one_line_of_complaint(status, *capsys.readouterr())
+
+
+@pytest.mark.parametrize("text", BAD_GAINS.values(), ids=BAD_GAINS.keys())
+def test_a_wrong_gain_costs_one_line_and_status_2(text, capsys, tmp_path):
+    (tmp_path / "gains.toml").write_text(text)
+    status = main(["stand", "--gains", "gains.toml"])
+    assert_one_line_of_complaint(status, *capsys.readouterr())
+
+
+@pytest.mark.parametrize("words", [["stand", "--robot", "go7"], ["stand", "--push", "hard"], []])
+def test_a_process_with_a_wrong_argument_ends_with_status_2(words):
+    done = call(*words)
+    assert_one_line_of_complaint(done.returncode, done.stdout, done.stderr)
+
+
+def test_a_robot_of_unknown_name_is_answered_with_the_known_ones(capsys):
+    main(["stand", "--robot", "go7"])
+    complaint = capsys.readouterr().err
+    assert all(name in complaint for name in surefoot.available_robots())
+
+
+def test_json_on_stdout_is_exactly_one_object_and_nothing_else():
+    done = call("stand", "--duration", "0.1", "--sensors", "ideal", "--json", "-")
+    assert (done.returncode, done.stderr) == (0, "")
+    summary = json.loads(done.stdout)
+    assert (summary["robot"], summary["ticks"], summary["fell"]) == ("go1", 50, False)
+
+
+def test_json_in_a_file_leaves_stdout_to_the_readable_summary(capsys, tmp_path):
+    (tmp_path / "gains.toml").write_text("[gains]\nfoot_kp = 90.0\n")
+    words = "stand --robot a1 --duration 0.1 --rate 250 --slope -5:90 --payload 1:0:0:0.1 --seed 3"
+    assert main([*words.split(), "--gains", "gains.toml", "--json", "out.json"]) == 0
+    summary = json.loads((tmp_path / "out.json").read_text())
+    assert (summary["robot"], summary["ticks"], summary["seed"]) == ("a1", 25, 3)
+    assert (summary["slope_deg"], summary["slope_heading_deg"]) == (-5.0, 90.0)
+    assert summary["payload_position"] == [0.0, 0.0, 0.1]
+    assert summary["gains_changed"] == {"foot_kp": 90.0}
+    out, err = capsys.readouterr()
+    assert out.startswith("a1 stood 0.1 s") and err == ""
+
+
+def test_a_gains_file_changes_the_robots_own_gains_and_no_others(monkeypatch, tmp_path):
+    own = surefoot.Gains()
+    own.foot_kd = 33.0
+    robot = SimpleNamespace(config=SimpleNamespace(gains=own))
+    monkeypatch.setattr("surefoot.cli.stand.build_robot", lambda _: robot)
+    (tmp_path / "gains.toml").write_text("foot_kp = 90.0")
+    gains = read_settings(arguments.parse_arguments(["stand", "--gains", "gains.toml"])).gains
+    assert (gains.foot_kp, gains.foot_kd) == (90.0, 33.0)
+    assert own.foot_kp == surefoot.Gains().foot_kp
+
+
+def test_a_robot_that_falls_is_a_result_and_no_error(capsys):
+    words = "stand --duration 2 --sensors ideal --push lateral:1000%:0.1@0.1 --json -"
+    assert main(words.split()) == 0
+    summary = json.loads(capsys.readouterr().out)
+    assert summary["fell"] and not summary["settled"]
+    assert summary["fall_time_s"] == summary["duration"] < 2.0
+
+
+def test_an_exported_robot_is_read_back_without_robot_data(capsys, tmp_path):
+    assert main(["export", "go1", "dog.robot"]) == 0
+    loaded, source = surefoot.Robot.load(str(tmp_path / "dog.robot")), surefoot.load_robot("go1")
+    assert (loaded.name, loaded.nv) == ("go1", source.nv)
+    assert loaded.mass == pytest.approx(source.mass)
+    assert "go1" in capsys.readouterr().out
+
+
+def test_a_robot_of_ones_own_is_exported_from_its_files(tmp_path):
+    known = surefoot.robots.describe_robot("a1")
+    config = surefoot.robots._models_folder() / "a1.toml"
+    text = config.read_text().replace('srdf = "', '# srdf = "')
+    (tmp_path / "own.toml").write_text(text.replace('name = "a1"', 'name = "mine"'))
+    words = ["export", "--urdf", str(known.urdf), "--config", "own.toml", "mine.robot"]
+    assert main(words) == 0
+    assert surefoot.Robot.load(str(tmp_path / "mine.robot")).name == "mine"
+
+
+def test_every_robot_has_a_row(capsys):
+    assert main(["robots"]) == 0
+    rows = [line.split()[0] for line in capsys.readouterr().out.splitlines() if line]
+    assert set(surefoot.available_robots()) <= set(rows)
+
+
+@pytest.mark.parametrize("words", [["gains"], ["gains", "--robot", "b1"]])
+def test_every_gain_has_a_row_with_its_value(words, capsys):
+    assert main(words) == 0
+    rows = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
+    gains = surefoot.load_robot("b1").config.gains if len(words) > 1 else surefoot.Gains()
+    for row in surefoot.gain_table():
+        assert rows[row.name].split()[1] == f"{surefoot.get_gain(gains, row.name):g}"
+        assert row.meaning in rows[row.name]
+
+
+def test_version_and_help_end_well(capsys):
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out.startswith("surefoot ")
+    assert main(["stand", "--help"]) == 0
+    assert "--push" in capsys.readouterr().out
+
+
+def test_an_interrupted_run_ends_with_status_130(monkeypatch, capsys):
+    def interrupt(_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(arguments, "list_robots", interrupt)
+    assert main(["robots"]) == 130
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_a_reader_that_leaves_early_sees_no_traceback():
+    line = [sys.executable, "-m", "surefoot.cli", "gains"]
+    process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process.stdout.close()
+    assert process.stderr.read() == ""
+    process.stderr.close()
+    process.wait(timeout=60)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems draw without a display server")
+def test_without_a_screen_mujoco_is_told_how_to_draw(monkeypatch):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_GL"):
+        monkeypatch.delenv(name, raising=False)
+    choose_graphics()
+    assert os.environ["MUJOCO_GL"] in ("egl", "disable")
+    monkeypatch.setenv("MUJOCO_GL", "osmesa")
+    choose_graphics()
+    assert os.environ["MUJOCO_GL"] == "osmesa"

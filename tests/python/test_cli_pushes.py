@@ -1,0 +1,64 @@
+import pytest
+from surefoot import Error
+from surefoot.stand import PushRequest, parse_push
+
+READ = {
+    "lateral:8.0:0.1@2.0": PushRequest("lateral", 8.0, False, 0.1, 2.0),
+    "forward:-12:0.05@0": PushRequest("forward", -12.0, False, 0.05, 0.0),
+    "45:3.25:1@1.5": PushRequest(45.0, 3.25, False, 1.0, 1.5),
+    "-90.5:1e1:0.1@2": PushRequest(-90.5, 10.0, False, 0.1, 2.0),
+    "lateral:50%:0.1@2.0": PushRequest("lateral", 50.0, True, 0.1, 2.0),
+}
+BAD = [
+    "",
+    "lateral",
+    "lateral:8",
+    "lateral:8:0.1",
+    "lateral:8:0.1@",
+    "lateral:8:0.1@2@3",
+    "lateral:8:0.1:2",
+    "lateral:8%%:0.1@2",
+    "lateral:%:0.1@2",
+    "sideways:8:0.1@2",
+    "lateral:much:0.1@2",
+    "lateral:nan:0.1@2",
+    "inf:8:0.1@2",
+    "lateral:8:0@2",
+    "lateral:8:-0.1@2",
+    "lateral:8:0.1@-2",
+]
+
+
+class PlantWithLimit:
+    """Stands in for a plant: the limit depends on direction and duration."""
+
+    def lip_limit(self, direction, duration):
+        return {"lateral": 12.0, "forward": 20.0}[direction] * (1.0 + duration)
+
+
+@pytest.mark.parametrize("text", READ)
+def test_a_push_is_read_as_it_was_meant(text):
+    assert parse_push(text) == READ[text]
+
+
+@pytest.mark.parametrize("text", READ)
+def test_a_push_written_out_reads_the_same_again(text):
+    push = parse_push(text)
+    assert parse_push(str(push)) == push
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_push_of_another_form_is_refused_in_one_line(text):
+    with pytest.raises(Error, match="expected") as problem:
+        parse_push(text)
+    assert "\n" not in str(problem.value)
+
+
+def test_percent_of_the_limit_becomes_newton_seconds_on_the_plant():
+    push = parse_push("forward:25%:0.5@1").resolve(PlantWithLimit())
+    assert push.impulse == pytest.approx(0.25 * 20.0 * 1.5)
+    assert (push.direction, push.duration, push.time) == ("forward", 0.5, 1.0)
+
+
+def test_newton_seconds_do_not_depend_on_the_plant():
+    assert parse_push("lateral:8:0.1@1").resolve(PlantWithLimit()).impulse == 8.0

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
+import copy
+import math
+
+import pytest
+import surefoot
+from surefoot import Error, Gains
+
+TABLE = surefoot.gain_table()
+NAMES = [info.name for info in TABLE]
+
+
+@pytest.fixture
+def load(tmp_path):
+    def load(text: str, start: Gains | None = None) -> Gains:
+        path = tmp_path / "mine.toml"
+        path.write_text(text)
+        return surefoot.load_gains(path, start)
+
+    return load
+
+
+def values(gains: Gains) -> list[float]:
+    return [getattr(gains, name) for name in NAMES]
+
+
+def test_the_table_lists_every_gain_there_is() -> None:
+    attributes = [name for name in vars(Gains) if isinstance(vars(Gains)[name], property)]
+    assert attributes == NAMES
+    assert len(set(NAMES)) == len(NAMES)
+
+
+@pytest.mark.parametrize("info", TABLE, ids=NAMES)
+def test_a_default_is_the_libraries_and_inside_its_range(info) -> None:
+    assert info.default == getattr(Gains(), info.name)
+    assert info.minimum <= info.default <= info.maximum
+    assert info.minimum >= 0.0
+    assert info.unit
+    assert info.meaning
+
+
+def test_the_gains_of_every_robot_are_valid(body) -> None:
+    body.robot.config.gains.validate()
+
+
+@pytest.mark.parametrize("info", TABLE, ids=NAMES)
+def test_a_gain_is_found_by_its_name(info) -> None:
+    gains = Gains()
+    before = values(gains)
+    value = 0.5 * (info.default + info.maximum)
+    surefoot.set_gain(gains, info.name, value)
+    assert surefoot.get_gain(gains, info.name) == getattr(gains, info.name) == value
+    before[NAMES.index(info.name)] = value
+    assert values(gains) == before
+
+
+@pytest.mark.parametrize("info", TABLE, ids=NAMES)
+@pytest.mark.parametrize("wrong", ["nan", "inf", "negative", "below", "above"])
+def test_a_gain_that_is_not_in_its_range_is_named_and_not_written(info, wrong: str) -> None:
+    value = {
+        "nan": math.nan,
+        "inf": math.inf,
+        "negative": -1.0,
+        "below": math.nextafter(info.minimum, -math.inf),
+        "above": math.nextafter(info.maximum, math.inf),
+    }[wrong]
+    gains = Gains()
+    with pytest.raises(Error, match=rf"'{info.name}' out of range: got .*, expected .* \.\. "):
+        surefoot.set_gain(gains, info.name, value)
+    assert gains == Gains()
+    setattr(gains, info.name, value)
+    with pytest.raises(Error, match=rf"'{info.name}' out of range"):
+        gains.validate()
+
+
+@pytest.mark.parametrize("info", TABLE, ids=NAMES)
+def test_the_ends_of_a_range_belong_to_it(info) -> None:
+    for value in (info.minimum, info.maximum):
+        surefoot.set_gain(Gains(), info.name, value)
+
+
+@pytest.mark.parametrize("call", [surefoot.get_gain, lambda g, n: surefoot.set_gain(g, n, 1.0)])
+def test_an_unknown_gain_is_named_with_the_nearest_and_all_valid_ones(call) -> None:
+    with pytest.raises(Error) as caught:
+        call(Gains(), "com_kp_verticle")
+    assert "got 'com_kp_verticle' (did you mean 'com_kp_vertical'?)" in str(caught.value)
+    assert [name for name in NAMES if name not in str(caught.value)] == []
+
+
+def test_contacts_must_end_at_less_load_than_they_begin() -> None:
+    gains = Gains()
+    gains.contact_force_off = gains.contact_force_on
+    with pytest.raises(Error, match=r"'contact_force_off' must be below 'contact_force_on'"):
+        gains.validate()
+
+
+def test_a_copy_is_equal_until_either_changes() -> None:
+    gains = Gains()
+    twin = copy.copy(gains)
+    assert twin == gains
+    twin.foot_kp += 1.0
+    assert twin != gains
+    assert gains == Gains()
+
+
+@pytest.mark.parametrize(
+    "text", ["[gains]\nfoot_kp = 77\nfoot_kd = 5.5\n", "foot_kp = 77\nfoot_kd = 5.5\n"]
+)
+def test_a_file_changes_the_gains_it_names_and_no_others(load, text: str) -> None:
+    start = Gains()
+    start.com_kp_vertical = 99.0
+    expected = copy.copy(start)
+    expected.foot_kp, expected.foot_kd = 77.0, 5.5
+    assert load(text, start) == expected
+    assert start.foot_kp == Gains().foot_kp
+    assert load("") == Gains()
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("foot_kp = -1", "'foot_kp' out of range: got -1, expected 0 .. 5000 [1/s^2]"),
+        ("foot_kp = nan", "'foot_kp' out of range: got nan"),
+        ("foot_kp = -inf", "'foot_kp' out of range: got -inf"),
+        ('foot_kp = "100"', "gain 'foot_kp': got '100', expected a number"),
+        ("foot_kp = true", "gain 'foot_kp': got True, expected a number"),
+        ("foot_kp = [1.0]", "gain 'foot_kp': got [1.0], expected a number"),
+        ("foot_kpp = 1.0", "'foot_kpp' (did you mean 'foot_kp'?)"),
+        ("contact_force_on = 0.02", "'contact_force_off' must be below"),
+        ("foot_kp: 1.0", "mine.toml' is not valid TOML"),
+        ("[gains]\nfoot_kp = 1\n[robot]\nname = 'x'", "gains"),
+        ("gains = 3", "gains"),
+        ("gains = [1, 2]", "gains"),
+    ],
+)
+def test_a_bad_gain_file_is_refused_by_what_is_wrong(load, text: str, words: str) -> None:
+    with pytest.raises(Error) as caught:
+        load(text)
+    assert words in str(caught.value)
+
+
+def test_a_missing_gain_file_is_named() -> None:
+    with pytest.raises(Error, match="cannot read '/no/such/gains.toml'"):
+        surefoot.load_gains("/no/such/gains.toml")
+
+
+CONTROLLERS = [surefoot.StandController, surefoot.WholeBodyController]
+
+
+@pytest.mark.parametrize("controller", CONTROLLERS)
+def test_a_controller_starts_with_its_robots_gains_or_the_ones_given(go1, controller) -> None:
+    assert controller(go1.robot).gains == go1.robot.config.gains
+    gains = Gains()
+    gains.foot_kp = 33.0
+    assert controller(go1.robot, gains).gains == gains
+
+
+@pytest.mark.parametrize("controller", CONTROLLERS)
+def test_a_controller_refuses_bad_gains_and_keeps_its_own(go1, controller) -> None:
+    bad = Gains()
+    bad.base_kd_yaw = -3.0
+    with pytest.raises(Error, match="'base_kd_yaw' out of range: got -3"):
+        controller(go1.robot, bad)
+    running = controller(go1.robot)
+    with pytest.raises(Error, match="base_kd_yaw"):
+        running.set_gains(bad)
+    assert running.gains == go1.robot.config.gains
+
+
+def test_an_estimator_refuses_bad_gains(go1) -> None:
+    bad = Gains()
+    bad.gate_foot = math.nan
+    with pytest.raises(Error, match="'gate_foot' out of range: got nan"):
+        surefoot.StateEstimator(go1.robot).set_gains(bad)
+
+
+@pytest.mark.parametrize("damping", [-0.1, 50.1, math.nan, math.inf])
+def test_motor_damping_out_of_range_is_refused(go1, damping: float) -> None:
+    with pytest.raises(Error, match="'motor_damping' out of range"):
+        surefoot.StandController(go1.robot, Gains(), surefoot.StandOptions(damping))
+
+
+def test_gains_given_to_a_controller_are_copied(go1) -> None:
+    gains = Gains()
+    controller = surefoot.StandController(go1.robot, gains)
+    gains.foot_kp = 1.0
+    controller.gains.foot_kp = 2.0
+    assert controller.gains == Gains()

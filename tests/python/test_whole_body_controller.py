@@ -1,0 +1,377 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pinocchio as pin
+import pytest
+import surefoot
+from surefoot import Status, WholeBodyController
+
+SEEDS = range(12)
+UP = np.array([0.0, 0.0, 1.0])
+SLOPE = np.array([0.15, -0.1, math.sqrt(1 - 0.15**2 - 0.1**2)])
+
+
+def rotation(q):
+    return pin.Quaternion(*np.roll(q[3:7], 1)).toRotationMatrix()
+
+
+def asked(body, seed: int, normal=UP, swing=()):
+    """A seeded state and a reference that asks for a little of everything."""
+    rng = np.random.default_rng(1000 + seed)
+    state = body.random_state(seed)
+    reference = body.reference_at(state, normal)
+    reference.p_com = reference.p_com + 0.005 * rng.uniform(-1, 1, 3)
+    reference.v_com = reference.v_com + 0.02 * rng.uniform(-1, 1, 3)
+    reference.a_com = 0.3 * rng.uniform(-1, 1, 3)
+    turn = pin.exp3(0.01 * rng.uniform(-1, 1, 3)) @ rotation(state.q)
+    reference.quat_world_base = np.roll(pin.Quaternion(turn).coeffs(), 1)
+    reference.w_world_base = reference.w_world_base + 0.02 * rng.uniform(-1, 1, 3)
+    reference.alpha_world_base = rng.uniform(-1, 1, 3)
+    for leg in range(4):
+        foot = reference.foot(leg)
+        foot.p_world = foot.p_world + 0.005 * rng.uniform(-1, 1, 3)
+        foot.v_world, foot.a_world = 0.1 * rng.uniform(-1, 1, 3), rng.uniform(-1, 1, 3)
+        foot.stance = leg not in swing
+    return state, reference
+
+
+def com_acceleration(body, state, a):
+    pin.centerOfMass(body.model, body.data, state.q, state.v, a)
+    return body.data.acom[0].copy()
+
+
+def feet_acceleration(body, state, a, normal):
+    """Of the contact points of rolling spheres, (4, 3), world."""
+    pin.forwardKinematics(body.model, body.data, state.q, state.v, a)
+    roll = body.robot.config.foot_radius * normal
+    rows = []
+    for i in body.robot.foot_frame_ids:
+        frame = (body.model, body.data, i, pin.LOCAL_WORLD_ALIGNED)
+        turning = pin.getFrameAcceleration(*frame).angular
+        rows.append(pin.getFrameClassicalAcceleration(*frame).linear + np.cross(roll, turning))
+    return np.array(rows)
+
+
+def authority(body, state, normal=UP):
+    """Centre-of-mass and angular acceleration of the base per newton of foot force, (6, 12)."""
+    nv = body.robot.nv
+    M = pin.crba(body.model, body.data, state.q)
+    M = np.triu(M) + np.triu(M, 1).T
+    J = body.contact_jacobian(state.q, normal)
+    actuation = np.vstack([np.zeros((6, nv - 6)), np.eye(nv - 6)])
+    system = np.block([[M, -actuation], [J, np.zeros((12, nv - 6))]])
+    a = np.linalg.solve(system, np.vstack([J.T, np.zeros((12, 12))]))[:nv]
+    return np.vstack([np.tile(np.eye(3) / body.robot.mass, 4), rotation(state.q) @ a[3:6]])
+
+
+@pytest.mark.parametrize("normal", [UP, SLOPE], ids=["flat", "slope"])
+def test_rigid_body_dynamics_hold_exactly(body, normal) -> None:
+    controller = WholeBodyController(body.robot)
+    for seed in SEEDS:
+        state, reference = asked(body, seed, normal, swing=[seed % 8])
+        solution = controller.update(state, reference)
+        assert solution.status == Status.OK
+        J = body.contact_jacobian(state.q, normal)
+        effort = pin.rnea(body.model, body.data, state.q, state.v, solution.accelerations)
+        effort -= J.T @ solution.forces.T.ravel()
+        np.testing.assert_allclose(effort[:6], 0.0, atol=1e-8)
+        np.testing.assert_allclose(effort[6:], solution.torques, atol=1e-8)
+
+
+@pytest.mark.parametrize("normal", [UP, SLOPE], ids=["flat", "slope"])
+def test_feet_accelerate_exactly_as_their_gains_say(body, normal) -> None:
+    controller = WholeBodyController(body.robot)
+    gains = controller.gains
+    for seed in SEEDS:
+        state, reference = asked(body, seed, normal, swing=[seed % 8])
+        solution = controller.update(state, reference)
+        feet = [reference.foot(leg) for leg in range(4)]
+        p = body.contact_points(state.q, normal)
+        v = (body.contact_jacobian(state.q, normal) @ state.v).reshape(4, 3)
+        wanted = np.array([foot.a_world for foot in feet])
+        wanted += gains.foot_kp * (np.array([foot.p_world for foot in feet]) - p)
+        wanted += gains.foot_kd * (np.array([foot.v_world for foot in feet]) - v)
+        happens = feet_acceleration(body, state, solution.accelerations, normal)
+        np.testing.assert_allclose(happens, wanted, atol=1e-8)
+
+
+def test_contact_velocities_change_as_the_feet_were_told_over_a_tiny_step(body) -> None:
+    state, reference = asked(body, seed=3)
+    a = WholeBodyController(body.robot).update(state, reference).accelerations
+    step, velocities = 1e-5, []
+    for dt in (-step, step):
+        q = pin.integrate(body.model, state.q, dt * state.v + 0.5 * dt * dt * a)
+        velocities.append(body.contact_jacobian(q) @ (state.v + dt * a))
+    measured = (velocities[1] - velocities[0]) / (2 * step)
+    happens = feet_acceleration(body, state, a, UP).ravel()
+    np.testing.assert_allclose(measured, happens, atol=1e-5)
+
+
+def test_the_centre_of_mass_accelerates_exactly_as_its_gains_say(body) -> None:
+    controller = WholeBodyController(body.robot)
+    g = controller.gains
+    kp = np.array([g.com_kp_horizontal, g.com_kp_horizontal, g.com_kp_vertical])
+    kd = np.array([g.com_kd_horizontal, g.com_kd_horizontal, g.com_kd_vertical])
+    for seed in SEEDS:
+        state, reference = asked(body, seed)
+        solution = controller.update(state, reference)
+        happens = com_acceleration(body, state, solution.accelerations)
+        wanted = reference.a_com + kp * (reference.p_com - body.data.com[0])
+        wanted += kd * (reference.v_com - body.data.vcom[0])
+        np.testing.assert_allclose(happens, wanted, atol=2e-5)
+
+
+def test_the_base_turns_exactly_as_its_gains_say(body) -> None:
+    controller = WholeBodyController(body.robot)
+    g = controller.gains
+    kp = np.array([g.base_kp_tilt, g.base_kp_tilt, g.base_kp_yaw])
+    kd = np.array([g.base_kd_tilt, g.base_kd_tilt, g.base_kd_yaw])
+    for seed in SEEDS:
+        state, reference = asked(body, seed)
+        solution = controller.update(state, reference)
+        R = rotation(state.q)
+        R_wanted = pin.Quaternion(*reference.quat_world_base).toRotationMatrix()
+        wanted = reference.alpha_world_base + kp * pin.log3(R_wanted @ R.T)
+        wanted += kd * (reference.w_world_base - R @ state.v[3:6])
+        np.testing.assert_allclose(R @ solution.accelerations[3:6], wanted, atol=2e-3)
+
+
+def test_body_velocities_change_as_asked_over_a_tiny_step(body) -> None:
+    state, reference = asked(body, seed=4)
+    a = WholeBodyController(body.robot).update(state, reference).accelerations
+    step, com, spin = 1e-5, [], []
+    for dt in (-step, step):
+        q = pin.integrate(body.model, state.q, dt * state.v + 0.5 * dt * dt * a)
+        pin.centerOfMass(body.model, body.data, q, state.v + dt * a)
+        com.append(body.data.vcom[0].copy())
+        spin.append(rotation(q) @ (state.v + dt * a)[3:6])
+    com_measured, spin_measured = ((x[1] - x[0]) / (2 * step) for x in (com, spin))
+    np.testing.assert_allclose(com_measured, com_acceleration(body, state, a), atol=1e-5)
+    np.testing.assert_allclose(spin_measured, rotation(state.q) @ a[3:6], atol=1e-5)
+
+
+def test_forces_are_the_smallest_that_do_the_job(body) -> None:
+    controller = WholeBodyController(body.robot)
+    for seed in SEEDS:
+        state, reference = asked(body, seed)
+        forces = controller.update(state, reference).forces.T.ravel()
+        A = authority(body, state)
+        needless = forces - np.linalg.pinv(A) @ (A @ forces)
+        np.testing.assert_allclose(needless, 0.0, atol=2e-4 * body.weight)
+
+
+@pytest.mark.parametrize("normal", [UP, SLOPE], ids=["flat", "slope"])
+def test_forces_stay_inside_the_friction_cone_and_reach_it(body, normal) -> None:
+    controller, reached = WholeBodyController(body.robot), []
+    for k in range(24):
+        state = body.random_state(seed=k, speed=0.05)
+        reference = body.reference_at(state, normal)
+        angle = 2 * math.pi * k / 24
+        reference.a_com = 12.0 * np.array([math.cos(angle), math.sin(angle), 0.0])
+        solution = controller.update(state, reference)
+        assert solution.status == Status.OK
+        along = normal @ solution.forces
+        across = np.linalg.norm(solution.forces - np.outer(normal, along), axis=0)
+        assert along.min() >= -1e-4 * body.weight
+        assert (across - 0.6 * along).max() <= 1e-4 * body.weight
+        loaded = along > 0.05 * body.weight
+        reached.append((across[loaded] / along[loaded]).max())
+    assert min(reached) > 0.6 * 0.97
+
+
+def test_the_friction_assumed_is_the_configurations(go1) -> None:
+    body = go1.with_config(friction=0.2)
+    state = body.random_state(seed=1, speed=0.0)
+    reference = body.reference_at(state)
+    reference.a_com = np.array([0.0, 8.0, 0.0])
+    forces = WholeBodyController(body.robot).update(state, reference).forces
+    across, along = np.linalg.norm(forces[:2], axis=0), forces[2]
+    assert (across - 0.2 * along).max() <= 1e-4 * body.weight
+    assert across.sum() > 0.19 * along.sum()
+
+
+def test_demands_beyond_physics_still_give_a_command_inside_the_motors(body) -> None:
+    controller, config = WholeBodyController(body.robot), body.robot.config
+    rng = np.random.default_rng(7)
+    for seed in range(40):
+        state = body.random_state(seed, speed=10.0)
+        reference = body.reference_at(state)
+        reference.a_com = 100.0 * rng.choice([-1.0, 0.0, 1.0], 3)
+        reference.alpha_world_base = 1000.0 * rng.choice([-1.0, 0.0, 1.0], 3)
+        solution = controller.update(state, reference)
+        assert solution.status == Status.OK
+        for motor, v in enumerate(body.robot.motor_to_v):
+            tau = solution.torques[v - 6]
+            limit = surefoot.motor_torque_limit(config, motor, state.v[v], np.sign(tau))
+            assert abs(tau) <= limit + 1e-9
+
+
+def test_torque_limits_bind_when_the_motors_are_weak(body) -> None:
+    weak = body.with_config(tau_max=0.35 * body.robot.config.tau_max)
+    state = weak.random_state(seed=2, speed=0.0)
+    reference = weak.reference_at(state)
+    reference.a_com = np.array([0.0, 0.0, 50.0])
+    tau = WholeBodyController(weak.robot).update(state, reference).torques
+    share = np.abs(tau)[np.array(weak.robot.motor_to_v) - 6] / weak.robot.config.tau_max
+    assert share.max() == pytest.approx(1.0, abs=1e-3)
+    assert share.max() <= 1.0 + 1e-9
+
+
+def test_a_swing_foot_gets_no_force_and_the_others_carry(body) -> None:
+    controller = WholeBodyController(body.robot)
+    for leg in range(4):
+        state, reference = asked(body, seed=leg, swing=[leg])
+        solution = controller.update(state, reference)
+        assert solution.status == Status.OK
+        assert np.abs(solution.forces[:, leg]).max() < 1e-4 * body.weight
+        assert solution.forces[2].sum() > 0.7 * body.weight
+
+
+def test_a_foot_that_lost_contact_is_given_no_more_than_it_may_be(body) -> None:
+    controller = WholeBodyController(body.robot)
+    state = body.random_state(seed=6, speed=0.0)
+    state.contact = np.array([1.0, 0.0, 1.0, 1.0])
+    reference = body.reference_at(state)
+    reference.a_com = np.array([0.0, 4.0, 9.0])
+    forces = controller.update(state, reference).forces
+    limit = controller.gains.force_lost_contact * body.weight
+    assert forces[2, 1] <= limit + 1e-4 * body.weight
+    assert forces[2, 3] > 1.5 * limit
+
+
+def test_no_foot_is_loaded_beyond_its_greatest_force(go1) -> None:
+    gains = surefoot.Gains()
+    gains.force_max_contact = 0.3
+    state = go1.random_state(seed=8, speed=0.0)
+    reference = go1.reference_at(state)
+    reference.a_com = np.array([0.0, 0.0, 20.0])
+    forces = WholeBodyController(go1.robot, gains).update(state, reference).forces
+    np.testing.assert_allclose(forces[2], 0.3 * go1.weight, atol=1e-4 * go1.weight)
+
+
+@pytest.mark.parametrize("more", ["com_vertical", "base_tilt"])
+def test_what_weighs_more_gives_way_less(go1, more: str) -> None:
+    state = go1.random_state(seed=9, speed=0.0)
+    reference = go1.reference_at(state)
+    reference.a_com, reference.alpha_world_base = 12.0 * UP, np.array([60.0, 60.0, 0.0])
+    missed = {}
+    for weight in (0.001, 10.0):
+        gains = surefoot.Gains()
+        gains.force_max_contact = 0.4
+        setattr(gains, f"weight_{more}", weight)
+        solution = WholeBodyController(go1.robot, gains).update(state, reference)
+        turn = rotation(state.q) @ solution.accelerations[3:6] - reference.alpha_world_base
+        lift = com_acceleration(go1, state, solution.accelerations) - reference.a_com
+        missed[weight] = {"com_vertical": abs(lift[2]), "base_tilt": np.linalg.norm(turn[:2])}
+    assert missed[10.0][more] < 0.7 * missed[0.001][more]
+
+
+def test_gains_changed_between_ticks_count_in_the_next(go1) -> None:
+    controller, state = WholeBodyController(go1.robot), go1.random_state(seed=3, speed=0.0)
+    reference = go1.reference_at(state)
+    reference.p_com = reference.p_com + np.array([0.0, 0.0, 0.01])
+    controller.update(state, reference)
+    gains = surefoot.Gains()
+    gains.com_kp_vertical = 300.0
+    controller.set_gains(gains)
+    solution = controller.update(state, reference)
+    assert com_acceleration(go1, state, solution.accelerations)[2] == pytest.approx(3.0, abs=1e-4)
+
+
+def poison(field: str, value: float):
+    def poison(state, reference) -> None:
+        owner = state if hasattr(state, field) else reference
+        broken = np.array(getattr(owner, field))
+        broken[1] = value
+        setattr(owner, field, broken)
+
+    return poison
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf])
+@pytest.mark.parametrize("field", ["q", "v", "contact", "p_com", "a_com", "ground_normal"])
+def test_a_number_that_is_none_is_refused_and_the_last_good_answer_kept(go1, field, value) -> None:
+    controller = WholeBodyController(go1.robot)
+    state, reference = asked(go1, seed=1)
+    good = controller.update(state, reference)
+    poison(field, value)(state, reference)
+    refused = controller.update(state, reference)
+    assert refused.status == Status.NON_FINITE
+    np.testing.assert_array_equal(refused.torques, good.torques)
+    np.testing.assert_array_equal(refused.forces, good.forces)
+    np.testing.assert_array_equal(refused.accelerations, good.accelerations)
+    assert controller.update(*asked(go1, seed=1)).status == Status.OK
+
+
+def test_a_foot_reference_that_is_no_number_is_refused(go1) -> None:
+    controller = WholeBodyController(go1.robot)
+    state, reference = asked(go1, seed=1)
+    reference.foot(2).p_world = np.array([math.nan, 0.0, 0.0])
+    assert controller.update(state, reference).status == Status.NON_FINITE
+    assert controller.update(*asked(go1, seed=1)).status == Status.OK
+
+
+@pytest.mark.parametrize(("nq", "nv"), [(18, 18), (19, 17), (26, 25), (0, 0)])
+def test_a_state_of_another_robots_size_is_refused(go1, nq: int, nv: int) -> None:
+    state, reference = asked(go1, seed=1)
+    state.q, state.v = np.zeros(nq), np.zeros(nv)
+    assert WholeBodyController(go1.robot).update(state, reference).status == Status.WRONG_SIZE
+
+
+@pytest.mark.parametrize("leg", range(4))
+def test_a_straight_leg_is_called_singular_and_a_bent_one_is_solved_again(body, leg) -> None:
+    controller = WholeBodyController(body.robot)
+    state, reference = asked(body, seed=1)
+    bent = np.array(state.q)
+    straight = bent.copy()
+    straight[body.robot.motor_to_q[3 * leg + 2]] = 0.0
+    state.q = straight
+    assert controller.update(state, reference).status == Status.SINGULAR
+    state.q = bent
+    assert controller.update(state, reference).status == Status.OK
+
+
+def test_a_controller_that_never_solved_says_so(go1) -> None:
+    controller = WholeBodyController(go1.robot)
+    state, reference = asked(go1, seed=1)
+    state.q = np.full(19, math.nan)
+    solution = controller.update(state, reference)
+    np.testing.assert_array_equal(solution.torques, np.zeros(12))
+    assert solution.status == Status.NON_FINITE
+
+
+def test_the_same_inputs_give_the_same_bits(body) -> None:
+    first, second = WholeBodyController(body.robot), WholeBodyController(body.robot)
+    for seed in range(20):
+        state, reference = asked(body, seed)
+        ours, theirs = first.update(state, reference), second.update(state, reference)
+        np.testing.assert_array_equal(ours.torques, theirs.torques)
+        np.testing.assert_array_equal(ours.accelerations, theirs.accelerations)
+
+
+def test_reset_forgets_all_that_came_before(go1) -> None:
+    used, fresh = WholeBodyController(go1.robot), WholeBodyController(go1.robot)
+    for seed in range(10):
+        state, reference = asked(go1, seed)
+        reference.a_com = 30.0 * np.ones(3)
+        used.update(state, reference)
+    used.reset()
+    for seed in range(5):
+        state, reference = asked(go1, seed)
+        ours, theirs = used.update(state, reference), fresh.update(state, reference)
+        np.testing.assert_array_equal(ours.torques, theirs.torques)
+
+
+def test_where_the_world_begins_makes_no_difference(body) -> None:
+    state, reference = asked(body, seed=2)
+    here = WholeBodyController(body.robot).update(state, reference)
+    shift = np.array([3.0, -7.0, 1.0])
+    state.q = np.concatenate([state.q[:3] + shift, state.q[3:]])
+    reference.p_com = reference.p_com + shift
+    for leg in range(4):
+        reference.foot(leg).p_world = reference.foot(leg).p_world + shift
+    there = WholeBodyController(body.robot).update(state, reference)
+    np.testing.assert_allclose(there.torques, here.torques, atol=1e-4)
