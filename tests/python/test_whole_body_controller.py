@@ -375,3 +375,27 @@ def test_where_the_world_begins_makes_no_difference(body) -> None:
         reference.foot(leg).p_world = reference.foot(leg).p_world + shift
     there = WholeBodyController(body.robot).update(state, reference)
     np.testing.assert_allclose(there.torques, here.torques, atol=1e-4)
+
+
+@pytest.mark.parametrize("length", [0.0, 0.5, 2.0])
+def test_a_base_quaternion_far_from_unit_length_is_refused(go1, length: float) -> None:
+    state, reference = asked(go1, seed=1)
+    state.q = np.concatenate([state.q[:3], length * state.q[3:7], state.q[7:]])
+    assert WholeBodyController(go1.robot).update(state, reference).status == Status.BAD_QUATERNION
+
+
+def test_any_finite_nonsense_leaves_a_finite_answer_inside_the_motors(go1) -> None:
+    controller, tau_max = WholeBodyController(go1.robot), go1.robot.config.tau_max.max()
+    rng = np.random.default_rng(5)
+    reference = go1.reference_at(go1.random_state(0))
+    for _ in range(500):
+        state = surefoot.RobotState()
+        q = 10.0 ** rng.uniform(-3, 12) * rng.normal(size=19)
+        q[3:7] /= np.linalg.norm(q[3:7])
+        state.q, state.v = q, 10.0 ** rng.uniform(-3, 200) * rng.normal(size=18)
+        state.contact = 10.0 ** rng.uniform(-3, 200) * rng.normal(size=4)
+        reference.a_com = 10.0 ** rng.uniform(-3, 200) * rng.normal(size=3)
+        solution = controller.update(state, reference)
+        assert np.abs(solution.torques).max() <= tau_max
+        assert np.isfinite(solution.forces).all()
+        assert np.isfinite(solution.accelerations).all()

@@ -26,8 +26,8 @@ struct Gains {
   double integral_base_max = 20.0;
   double integral_speed = 0.03;
   // Feet: how a stance foot is kept where it stands.
-  double foot_kp = 100.0;
-  double foot_kd = 20.0;
+  double foot_kp = 400.0;
+  double foot_kd = 35.0;
   // Quadratic program: what gives way when not everything fits.
   double weight_com_horizontal = 1.0;
   double weight_com_vertical = 2.0;
@@ -35,7 +35,8 @@ struct Gains {
   double weight_base_yaw = 0.3;
   double weight_force = 0.02;
   double force_max_contact = 3.0;
-  double force_lost_contact = 0.15;
+  double force_lost_contact = 0.2;
+  double share_lost_contact = 0.3;
   // Estimator: what is believed, and how much.
   double attitude_gain = 0.2;
   double gyro_bias_time = 2.0;
@@ -44,8 +45,8 @@ struct Gains {
   double noise_foot_velocity = 0.05;
   double noise_foot_slip = 0.02;
   double gate_foot = 4.0;
-  double contact_force_on = 0.06;
-  double contact_force_off = 0.03;
+  double contact_force_on = 0.04;
+  double contact_force_off = 0.02;
   double contact_dwell = 0.02;
   // Command.
   double damping_kd = 3.0;

@@ -44,6 +44,8 @@ constexpr GainInfo kRows[] = {
      "greatest normal force of a foot in contact"},
     {"force_lost_contact", "m g", 0, 0.5, &G::force_lost_contact,
      "greatest normal force of a stance foot whose contact is lost"},
+    {"share_lost_contact", "1", 0.01, 1, &G::share_lost_contact,
+     "share of the even load offered to a stance foot whose contact is lost"},
     {"attitude_gain", "1/s", 0, 20, &G::attitude_gain,
      "how fast the tilt follows the accelerometer"},
     {"gyro_bias_time", "s", 0.1, 1000, &G::gyro_bias_time,

@@ -10,12 +10,10 @@
 // allocates nothing and is no slower at this size. To be included before the solver.
 namespace proxsuite::linalg::dense::_detail {
 
-using StridedMap =
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>, Eigen::Unaligned,
-               Eigen::Stride<Eigen::Dynamic, 1>>;
-using ConstStridedMap =
-    Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>, Eigen::Unaligned,
-               Eigen::Stride<Eigen::Dynamic, 1>>;
+using StridedMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>,
+                              Eigen::Unaligned, Eigen::Stride<Eigen::Dynamic, 1>>;
+using ConstStridedMap = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>,
+                                   Eigen::Unaligned, Eigen::Stride<Eigen::Dynamic, 1>>;
 
 template <>
 inline void noalias_mul_add_impl<StridedMap, ConstStridedMap, ConstStridedMap, double>(

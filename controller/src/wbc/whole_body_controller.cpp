@@ -21,6 +21,8 @@ struct WholeBodyController::Impl {
   }
   Eigen::Vector4d normal_force_limits(const Eigen::Vector4d& contact,
                                       const Reference& reference) const noexcept;
+  Eigen::Vector4d load_shares(const Eigen::Vector4d& contact,
+                              const Reference& reference) const noexcept;
   Eigen::Matrix<double, kMotors, 2> torque_limits(const Vector12& dq) const noexcept;
   void write_solution(const Vector12& forces,
                       const Eigen::Matrix<double, kMotors, 2>& limits) noexcept;
@@ -83,8 +85,7 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Eigen
       s.gains, base_angular_acceleration(s.gains, reference, dynamics), dynamics, s.condensed);
 
   const Eigen::Vector4d normal_limits = s.normal_force_limits(contact, reference);
-  const Eigen::Vector4d share =
-      normal_limits / (s.gains.force_max_contact * s.robot.mass() * kGravity);
+  const Eigen::Vector4d share = s.load_shares(contact, reference);
   const auto limits = s.torque_limits(dq_motor);
   s.program.set_cost(s.gains, com, orientation, even_forces(com, orientation, share));
   s.program.set_friction(reference.ground_normal, s.robot.config().friction, normal_limits);
@@ -115,6 +116,17 @@ Eigen::Vector4d WholeBodyController::Impl::normal_force_limits(
     limits[leg] = reference.feet[leg].stance ? limit * weight : 0.0;
   }
   return limits;
+}
+
+Eigen::Vector4d WholeBodyController::Impl::load_shares(const Eigen::Vector4d& contact,
+                                                       const Reference& reference) const noexcept {
+  Eigen::Vector4d shares;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double belief = std::min(std::max(contact[leg], 0.0), 1.0);
+    const double share = gains.share_lost_contact + belief * (1.0 - gains.share_lost_contact);
+    shares[leg] = reference.feet[leg].stance ? share : 0.0;
+  }
+  return shares;
 }
 
 Eigen::Matrix<double, kMotors, 2> WholeBodyController::Impl::torque_limits(

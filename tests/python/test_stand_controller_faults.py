@@ -1,0 +1,420 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
+import math
+import struct
+
+import numpy as np
+import pinocchio as pin
+import pytest
+import surefoot
+from surefoot import LowState, StandController, Status
+
+PERIOD = 2  # [ms]
+HELD = 5  # ticks of 2 ms that the last good command may live
+MOTOR = np.dtype(
+    {
+        "names": ["mode", "q", "dq", "tau", "Kp", "Kd"],
+        "formats": ["u1", "<f4", "<f4", "<f4", "<f4", "<f4"],
+        "offsets": [0, 1, 5, 9, 13, 17],
+        "itemsize": 33,
+    }
+)
+WRONG = [math.nan, math.inf, -math.inf, 1e30]
+
+
+def motors(commands):
+    """The twelve motors of commands (or of their bytes), shape (n, 12)."""
+    frames = [c if isinstance(c, bytes) else c.to_bytes() for c in commands]
+    return np.array([np.frombuffer(frame, MOTOR, 12, 22) for frame in frames])
+
+
+def damps(commands):
+    m = motors(commands)
+    still = (m["dq"] == 0.0) & (m["Kp"] == 0.0) & (m["tau"] == 0.0) & (m["Kd"] > 0.0)
+    return (still & (m["mode"] == 0x0A) & (m["q"] == np.float32(2.146e9))).all(axis=1)
+
+
+def is_torque_mode(commands):
+    m = motors(commands)
+    off = (m["q"] == np.float32(2.146e9)) & (m["dq"] == 16000.0) & (m["Kp"] == 0) & (m["Kd"] == 0)
+    return (off & (m["mode"] == 0x0A) & np.isfinite(m["tau"])).all(axis=1)
+
+
+class Stand:
+    """A controller that hears of a robot standing still, and what it makes of that."""
+
+    def __init__(self, body, tick: int = 1000, period: int = PERIOD, **options) -> None:
+        gains = options.pop("gains", body.robot.config.gains)
+        self.controller = StandController(body.robot, gains, surefoot.StandOptions(**options))
+        self.good = body.resting_report(0).to_bytes()
+        self.tick, self.period = tick, period
+
+    def report(self) -> LowState:
+        """The next report: all well, one period on."""
+        self.tick += self.period
+        report = LowState.from_bytes(self.good)
+        report.tick = self.tick % 2**32
+        return report
+
+    def run(self, ticks: int, spoil=lambda report: None):
+        """Commands and statuses of some ticks whose reports are spoilt."""
+        commands, statuses = [], []
+        for _ in range(ticks):
+            report = self.report()
+            spoil(report)
+            commands.append(self.controller.update(report).to_bytes())
+            statuses.append(self.controller.status)
+        return commands, statuses
+
+
+@pytest.fixture
+def stand(go1) -> Stand:
+    return Stand(go1)
+
+
+def set_imu(field: str, index: int, value: float):
+    def spoil(report: LowState) -> None:
+        getattr(report.imu, field)[index] = value
+
+    return spoil
+
+
+def set_motor(index: int, field: str, value: float):
+    def spoil(report: LowState) -> None:
+        setattr(report.motorState[index], field, value)
+
+    return spoil
+
+
+def used_fields(value: float):
+    sizes = {"quaternion": 4, "gyroscope": 3, "accelerometer": 3}
+    for field, size in sizes.items():
+        for k in range(size):
+            yield f"{field}[{k}]", set_imu(field, k, value)
+    for i in range(12):
+        for field in ("q", "dq", "tauEst"):
+            yield f"motor {i} {field}", set_motor(i, field, value)
+
+
+def zero_quaternion(report: LowState) -> None:
+    report.imu.quaternion[:] = 0.0
+
+
+def long_quaternion(report: LowState) -> None:
+    report.imu.quaternion[:] *= 1.5
+
+
+def stuck(tick: int):
+    def spoil(report: LowState) -> None:
+        report.tick = tick
+
+    return spoil
+
+
+def backwards(report: LowState) -> None:
+    report.tick = 2**32 - report.tick
+
+
+FAULTS = {
+    "NaN": (set_motor(3, "q", math.nan), Status.NON_FINITE),
+    "zero quaternion": (zero_quaternion, Status.BAD_QUATERNION),
+    "long quaternion": (long_quaternion, Status.BAD_QUATERNION),
+    "tick that stands still": (stuck(1000 + 40 * PERIOD), Status.STALE_TICK),
+    "tick that jumped back": (stuck(7), Status.STALE_TICK),
+    "tick running backwards": (backwards, Status.STALE_TICK),
+    "straight leg": (set_motor(2, "q", 0.0), Status.SINGULAR),
+}
+
+
+@pytest.fixture(params=FAULTS)
+def fault(request):
+    return FAULTS[request.param]
+
+
+def test_a_robot_at_rest_is_held_in_torque_mode_by_what_carries_it(body) -> None:
+    stand = Stand(body)
+    commands, statuses = stand.run(200)
+    assert set(statuses) == {Status.OK}
+    assert is_torque_mode(commands).all()
+    reported = [body.resting_report(0).motorState[i].tauEst for i in range(12)]
+    share = body.robot.config.tau_max.max()
+    np.testing.assert_allclose(motors(commands)["tau"][-1], reported, atol=0.05 * share)
+
+
+def test_a_controller_waits_until_it_is_told_something(go1) -> None:
+    controller = StandController(go1.robot)
+    assert (controller.status, controller.fault) == (Status.WAITING, Status.OK)
+
+
+def test_a_fault_is_bridged_for_ten_milliseconds_then_damped_and_latched(stand, fault) -> None:
+    spoil, status = fault
+    good, _ = stand.run(40)
+    commands, statuses = stand.run(20, spoil)
+    assert set(commands[:HELD]) == {good[-1]}
+    assert set(statuses[:HELD]) == {status}
+    assert damps(commands[HELD:]).all()
+    assert set(statuses[HELD:]) == {Status.DAMPING}
+    assert stand.controller.fault == status
+    commands, statuses = stand.run(200)
+    assert damps(commands).all()
+    assert set(statuses) == {Status.DAMPING}
+    assert stand.controller.fault == status
+
+
+@pytest.mark.parametrize("value", WRONG)
+def test_every_used_field_is_watched(go1, value: float) -> None:
+    for name, spoil in used_fields(value):
+        stand = Stand(go1)
+        good, _ = stand.run(3)
+        commands, statuses = stand.run(10, spoil)
+        assert set(statuses[:HELD]) == {Status.NON_FINITE}, name
+        assert set(commands[:HELD]) == {good[-1]}, name
+        assert damps(commands[HELD:]).all(), name
+        assert set(statuses[HELD:]) == {Status.DAMPING}, name
+
+
+def test_fields_that_are_carried_unused_change_nothing(go1) -> None:
+    def spoil(report: LowState) -> None:
+        for motor in (report.motorState[i] for i in range(20)):
+            motor.ddq = motor.q_raw = motor.dq_raw = motor.ddq_raw = math.nan
+            motor.mode, motor.temperature = 0x08, 127
+        for motor in (report.motorState[i] for i in range(12, 20)):
+            motor.q = motor.dq = motor.tauEst = math.nan
+        report.imu.rpy[:], report.imu.temperature = math.nan, 127
+        report.footForce = np.array([-300, 0, 5000, 32767], dtype=np.int16)
+        report.head[:], report.levelFlag, report.crc, report.reserve = 0, 0, 1, 2
+        report.SN[:], report.version[:], report.bandWidth, report.frameReserve = 3, 4, 5, 6
+        report.wirelessRemote[:], report.bms.SOC = 0xFF, 0
+
+    commands, statuses = Stand(go1).run(50, spoil)
+    assert set(statuses) == {Status.OK}
+    assert commands == Stand(go1).run(50)[0]
+
+
+@pytest.mark.parametrize("bad_ticks", range(1, HELD + 1))
+def test_a_short_fault_passes_without_latching(stand, fault, bad_ticks: int) -> None:
+    spoil, status = fault
+    stand.run(40)
+    _, during = stand.run(bad_ticks, spoil)
+    commands, after = stand.run(50)
+    assert set(during) == {status}
+    assert set(after) == {Status.OK}
+    assert is_torque_mode(commands).all()
+    assert stand.controller.fault == status
+
+
+def test_every_good_tick_starts_the_ten_milliseconds_anew(stand) -> None:
+    spoil, _ = FAULTS["NaN"]
+    stand.run(10)
+    for _ in range(20):
+        _, during = stand.run(HELD, spoil)
+        _, after = stand.run(1)
+        assert set(during) == {Status.NON_FINITE}
+        assert after == [Status.OK]
+
+
+def test_reset_leaves_damping_and_stands_again(stand, fault) -> None:
+    spoil, _ = fault
+    stand.run(40)
+    stand.run(20, spoil)
+    stand.controller.reset()
+    assert (stand.controller.status, stand.controller.fault) == (Status.WAITING, Status.OK)
+    commands, statuses = stand.run(20)
+    assert set(statuses) == {Status.OK}
+    assert is_torque_mode(commands).all()
+
+
+def test_reset_leaves_no_memory_behind(go1) -> None:
+    used = Stand(go1)
+    used.run(100, set_imu("gyroscope", 0, 0.3))
+    used.run(100, set_motor(4, "dq", 2.0))
+    used.run(20, zero_quaternion)
+    used.controller.reset()
+    assert used.run(100)[0] == Stand(go1).run(100)[0]
+
+
+def test_a_first_report_that_is_bad_is_damped_and_not_latched(stand, fault) -> None:
+    spoil, status = FAULTS["NaN"]
+    commands, statuses = stand.run(50, spoil)
+    assert damps(commands).all()
+    assert set(statuses) == {status}
+    commands, statuses = stand.run(5)
+    assert set(statuses) == {Status.OK}
+    assert is_torque_mode(commands).all()
+
+
+@pytest.mark.parametrize("first", [zero_quaternion, FAULTS["straight leg"][0]])
+def test_any_bad_first_report_is_damped_until_a_good_one_comes(stand, first) -> None:
+    commands, statuses = stand.run(3, first)
+    assert damps(commands).all()
+    assert Status.DAMPING not in statuses
+    assert stand.run(1)[1] == [Status.OK]
+
+
+def test_damping_is_as_strong_as_its_gain(go1) -> None:
+    gains = surefoot.Gains()
+    gains.damping_kd = 4.5
+    stand = Stand(go1, gains=gains)
+    commands, _ = stand.run(1, zero_quaternion)
+    np.testing.assert_array_equal(motors(commands)["Kd"], 4.5)
+    gains.damping_kd = 6.0
+    stand.controller.set_gains(gains)
+    np.testing.assert_array_equal(motors(stand.run(1, zero_quaternion)[0])["Kd"], 6.0)
+
+
+def test_motor_damping_opens_the_velocity_loop_and_nothing_else(go1) -> None:
+    commands = motors(Stand(go1, motor_damping=0.75).run(20)[0])
+    np.testing.assert_array_equal(commands["Kd"], 0.75)
+    np.testing.assert_array_equal(commands["dq"], 0.0)
+    pure = motors(Stand(go1).run(20)[0])
+    for field in ("mode", "q", "Kp", "tau"):
+        np.testing.assert_array_equal(commands[field], pure[field])
+
+
+def test_slots_without_a_motor_and_the_frame_around_stay_as_the_sdk_makes_them(go1) -> None:
+    stand, default = Stand(go1), surefoot.LowCmd().to_bytes()
+    good, _ = stand.run(3)
+    bad, _ = stand.run(10, zero_quaternion)
+    for frame in (good[-1], bad[-1]):
+        assert frame[:22] == default[:22]
+        assert frame[22 + 12 * 33 :] == default[22 + 12 * 33 :]
+
+
+def test_time_goes_on_across_the_wrap_of_the_tick(go1) -> None:
+    wrapping, plain = Stand(go1, tick=2**32 - 100), Stand(go1, tick=5000)
+    commands, statuses = wrapping.run(100)
+    assert set(statuses) == {Status.OK}
+    assert commands == plain.run(100)[0]
+
+
+def test_a_tick_that_wraps_during_a_fault_is_no_fault(go1) -> None:
+    stand = Stand(go1, tick=2**32 - 6)
+    stand.run(1)
+    assert set(stand.run(4, zero_quaternion)[1]) == {Status.BAD_QUATERNION}
+    assert set(stand.run(10)[1]) == {Status.OK}
+
+
+@pytest.mark.parametrize("period", [1, 2, 4])
+def test_time_is_counted_in_ticks_and_not_in_calls(go1, period: int) -> None:
+    stand = Stand(go1, period=period)
+    stand.run(1)
+    stand.run(100 // period, set_imu("gyroscope", 2, 0.5))
+    turned = pin.rpy.matrixToRpy(pin.Quaternion(stand.controller.state.q[3:7]).matrix())[2]
+    assert turned == pytest.approx(0.05, rel=0.06)
+
+
+@pytest.mark.parametrize("period", [1, 2, 5])
+def test_a_command_is_held_ten_milliseconds_at_any_rate(go1, period: int) -> None:
+    stand = Stand(go1, period=period)
+    good, _ = stand.run(20)
+    commands, _ = stand.run(20, zero_quaternion)
+    held = 10 // period
+    assert set(commands[:held]) == {good[-1]}
+    assert damps(commands[held:]).all()
+
+
+def test_a_bad_report_after_a_long_silence_damps_at_once(stand) -> None:
+    stand.run(10)
+    stand.tick += 50
+    commands, statuses = stand.run(1, zero_quaternion)
+    assert damps(commands).all()
+    assert statuses == [Status.DAMPING]
+
+
+def test_a_robot_that_restarts_its_clock_is_damped_until_reset(stand) -> None:
+    stand.run(50)
+    stand.tick = 0
+    commands, _ = stand.run(30)
+    assert damps(commands[HELD:]).all()
+    stand.controller.reset()
+    assert set(stand.run(5)[1]) == {Status.OK}
+
+
+def test_status_and_fault_change_together_with_the_reason(stand) -> None:
+    stand.run(5)
+    assert (stand.controller.status, stand.controller.fault) == (Status.OK, Status.OK)
+    stand.run(2, zero_quaternion)
+    assert stand.controller.fault == Status.BAD_QUATERNION
+    stand.run(2, set_motor(0, "q", math.nan))
+    assert stand.controller.fault == Status.NON_FINITE
+
+
+def test_the_last_good_estimate_is_kept_while_reports_are_bad(stand) -> None:
+    stand.run(20)
+    state, solution = stand.controller.state, stand.controller.solution
+    stand.run(20, set_imu("quaternion", 0, math.nan))
+    np.testing.assert_array_equal(stand.controller.state.q, state.q)
+    np.testing.assert_array_equal(stand.controller.solution.torques, solution.torques)
+
+
+def inside_limits(body, commands):
+    """Whether every motor's torque is one that the motor can give at rest."""
+    return (np.abs(motors(commands)["tau"]) <= np.float32(body.robot.config.tau_max)).all(axis=1)
+
+
+def test_random_bytes_never_get_past_the_guard(go1) -> None:
+    controller, rng = StandController(go1.robot), np.random.default_rng(42)
+    for _ in range(5):
+        controller.update(Stand(go1).report())
+    commands, statuses = [], []
+    for _ in range(2000):
+        commands.append(controller.update(LowState.from_bytes(rng.bytes(937))).to_bytes())
+        statuses.append(controller.status)
+    frames = motors(commands)
+    assert all(np.isfinite(frames[field]).all() for field in ("q", "dq", "tau", "Kp", "Kd"))
+    assert (damps(commands) | (is_torque_mode(commands) & inside_limits(go1, commands))).all()
+    assert Status.OK not in statuses
+    assert damps(commands[-1900:]).all()
+
+
+def nonsense(rng, report: LowState) -> None:
+    """Numbers that a sensor could say and no robot could mean."""
+    report.imu.quaternion[:] = rng.normal(size=4)
+    report.imu.quaternion[:] /= np.linalg.norm(report.imu.quaternion)
+    size = 10.0 ** rng.uniform(-2, 3.9)
+    report.imu.gyroscope[:] = size * rng.uniform(-1, 1, 3)
+    report.imu.accelerometer[:] = size * rng.uniform(-1, 1, 3)
+    report.footForceEst = rng.integers(-32768, 32767, 4).astype(np.int16)
+    for motor in (report.motorState[i] for i in range(12)):
+        motor.q += rng.normal() * rng.choice([0.1, 3.0])
+        motor.dq, motor.tauEst = size * rng.uniform(-1, 1, 2)
+    report.tick = (report.tick + int(rng.integers(0, 30))) % 2**32
+
+
+def test_credible_nonsense_gives_commands_inside_the_motors_or_damping(body) -> None:
+    stand, rng = Stand(body), np.random.default_rng(43)
+    commands, statuses = [], []
+    for _ in range(500):
+        some, what = stand.run(1, lambda report: nonsense(rng, report))
+        commands, statuses = commands + some, statuses + what
+        stand.tick += 30
+        (stand.controller.reset if what == [Status.DAMPING] else int)()
+    assert Status.OK in statuses
+    assert Status.DAMPING in statuses
+    assert (damps(commands) | (is_torque_mode(commands) & inside_limits(body, commands))).all()
+
+
+def test_a_single_flipped_bit_anywhere_never_breaks_a_command(go1) -> None:
+    stand, rng = Stand(go1), np.random.default_rng(44)
+    stand.run(20)
+
+    def flip(report: LowState) -> None:
+        report.raw[int(rng.integers(937))] ^= 1 << int(rng.integers(8))
+
+    commands = []
+    for _ in range(1000):
+        commands += stand.run(1, flip)[0]
+        stand.tick += 50
+        stand.controller.reset()
+        commands += stand.run(1)[0]
+    assert (damps(commands) | (is_torque_mode(commands) & inside_limits(go1, commands))).all()
+    assert is_torque_mode(commands[1::2]).all()
+
+
+def test_a_packed_command_is_read_here_as_the_sdk_packs_it() -> None:
+    command = surefoot.damping_low_cmd(2.0)
+    packed = struct.pack("<B5f", 0x0A, 2.146e9, 0.0, 0.0, 0.0, 2.0)
+    assert command.to_bytes()[22 + 33 * 11 :][:21] == packed
+    assert damps([command]).all()
+    assert is_torque_mode([surefoot.LowCmd()]).all()

@@ -1,0 +1,327 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pinocchio as pin
+import pytest
+import surefoot
+from surefoot import StateEstimator, Status
+
+DT = 0.002
+MOUNT = np.array([0.5, 0.5, -0.5, 0.5])  # no axis of the IMU is an axis of the base
+TILTED = pin.rpy.rpyToMatrix(0.1, -0.08, 2.5)
+AIRBORNE = (0.0, 0.3, 0.35, 0.35)  # the right front foot is in the air
+
+
+def rotation(q):
+    return pin.Quaternion(*np.roll(q[3:7], 1)).toRotationMatrix()
+
+
+def tilt(q) -> float:
+    """Angle of the base's z axis from the vertical [deg]."""
+    return math.degrees(math.acos(min(1.0, rotation(q)[2, 2])))
+
+
+def feed(estimator, report, ticks: int, dt: float = DT):
+    """Take in the same report again and again; the states it leads to."""
+    states = []
+    for _ in range(ticks):
+        assert estimator.update(report, dt) == Status.OK
+        states.append(estimator.state)
+    return states
+
+
+def contacts(states, leg: int = 0):
+    return np.array([state.contact[leg] for state in states])
+
+
+def speeds(states):
+    return np.array([np.linalg.norm(state.v[:3]) for state in states])
+
+
+@pytest.mark.parametrize("mount", [np.array([1.0, 0, 0, 0]), MOUNT], ids=["along", "rotated"])
+def test_attitude_at_rest_is_the_imus_at_its_mount_without_its_yaw(body, mount) -> None:
+    body = body.with_config(quat_base_imu=mount)
+    states = feed(StateEstimator(body.robot), body.resting_report(0, TILTED), 1000)
+    heading = math.atan2(TILTED[1, 0], TILTED[0, 0])
+    expected = pin.rpy.rpyToMatrix(0.0, 0.0, -heading) @ TILTED
+    for state in (states[0], states[-1]):
+        np.testing.assert_allclose(rotation(state.q), expected, atol=1e-6)
+
+
+def test_a_robot_at_rest_stays_where_it_is(body) -> None:
+    body = body.with_config(quat_base_imu=MOUNT)
+    states = feed(StateEstimator(body.robot), body.resting_report(0, TILTED), 2500)
+    positions = np.array([state.q[:3] for state in states])
+    assert np.abs(positions - positions[0]).max() < 1e-6
+    assert np.abs([state.v for state in states]).max() < 1e-6
+
+
+def test_the_world_begins_under_the_base_with_the_feet_at_height_zero(body) -> None:
+    state = feed(StateEstimator(body.robot), body.resting_report(0, TILTED), 1)[0]
+    np.testing.assert_allclose(state.q[:2], 0.0, atol=1e-6)
+    assert body.contact_points(state.q)[:, 2].mean() == pytest.approx(0.0, abs=1e-6)
+
+
+def test_joints_are_reported_in_pinocchios_order(body) -> None:
+    report = body.resting_report(0)
+    for i in range(12):
+        report.motorState[i].q, report.motorState[i].dq = 0.01 * i, 1.0 + i
+    estimator = StateEstimator(body.robot)
+    estimator.update(report, DT)
+    q, v = estimator.state.q, estimator.state.v
+    np.testing.assert_allclose(q[list(body.robot.motor_to_q)], 0.01 * np.arange(12), atol=1e-7)
+    np.testing.assert_allclose(v[list(body.robot.motor_to_v)], 1.0 + np.arange(12))
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_a_gyro_bias_is_found_within_ten_seconds(go1, axis: int) -> None:
+    estimator, report = StateEstimator(go1.robot), go1.resting_report(0)
+    report.imu.gyroscope[axis] = 0.02
+    states = feed(estimator, report, 5000)
+    assert abs(states[0].v[3 + axis]) == pytest.approx(0.02, rel=0.01)
+    assert np.abs(states[-1].v[3:6]).max() < 0.001
+    assert max(tilt(state.q) for state in states) < 1.0
+    assert tilt(states[-1].q) < 0.5
+
+
+def test_a_gyro_bias_is_found_through_a_rotated_mount(go1) -> None:
+    body = go1.with_config(quat_base_imu=MOUNT)
+    estimator, report = StateEstimator(body.robot), body.resting_report(0, TILTED)
+    report.imu.gyroscope[0] = 0.02
+    assert np.abs(feed(estimator, report, 5000)[-1].v[3:6]).max() < 0.001
+
+
+def moving_reports(body, seconds: float):
+    """A base that sways on rolling feet after a rest; reports, true velocities and attitudes."""
+    q, truth = body.robot.q_standing(), []
+    arm, R_base_imu = body.robot.config.p_base_imu, pin.Quaternion(*MOUNT).toRotationMatrix()
+    for k in range(round(seconds / DT)):
+        ramp = min(1.0, max(0.0, k * DT - 2.0))
+        phase = 2 * math.pi * k * DT * np.array([1.0, 0.7, 1.3, 0.9, 1.1, 0.6])
+        # World velocity of the base, then its rate in base axes: 12 cm/s, 0.3 rad/s.
+        twist = ramp * np.array([0.12, 0.08, 0.06, 0.3, 0.3, 0.2]) * np.cos(phase)
+        twist[:3] = rotation(q).T @ twist[:3]
+        J = body.contact_jacobian(q)
+        v = np.concatenate([twist, -np.linalg.solve(J[:, 6:], J[:, :6] @ twist)])
+        truth.append((q, v, rotation(q) @ (v[:3] + np.cross(v[3:6], arm))))
+        q = pin.integrate(body.model, q, DT * v)
+    for k in range(1, len(truth) - 1):
+        q, v, _ = truth[k]
+        force = (truth[k + 1][2] - truth[k - 1][2]) / (2 * DT) + np.array([0, 0, 9.81])
+        R = rotation(q) @ R_base_imu
+        report = body.resting_report(0, rotation(q))
+        report.footForceEst = np.full(4, round(0.25 * body.weight), dtype=np.int16)
+        report.imu.gyroscope[:], report.imu.accelerometer[:] = R_base_imu.T @ v[3:6], R.T @ force
+        for i in range(12):
+            report.motorState[i].q = q[body.robot.motor_to_q[i]]
+            report.motorState[i].dq = v[body.robot.motor_to_v[i]]
+        yield report, q, v
+
+
+def test_a_swaying_body_is_followed_through_an_imu_off_its_centre(body) -> None:
+    arm = np.array([-0.05, 0.06, 0.04])
+    body = body.with_config(quat_base_imu=MOUNT, p_base_imu=arm)
+    estimator, missed, moved = StateEstimator(body.robot), [], []
+    for report, q, v in moving_reports(body, 5.0):
+        assert estimator.update(report, DT) == Status.OK
+        state = estimator.state
+        missed.append(np.abs(state.v[:6] - v[:6]))
+        moved.append((state.q[:3] - q[:3], tilt(q), tilt(state.q)))
+    assert np.max([m[:3] for m in missed]) < 0.015
+    assert np.max([m[3:] for m in missed]) < 0.02
+    offsets = np.array([offset for offset, _, _ in moved])
+    assert np.abs(offsets - offsets[0]).max() < 0.005
+    assert max(true for _, true, _ in moved) > 2.0
+    assert max(abs(true - ours) for _, true, ours in moved) < 0.5
+
+
+def test_force_from_torque_is_the_load_of_each_foot(body) -> None:
+    loads = (0.1, 0.2, 0.3, 0.4)
+    estimator = StateEstimator(body.robot)
+    feed(estimator, body.resting_report(0, pin.rpy.rpyToMatrix(0.05, 0.1, 0.0), loads), 100)
+    np.testing.assert_allclose(estimator.torque_force / body.weight, loads, atol=1e-3)
+
+
+def test_torques_tell_the_foot_that_left_the_ground_where_foot_force_is_dead(body) -> None:
+    estimator = StateEstimator(body.robot)
+    standing = feed(estimator, body.resting_report(0), 100)
+    lifted = feed(estimator, body.resting_report(0, loads=AIRBORNE), 50)
+    landed = feed(estimator, body.resting_report(0), 50)
+    assert not estimator.foot_force_alive
+    assert contacts(standing).min() == 1.0
+    assert contacts(lifted)[9] == 1.0
+    assert contacts(lifted)[-1] == 0.0
+    assert contacts(landed)[-1] == 1.0
+    for leg in (1, 2, 3):
+        assert contacts(standing + lifted + landed, leg).min() == 1.0
+
+
+def loaded(body, first: float):
+    """A report whose footForceEst says these newtons for the first foot."""
+    report = body.resting_report(0)
+    report.footForceEst = np.array([first, 40, 40, 40], dtype=np.int16)
+    return report
+
+
+def test_a_contact_ends_after_the_dwell_and_no_sooner(go1) -> None:
+    estimator = StateEstimator(go1.robot)
+    feed(estimator, loaded(go1, 32), 50)
+    assert estimator.foot_force_alive
+    leaving = contacts(feed(estimator, loaded(go1, 0), 30))
+    np.testing.assert_allclose(leaving[:10], 1.0 - 0.1 * np.arange(1, 11), atol=1e-9)
+    assert leaving[10:].max() == 0.0
+
+
+def test_one_wrong_sample_of_force_hardly_shakes_a_contact(go1) -> None:
+    estimator = StateEstimator(go1.robot)
+    feed(estimator, loaded(go1, 32), 50)
+    assert feed(estimator, loaded(go1, 0), 1)[-1].contact[0] >= 0.9
+    assert feed(estimator, loaded(go1, 32), 1)[-1].contact[0] == 1.0
+
+
+def test_a_load_between_the_thresholds_changes_no_contact(go1) -> None:
+    gains = go1.robot.config.gains
+    between = round(0.5 * (gains.contact_force_on + gains.contact_force_off) * go1.weight)
+    estimator = StateEstimator(go1.robot)
+    feed(estimator, loaded(go1, 32), 50)
+    assert contacts(feed(estimator, loaded(go1, between), 50))[-1] == 1.0
+    feed(estimator, loaded(go1, 0), 50)
+    assert contacts(feed(estimator, loaded(go1, between), 50))[-1] == 0.0
+    above = math.ceil(gains.contact_force_on * go1.weight)
+    assert contacts(feed(estimator, loaded(go1, above), 50))[-1] == 1.0
+
+
+def test_the_dwell_is_time_and_not_ticks(go1) -> None:
+    estimator = StateEstimator(go1.robot)
+    feed(estimator, loaded(go1, 32), 50, dt=0.001)
+    leaving = contacts(feed(estimator, loaded(go1, 0), 20, dt=0.001))
+    np.testing.assert_allclose(leaving, 1.0 - 0.05 * np.arange(1, 21), atol=1e-9)
+
+
+def test_a_foot_force_that_falls_silent_under_load_is_dead(go1) -> None:
+    estimator = StateEstimator(go1.robot)
+    feed(estimator, loaded(go1, 32), 50)
+    feed(estimator, go1.resting_report(0), 100)
+    assert not estimator.foot_force_alive
+    assert feed(estimator, go1.resting_report(0), 50)[-1].contact.min() == 1.0
+
+
+def test_a_foot_force_that_falls_silent_in_the_air_lives(go1) -> None:
+    estimator = StateEstimator(go1.robot)
+    feed(estimator, loaded(go1, 32), 50)
+    states = feed(estimator, go1.resting_report(0, loads=(0.0,) * 4), 200)
+    assert estimator.foot_force_alive
+    assert states[-1].contact.max() == 0.0
+
+
+@pytest.mark.parametrize("joint", range(3))
+def test_a_foot_that_slips_is_not_believed(go1, joint: int) -> None:
+    estimator, slipping = StateEstimator(go1.robot), go1.resting_report(0)
+    feed(estimator, go1.resting_report(0), 500)
+    slipping.motorState[joint].dq = 5.0
+    states = feed(estimator, slipping, 50) + feed(estimator, go1.resting_report(0), 250)
+    assert speeds(states).max() < 0.01
+    assert np.linalg.norm(states[-1].q[:3] - states[0].q[:3]) < 0.003
+    assert max(tilt(state.q) for state in states) < 0.6
+
+
+@pytest.mark.parametrize("joint", range(3))
+def test_a_leg_that_lies_for_half_a_second_does_not_tilt_the_body(go1, joint: int) -> None:
+    estimator, slipping = StateEstimator(go1.robot), go1.resting_report(0)
+    feed(estimator, go1.resting_report(0), 500)
+    slipping.motorState[joint].dq = 5.0
+    states = feed(estimator, slipping, 250) + feed(estimator, go1.resting_report(0), 500)
+    assert max(tilt(state.q) for state in states) < 0.6
+    assert speeds(states).max() < 0.04
+
+
+def test_a_leg_that_swings_does_not_move_the_body(go1) -> None:
+    estimator, report = StateEstimator(go1.robot), go1.resting_report(0, loads=AIRBORNE)
+    feed(estimator, go1.resting_report(0), 500)
+    states = feed(estimator, report, 100)
+    for k in range(100):
+        report.motorState[1].q = 0.8 + 0.3 * math.sin(20.0 * k * DT)
+        report.motorState[1].dq = 6.0 * math.cos(20.0 * k * DT)
+        states += feed(estimator, report, 1)
+    assert speeds(states).max() < 0.02
+    assert np.linalg.norm(states[-1].q[:3] - states[0].q[:3]) < 0.003
+
+
+def test_gravity_settles_a_vendor_attitude_that_is_off(go1) -> None:
+    report = go1.resting_report(0)
+    report.imu.quaternion[:] = np.roll(pin.Quaternion(pin.rpy.rpyToMatrix(0.1, 0, 0)).coeffs(), 1)
+    states = feed(StateEstimator(go1.robot), report, 5000)
+    assert tilt(states[0].q) == pytest.approx(math.degrees(0.1), abs=0.1)
+    assert tilt(states[-1].q) < 0.5
+
+
+def test_a_jolt_is_no_plumb_line(go1) -> None:
+    estimator, jolt = StateEstimator(go1.robot), go1.resting_report(0)
+    feed(estimator, go1.resting_report(0), 500)
+    jolt.imu.accelerometer[0] = 8.0
+    assert max(tilt(state.q) for state in feed(estimator, jolt, 50)) < 1e-3
+
+
+def refused(estimator, report, status) -> None:
+    before = estimator.state
+    assert estimator.update(report, DT) == status
+    for field in ("q", "v", "contact"):
+        np.testing.assert_array_equal(getattr(estimator.state, field), getattr(before, field))
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 1e30])
+def test_a_number_that_means_nothing_is_refused_and_the_state_kept(go1, value: float) -> None:
+    estimator = StateEstimator(go1.robot)
+    feed(estimator, go1.resting_report(0), 20)
+    for field in ("quaternion", "gyroscope", "accelerometer"):
+        report = go1.resting_report(0)
+        getattr(report.imu, field)[2] = value
+        refused(estimator, report, Status.NON_FINITE)
+    for field in ("q", "dq", "tauEst"):
+        report = go1.resting_report(0)
+        setattr(report.motorState[11], field, value)
+        refused(estimator, report, Status.NON_FINITE)
+    feed(estimator, go1.resting_report(0), 1)
+
+
+@pytest.mark.parametrize("length", [0.0, 0.5, 0.94, 1.06, 2.0])
+def test_a_quaternion_far_from_unit_length_is_refused_and_the_state_kept(go1, length) -> None:
+    estimator, report = StateEstimator(go1.robot), go1.resting_report(0)
+    feed(estimator, report, 20)
+    report.imu.quaternion[:] *= length
+    refused(estimator, report, Status.BAD_QUATERNION)
+
+
+@pytest.mark.parametrize("length", [0.96, 1.04])
+def test_a_quaternion_nearly_of_unit_length_is_taken_as_one(go1, length: float) -> None:
+    report = go1.resting_report(0, TILTED)
+    good = feed(StateEstimator(go1.robot), report, 1)[0]
+    report.imu.quaternion[:] *= length
+    state = feed(StateEstimator(go1.robot), report, 1)[0]
+    np.testing.assert_allclose(state.q, good.q, atol=1e-6)
+
+
+def test_reset_begins_as_if_nothing_had_been(go1) -> None:
+    used, report = StateEstimator(go1.robot), loaded(go1, 0)
+    report.imu.gyroscope[:] = [0.3, -0.2, 0.1]
+    report.motorState[4].dq = 3.0
+    feed(used, report, 100)
+    used.reset()
+    fresh = StateEstimator(go1.robot)
+    for ours, theirs in zip(
+        feed(used, go1.resting_report(0, TILTED), 30),
+        feed(fresh, go1.resting_report(0, TILTED), 30),
+        strict=True,
+    ):
+        np.testing.assert_array_equal(ours.q, theirs.q)
+        np.testing.assert_array_equal(ours.v, theirs.v)
+        np.testing.assert_array_equal(ours.contact, theirs.contact)
+
+
+def test_an_estimator_takes_reports_and_nothing_else(go1) -> None:
+    with pytest.raises(TypeError):
+        StateEstimator(go1.robot).update(go1.random_state(0), DT)
+    assert isinstance(StateEstimator(go1.robot).state, surefoot.RobotState)
