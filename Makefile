@@ -1,31 +1,55 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # `make stand` and `make test` do everything on a fresh machine; nothing leaves this folder.
 PYTHON ?= python3
-VENV := .venv
-BIN := $(VENV)/bin
+BIN := .venv/bin
+# CMake's cache must not be shared between different checkouts or interpreters of the same folder.
+BUILD = $(shell ls -d build/cp3* 2>/dev/null | head -n 1)
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 export MUJOCO_GL ?= egl
-CXX_SOURCES := $(shell find controller bindings/src cmake tests/cpp -type f) CMakeLists.txt bindings/CMakeLists.txt
-PY_SOURCES := $(shell find bindings/surefoot models -type f -name '*.py' -o -name '*.toml' -path 'models/*')
+# Two heavy translation units at a time: each may take 2 GB.
+export CMAKE_BUILD_PARALLEL_LEVEL ?= 2
 
-.PHONY: install stand test lint clean
+SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
+  $(shell find controller bindings/src bindings/surefoot cmake models -type f -not -name '*.pyc')
+BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
+  "nanobind>=2.9,<4" "cmake>=3.22" "ninja>=1.11"
 
-$(VENV)/.tools: pyproject.toml
-	$(PYTHON) -m venv $(VENV)
+.PHONY: install stand test lint sanitize clean
+
+.venv/.tools: pyproject.toml
+	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install -q --upgrade pip
-	$(BIN)/python -m pip install -q "libpinocchio[build]==4.1.0" cmake ninja "scikit-build-core>=0.11,<2" \
-	  "nanobind>=2.9,<4" "proxsuite[build]==0.8.0"
+	$(BIN)/python -m pip install -q $(BUILD_NEEDS)
 	touch $@
 
-$(VENV)/.installed: $(VENV)/.tools $(CXX_SOURCES) $(PY_SOURCES) pyproject.toml
+.venv/.installed: .venv/.tools $(SOURCES)
 	$(BIN)/python -m pip install -q --no-build-isolation ".[all,dev]"
 	touch $@
 
-install: $(VENV)/.installed
+install: .venv/.installed
 
+# The main job: a go1 stands on torques alone, with real sensors and two pushes.
 stand: install
-	$(BIN)/surefoot stand --robot go1 --duration 10 --sensors real --push lateral:5.0:0.1@3.0 \
-	  --push forward:7.0:0.1@6.0 --report out/stand
+	$(BIN)/surefoot stand --robot go1 --duration 10 --sensors real \
+	  --push lateral:50%:0.1@2.0 --push forward:50%:0.1@6.0 --report out/stand
+
+test: install
+	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
+	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations
+	cd $(BUILD) && ctest --output-on-failure
+	$(BIN)/python -m pytest
+
+lint: install
+	$(BIN)/ruff check . && $(BIN)/ruff format --check .
+	$(BIN)/clang-format --dry-run --Werror $(shell find controller bindings/src tests/cpp examples -name '*.?pp')
+	$(BIN)/mypy bindings/surefoot examples
+
+# The C++ tests once more under AddressSanitizer and UndefinedBehaviorSanitizer.
+sanitize: install
+	$(BIN)/cmake -S . -B build/sanitize -G Ninja -DSUREFOOT_SANITIZE=ON -DSUREFOOT_TESTS=ON \
+	  -DSUREFOOT_PYTHON=OFF -DPython_EXECUTABLE=$(CURDIR)/$(BIN)/python -DCMAKE_BUILD_TYPE=Release
+	$(BIN)/cmake --build build/sanitize --target surefoot_tests
+	build/sanitize/tests/cpp/surefoot_tests
 
 clean:
 	rm -rf build out

@@ -164,7 +164,5 @@ def test_a_robot_computer_needs_no_parser_no_simulator_and_no_robot_data(path: P
 def test_the_model_in_the_file_is_the_one_with_the_rotors(path: Path) -> None:
     robot, model = Robot.load(str(path)), pin.Model()
     model.loadFromString(robot.serialized_model())
-    np.testing.assert_array_equal(
-        model.armature[list(robot.motor_to_v)], robot.config.armature
-    )
+    np.testing.assert_array_equal(model.armature[list(robot.motor_to_v)], robot.config.armature)
     assert robot.config.armature.min() > 0.0

@@ -127,9 +127,7 @@ def test_armature_adds_to_the_diagonal_of_the_mass_matrix(name: str) -> None:
     model = pin.Model()
     model.loadFromString(robot.serialized_model())
     q = robot.q_standing()
-    with_it, without_it = (
-        np.triu(pin.crba(m, m.createData(), q)) for m in (model, bare)
-    )
+    with_it, without_it = (np.triu(pin.crba(m, m.createData(), q)) for m in (model, bare))
     expected = np.zeros(robot.nv)
     expected[list(robot.motor_to_v)] = ARMATURE[name] * 4
     np.testing.assert_allclose(with_it - without_it, np.diag(expected), atol=1e-12)

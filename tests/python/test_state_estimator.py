@@ -265,6 +265,17 @@ def test_a_jolt_is_no_plumb_line(go1) -> None:
     assert max(tilt(state.q) for state in feed(estimator, jolt, 50)) < 1e-3
 
 
+@pytest.mark.parametrize("axis", range(3))
+def test_a_blow_that_saturates_the_accelerometer_is_overcome(go1, axis: int) -> None:
+    estimator, blow = StateEstimator(go1.robot), go1.resting_report(0)
+    feed(estimator, go1.resting_report(0), 500)
+    blow.imu.accelerometer[axis] = 16 * 9.81
+    feed(estimator, blow, 5)
+    states = feed(estimator, go1.resting_report(0), 500)
+    assert speeds(states)[250:].max() < 0.04
+    assert np.linalg.norm(states[-1].q[:3] - states[250].q[:3]) < 0.005
+
+
 def refused(estimator, report, status) -> None:
     before = estimator.state
     assert estimator.update(report, DT) == status

@@ -193,20 +193,49 @@ def test_the_friction_assumed_is_the_configurations(go1) -> None:
     assert across.sum() > 0.19 * along.sum()
 
 
-def test_demands_beyond_physics_still_give_a_command_inside_the_motors(body) -> None:
-    controller, config = WholeBodyController(body.robot), body.robot.config
+def beyond_physics(body, count: int, speed: float):
+    """States of a robot whose joints fly about, and demands for the impossible."""
     rng = np.random.default_rng(7)
-    for seed in range(40):
-        state = body.random_state(seed, speed=10.0)
+    for seed in range(count):
+        state = body.random_state(seed, speed)
         reference = body.reference_at(state)
         reference.a_com = 100.0 * rng.choice([-1.0, 0.0, 1.0], 3)
         reference.alpha_world_base = 1000.0 * rng.choice([-1.0, 0.0, 1.0], 3)
+        yield state, reference
+
+
+def test_demands_beyond_physics_still_give_a_command_inside_the_motors(body) -> None:
+    controller, config = WholeBodyController(body.robot), body.robot.config
+    solved, inside = [], []
+    for state, reference in beyond_physics(body, 100, speed=10.0):
         solution = controller.update(state, reference)
-        assert solution.status == Status.OK
-        for motor, v in enumerate(body.robot.motor_to_v):
-            tau = solution.torques[v - 6]
-            limit = surefoot.motor_torque_limit(config, motor, state.v[v], np.sign(tau))
-            assert abs(tau) <= limit + 1e-9
+        indices = np.array(body.robot.motor_to_v)
+        tau, dq = solution.torques[indices - 6], state.v[indices]
+        limit = [
+            surefoot.motor_torque_limit(config, i, dq[i], np.sign(tau[i])) for i in range(12)
+        ]
+        assert (np.abs(tau) <= config.tau_max).all()
+        solved.append(solution.status == Status.OK)
+        inside.append((np.abs(tau) <= np.array(limit) + 1e-9).all())
+    assert sum(solved) > 80
+    assert np.array(inside)[solved].all()
+
+
+def test_demands_beyond_physics_are_solved(body) -> None:
+    controller = WholeBodyController(body.robot)
+    statuses = [controller.update(*ask).status for ask in beyond_physics(body, 200, speed=2.0)]
+    assert set(statuses) == {Status.OK}
+
+
+@pytest.mark.parametrize("start", ["warm", "cold"])
+def test_every_program_near_standing_is_solved(body, start: str) -> None:
+    controller, statuses = WholeBodyController(body.robot), []
+    for seed in range(400):
+        state, reference = asked(body, seed, SLOPE, swing=[seed % 8])
+        statuses.append(controller.update(state, reference).status)
+        if start == "cold":
+            controller.reset()
+    assert [seed for seed, status in enumerate(statuses) if status != Status.OK] == []
 
 
 def test_torque_limits_bind_when_the_motors_are_weak(body) -> None:

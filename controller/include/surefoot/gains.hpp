@@ -15,15 +15,17 @@ struct Gains {
   double com_kd_horizontal = 15.0;
   double com_kp_vertical = 150.0;
   double com_kd_vertical = 24.0;
-  double base_kp_tilt = 150.0;
-  double base_kd_tilt = 22.0;
-  double base_kp_yaw = 60.0;
-  double base_kd_yaw = 14.0;
+  double base_kp_tilt = 700.0;
+  double base_kd_tilt = 46.0;
+  double base_kp_yaw = 200.0;
+  double base_kd_yaw = 26.0;
   // Integral action, for what the model does not know; passed on as feed-forward accelerations.
   double integral_com = 60.0;
-  double integral_base = 150.0;
+  double integral_base = 300.0;
   double integral_com_max = 2.0;
   double integral_base_max = 20.0;
+  double integral_com_error = 0.02;
+  double integral_base_error = 0.05;
   double integral_speed = 0.03;
   // Feet: how a stance foot is kept where it stands.
   double foot_kp = 400.0;

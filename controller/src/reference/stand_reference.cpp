@@ -8,6 +8,11 @@ namespace {
 constexpr double kGroundTime = 0.5;  // [s] how slowly the ground's normal follows the feet
 constexpr double kAnchorTime = 0.5;  // [s] how slowly an anchor follows a foot that has moved
 
+// The error where it is small, ever less of it beyond `scale`.
+Vector3 faded(const Vector3& error, double scale) noexcept {
+  return error / (1.0 + error.squaredNorm() / (scale * scale));
+}
+
 FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
   FeetMatrix p;
   for (int leg = 0; leg < kLegs; ++leg) p.col(leg) = dynamics.legs()[leg].p_world_contact;
@@ -66,7 +71,7 @@ void StandReference::follow_moved_feet(const SupportFrame& support, const Matrix
 }
 
 // Integral action takes out what the model does not know: torque scale, payload, joint friction. It
-// fades while the body moves, so that a push winds nothing up.
+// fades while the body moves or is far off, so that a push winds little up.
 void StandReference::integrate(const Gains& gains, const Dynamics& dynamics,
                                const Matrix3& R_world_support, double dt) noexcept {
   const double speed = dynamics.v_world_com().norm() / gains.integral_speed;
@@ -74,8 +79,10 @@ void StandReference::integrate(const Gains& gains, const Dynamics& dynamics,
   const Vector3 com_error = reference_.p_com - dynamics.p_world_com();
   const Vector3 base_error =
       log_so3(reference_.R_world_base * Quaternion(dynamics.R_world_base()).conjugate());
-  com_integral_ += fade * gains.integral_com * (R_world_support.transpose() * com_error);
-  base_integral_ += fade * gains.integral_base * (R_world_support.transpose() * base_error);
+  com_integral_ += fade * gains.integral_com *
+                   (R_world_support.transpose() * faded(com_error, gains.integral_com_error));
+  base_integral_ += fade * gains.integral_base *
+                    (R_world_support.transpose() * faded(base_error, gains.integral_base_error));
   com_integral_ = com_integral_.cwiseMax(-gains.integral_com_max).cwiseMin(gains.integral_com_max);
   base_integral_ =
       base_integral_.cwiseMax(-gains.integral_base_max).cwiseMin(gains.integral_base_max);

@@ -5,6 +5,7 @@
 #include "tasks/com_task.hpp"
 #include "tasks/foot_task.hpp"
 #include "tasks/force_task.hpp"
+#include "wbc/limits.hpp"
 #include "wbc/whole_body_program.hpp"
 
 namespace surefoot {
@@ -19,13 +20,7 @@ struct WholeBodyController::Impl {
         solution(r.nv()) {
     gains.validate();
   }
-  Eigen::Vector4d normal_force_limits(const Eigen::Vector4d& contact,
-                                      const Reference& reference) const noexcept;
-  Eigen::Vector4d load_shares(const Eigen::Vector4d& contact,
-                              const Reference& reference) const noexcept;
-  Eigen::Matrix<double, kMotors, 2> torque_limits(const Vector12& dq) const noexcept;
-  void write_solution(const Vector12& forces,
-                      const Eigen::Matrix<double, kMotors, 2>& limits) noexcept;
+  void write_solution(const Vector12& forces, const TorqueLimits& limits) noexcept;
 
   Robot robot;
   Gains gains;
@@ -84,9 +79,10 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Eigen
   const TaskRows orientation = base_orientation_task(
       s.gains, base_angular_acceleration(s.gains, reference, dynamics), dynamics, s.condensed);
 
-  const Eigen::Vector4d normal_limits = s.normal_force_limits(contact, reference);
-  const Eigen::Vector4d share = s.load_shares(contact, reference);
-  const auto limits = s.torque_limits(dq_motor);
+  const double weight = s.robot.mass() * kGravity;
+  const Eigen::Vector4d normal_limits = normal_force_limits(s.gains, weight, contact, reference);
+  const Eigen::Vector4d share = load_shares(s.gains, contact, reference);
+  const auto limits = torque_limits(s.robot.config(), dq_motor);
   s.program.set_cost(s.gains, com, orientation, even_forces(com, orientation, share));
   s.program.set_friction(reference.ground_normal, s.robot.config().friction, normal_limits);
   s.program.set_torque_limits(s.condensed, limits);
@@ -103,44 +99,8 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Eigen
   return s.solution;
 }
 
-// A foot's greatest normal force goes smoothly with the belief that it is on the ground, never to
-// nothing while it is meant to stand: a foot wrongly believed lifted must be able to show its load.
-Eigen::Vector4d WholeBodyController::Impl::normal_force_limits(
-    const Eigen::Vector4d& contact, const Reference& reference) const noexcept {
-  Eigen::Vector4d limits;
-  const double weight = robot.mass() * kGravity;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    const double belief = std::min(std::max(contact[leg], 0.0), 1.0);
-    const double limit =
-        gains.force_lost_contact + belief * (gains.force_max_contact - gains.force_lost_contact);
-    limits[leg] = reference.feet[leg].stance ? limit * weight : 0.0;
-  }
-  return limits;
-}
-
-Eigen::Vector4d WholeBodyController::Impl::load_shares(const Eigen::Vector4d& contact,
-                                                       const Reference& reference) const noexcept {
-  Eigen::Vector4d shares;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    const double belief = std::min(std::max(contact[leg], 0.0), 1.0);
-    const double share = gains.share_lost_contact + belief * (1.0 - gains.share_lost_contact);
-    shares[leg] = reference.feet[leg].stance ? share : 0.0;
-  }
-  return shares;
-}
-
-Eigen::Matrix<double, kMotors, 2> WholeBodyController::Impl::torque_limits(
-    const Vector12& dq) const noexcept {
-  Eigen::Matrix<double, kMotors, 2> limits;
-  for (int i = 0; i < kMotors; ++i) {
-    limits(i, 0) = -motor_torque_limit(robot.config(), i, dq[i], -1.0);
-    limits(i, 1) = motor_torque_limit(robot.config(), i, dq[i], 1.0);
-  }
-  return limits;
-}
-
-void WholeBodyController::Impl::write_solution(
-    const Vector12& forces, const Eigen::Matrix<double, kMotors, 2>& limits) noexcept {
+void WholeBodyController::Impl::write_solution(const Vector12& forces,
+                                               const TorqueLimits& limits) noexcept {
   const Vector6 a_base = condensed.B * forces + condensed.c;
   const Vector12 a_legs = condensed.leg_accelerations(a_base);
   const Vector12 tau =

@@ -88,7 +88,7 @@ void WholeBodyProgram::set_friction(const Vector3& normal, double friction,
 }
 
 void WholeBodyProgram::set_torque_limits(const Condensed& condensed,
-                                         const Eigen::Matrix<double, kMotors, 2>& limits) noexcept {
+                                         const TorqueLimits& limits) noexcept {
   const int row = kLegs * (kFacets + 1);
   const Vector12 inverse = tau_max_.cwiseInverse();
   problem_.C.block<kMotors, kForces>(row, 0) = (force_unit_ * inverse).asDiagonal() * condensed.T;

@@ -4,6 +4,7 @@
 #include "surefoot/robot.hpp"
 #include "tasks/task.hpp"
 #include "wbc/friction_cone.hpp"
+#include "wbc/limits.hpp"
 #include "wbc/qp_solver.hpp"
 
 namespace surefoot {
@@ -33,9 +34,8 @@ class WholeBodyProgram {
   void set_friction(const Vector3& normal, double friction,
                     const Eigen::Vector4d& maximum) noexcept;
 
-  /// Write torque rows: -limit <= T f + t0 <= limit. @param limits columns lower, upper [N.m]
-  void set_torque_limits(const Condensed& condensed,
-                         const Eigen::Matrix<double, kMotors, 2>& limits) noexcept;
+  /// Write torque rows: -limit <= T f + t0 <= limit.
+  void set_torque_limits(const Condensed& condensed, const TorqueLimits& limits) noexcept;
 
  private:
   void add_task(const TaskRows& rows, const Vector3& scale) noexcept;

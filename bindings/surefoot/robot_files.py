@@ -1,0 +1,144 @@
+"""Find a robot's files, and read its TOML strictly."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import tomllib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+from surefoot._core import Error
+
+_KEYS: dict[str, set[str]] = {
+    "robot": {"name", "urdf", "srdf", "joints", "standing", "friction"},
+    "feet": {"frames", "radius"},
+    "imu": {"frame", "position", "quaternion"},
+    "limits": {"hip", "thigh", "calf"},
+    "motors": {"armature", "corner_fraction"},
+    "simulation": {"joint_friction", "joint_damping", "foot_force_est"},
+    "gains": set(),  # checked by set_gain, which knows the names
+}
+_REQUIRED = {
+    "robot": {"name", "joints", "standing"},
+    "feet": {"frames", "radius"},
+    "motors": {"armature", "corner_fraction"},
+}
+
+
+@dataclass(frozen=True)
+class RobotDescription:
+    """The files and the parsed TOML that a robot is built from.
+
+    Attributes:
+        name: One word.
+        urdf: Path of the URDF.
+        srdf: Path of the SRDF, or None.
+        mesh_root: Folder that ``package://example-robot-data/`` paths start from.
+        table: The TOML, checked: every key is known.
+    """
+
+    name: str
+    urdf: Path
+    srdf: Path | None
+    mesh_root: Path
+    table: dict[str, Any]
+
+
+def available_robots() -> list[str]:
+    """List the robots that load_robot() knows by name."""
+    return sorted(path.stem for path in _models_folder().glob("*.toml"))
+
+
+def describe_robot(
+    name: str | None = None, *, urdf: str | Path | None = None, config: str | Path | None = None
+) -> RobotDescription:
+    """Find a robot's files and check its TOML, without building the model; raises Error."""
+    if name is not None:
+        toml = _models_folder() / f"{name}.toml"
+        if name not in available_robots():
+            raise Error(
+                f"unknown robot: got '{name}'{suggest(name, available_robots())}; "
+                f"valid names: {', '.join(available_robots())}"
+            )
+        table = read_toml(toml)
+        _check_table(table, str(toml))
+        root = _robot_data_folder()
+        robot = table["robot"]
+        return RobotDescription(
+            name, root / "robots" / robot["urdf"], root / "robots" / robot["srdf"], root, table
+        )
+    if urdf is None or config is None:
+        raise Error("load_robot: give a name, or both urdf= and config=")
+    table = read_toml(Path(config))
+    _check_table(table, str(config))
+    path = Path(urdf)
+    if not path.is_file():
+        raise Error(f"URDF not found: got '{path}', expected a file")
+    srdf = table["robot"].get("srdf")
+    return RobotDescription(
+        table["robot"]["name"], path, path.parent / srdf if srdf else None, path.parent, table
+    )
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Read a TOML file; raises Error."""
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as problem:
+        raise Error(f"cannot read '{path}': {problem.strerror}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
+        raise Error(f"'{path}' is not valid TOML: {problem}") from None
+
+
+def _check_table(table: dict[str, Any], source: str) -> None:
+    for section, rows in table.items():
+        if section in _KEYS and not isinstance(rows, dict):
+            raise Error(f"{source}: '{section}' is {rows!r}, expected a table [{section}]")
+        if section not in _KEYS:
+            raise Error(
+                f"{source}: unknown section [{section}]{suggest(section, _KEYS)}; "
+                f"valid sections: {', '.join(_KEYS)}"
+            )
+        if section == "gains":
+            continue
+        for key in rows:
+            if key not in _KEYS[section]:
+                raise Error(
+                    f"{source}: unknown key '{section}.{key}'{suggest(key, _KEYS[section])}; "
+                    f"valid keys: {', '.join(sorted(_KEYS[section]))}"
+                )
+    for section, keys in _REQUIRED.items():
+        for key in sorted(keys):
+            if key not in table.get(section, {}):
+                raise Error(f"{source}: missing key '{section}.{key}'")
+
+
+def _models_folder() -> Path:
+    return Path(__file__).parent / "models"
+
+
+def _robot_data_folder() -> Path:
+    """Find share/example-robot-data: the wheel carries data only, no loader."""
+    try:
+        files = importlib.metadata.files("example-robot-data") or []
+    except importlib.metadata.PackageNotFoundError:
+        raise Error(
+            "robot data not found: loading a robot by name needs the example-robot-data package; "
+            "run: pip install 'surefoot[sim]' (or bring a URDF, or a .robot file)"
+        ) from None
+    marker = "share/example-robot-data/robots/"
+    for file in files:
+        text = str(file)
+        if marker in text:
+            start = text.index(marker) + len(marker) - len("robots/")
+            return Path(str(file.locate())[: len(str(file.locate())) - len(text) + start])
+    raise Error("the example-robot-data package holds no share/example-robot-data/robots folder")
+
+
+def suggest(wrong: str, valid: Iterable[str]) -> str:
+    """Return " (did you mean 'x'?)" where a valid name is close, else ""."""
+    close = get_close_matches(wrong, list(valid), n=1)
+    return f" (did you mean '{close[0]}'?)" if close else ""

@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The main job in short: each robot stands, with real sensors, and is judged by what is true."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import mujoco
+import numpy as np
+import pytest
+import surefoot
+from plant_helpers import ROBOTS
+from surefoot.sim import Plant, PlantSettings, Push
+from surefoot.sim.rotations import matrix_from_wxyz
+
+MOTOR = np.dtype([("mode", "u1"), *[(n, "<f4") for n in ("q", "dq", "tau", "Kp", "Kd")]])
+FORCE = ["est", "dead"]
+
+
+def attitude(q):
+    """R_world_base of Pinocchio's q."""
+    return matrix_from_wxyz([q[6], *q[3:6]])
+
+
+def heading(feet) -> float:
+    """Of the true feet, from the rear ones' middle to the front ones' [rad]."""
+    forward = feet[:2, 0] + feet[:2, 1] - feet[:2, 2] - feet[:2, 3]
+    return math.atan2(forward[1], forward[0])
+
+
+def rms(x, axis=None):
+    return np.sqrt(np.mean(np.square(x), axis=axis))
+
+
+@dataclass
+class Run:
+    """One run: what was reported, commanded, estimated, and true just before each command."""
+
+    plant: Plant
+    controller: surefoot.StandController
+    start: object = None
+    reports: list[bytes] = field(default_factory=list)
+    commands: list[bytes] = field(default_factory=list)
+    statuses: list[surefoot.Status] = field(default_factory=list)
+    estimates: list[surefoot.RobotState] = field(default_factory=list)
+    truths: list = field(default_factory=list)
+
+    def tail(self, seconds: float = 2.0):
+        return self.truths[-round(seconds * self.plant.settings.control_rate) :]
+
+    def offset(self, truth):
+        """Base from the mean of the true feet, less what it was at the start [m]."""
+        now, then = (t.q[:3] - t.p_world_feet.mean(axis=1) for t in (truth, self.start))
+        return now - then
+
+    def tilt(self, truth) -> float:
+        """Between today's vertical in base axes and that of the start [deg]."""
+        up, then = (attitude(t.q)[2] for t in (truth, self.start))
+        return math.degrees(math.acos(min(1.0, up @ then)))
+
+    def yaw(self, truth) -> float:
+        """Turn of the base less that of the feet [deg]."""
+        turn = attitude(truth.q) @ attitude(self.start.q).T
+        feet = heading(truth.p_world_feet) - heading(self.start.p_world_feet)
+        return math.degrees(math.atan2(turn[1, 0], turn[0, 0]) - feet)
+
+    def foot_travel(self) -> float:
+        feet = np.array([t.p_world_feet for t in self.truths])
+        return np.linalg.norm(feet - self.start.p_world_feet, axis=1).max()
+
+    def buzz(self) -> float:
+        """RMS of the worst motor's torque above 30 Hz in the last 2 s [N.m]."""
+        tau = np.array([t.tau for t in self.tail()])
+        spectrum = np.fft.rfft(tau, axis=0)
+        low = np.fft.rfftfreq(len(tau), 1.0 / self.plant.settings.control_rate) < 30.0
+        spectrum[low] = 0.0
+        return rms(np.fft.irfft(spectrum, len(tau), axis=0), axis=0).max()
+
+    def estimate_errors(self) -> tuple[float, float]:
+        """RMSE of the base's velocity, own axes [m/s], and of its vertical [deg]."""
+        speed, lean = [], []
+        for truth, state in zip(self.truths, self.estimates, strict=True):
+            speed.append(np.linalg.norm(truth.v[:3] - state.v[:3]))
+            lean.append(math.acos(min(1.0, attitude(truth.q)[2] @ attitude(state.q)[2])))
+        return float(rms(speed)), math.degrees(rms(lean))
+
+
+def stand(plant: Plant, seconds: float, spoil=lambda k, report: None, lift: float = 0.0) -> Run:
+    """Stand for a while; the controller gets LowStates and nothing else."""
+    run = Run(plant, surefoot.StandController(plant.robot))
+    report = plant.reset()
+    run.start = plant.truth
+    plant.data.qpos[2] += lift
+    mujoco.mj_step1(plant.model, plant.data)  # a step begins in mj_step2
+    for k in range(round(seconds * plant.settings.control_rate)):
+        spoil(k, report)
+        run.reports.append(report.to_bytes())
+        command = run.controller.update(surefoot.LowState.from_bytes(run.reports[-1]))
+        run.commands.append(command.to_bytes())
+        run.statuses.append(run.controller.status)
+        run.estimates.append(run.controller.state)
+        run.truths.append(plant.truth)
+        report = plant.step(command)
+    return run
+
+
+def check_controlled(run: Run) -> None:
+    """It stands, every tick was solved, and nothing but torque mode left the controller."""
+    assert not run.plant.truth.fell
+    assert set(run.statuses) == {surefoot.Status.OK}
+    frames = np.array([np.frombuffer(c, np.uint8) for c in run.commands])
+    motors = frames[:, 22 : 22 + 12 * 33].reshape(-1, 33)[:, :21].copy().view(MOTOR)
+    for name, value in {"mode": 0x0A, "q": 2.146e9, "dq": 16000.0, "Kp": 0.0, "Kd": 0.0}.items():
+        np.testing.assert_array_equal(motors[name], value)
+
+
+def check_in_place(run: Run) -> None:
+    """Settled, as the end of a run is judged."""
+    truth = run.plant.truth
+    assert np.linalg.norm(run.offset(truth)) < 0.010
+    assert run.tilt(truth) < 2.0
+    assert abs(run.yaw(truth)) < 2.0
+    assert np.linalg.norm(truth.v[:3]) < 0.05
+
+
+@pytest.mark.parametrize("force", FORCE)
+@pytest.mark.parametrize("name", ROBOTS)
+def test_a_robot_stands_quietly_on_torques(name: str, force: str) -> None:
+    run = stand(Plant(name, PlantSettings(foot_force=force, seed=1)), 4.0)
+    check_controlled(run)
+    assert abs(run.offset(run.truths[-1])[2]) <= 0.005
+    assert run.tilt(run.truths[-1]) <= 0.5
+    assert abs(run.yaw(run.truths[-1])) <= 1.0
+    com = np.array([truth.com for truth in run.tail()])
+    assert rms(np.linalg.norm(com - com.mean(axis=0), axis=1)) <= 0.001
+    assert rms([truth.dq for truth in run.tail()]) <= 0.03
+    assert run.buzz() <= {"b1": 1.5}.get(name, 0.3)
+    assert run.foot_travel() <= 0.005
+    speed_error, tilt_error = run.estimate_errors()
+    assert speed_error <= 0.04
+    assert tilt_error <= 0.6
+
+
+@pytest.mark.parametrize("direction", ["lateral", "forward"])
+@pytest.mark.parametrize(
+    ("name", "force"), [(n, "dead") for n in ROBOTS] + [("go1", "est"), ("b1", "est")]
+)
+def test_a_robot_survives_half_the_pendulums_push_and_settles(name, force, direction) -> None:
+    plant = Plant(name, PlantSettings(foot_force=force, seed=2))
+    plant.add_push(Push(direction, 0.5 * plant.lip_limit(direction), 0.1, 1.0))
+    run = stand(plant, 4.1)
+    check_controlled(run)
+    check_in_place(run)
+    moved = [np.linalg.norm(run.offset(truth)) for truth in run.truths]
+    assert max(moved) > 0.005
+    speed_error, tilt_error = run.estimate_errors()
+    assert speed_error <= 0.04
+    assert tilt_error <= 0.6
+
+
+def test_a_controller_given_the_reports_alone_gives_the_same_commands(tmp_path) -> None:
+    plant = Plant("go1", PlantSettings(seed=3))
+    plant.add_push(Push("lateral", 4.0, 0.1, 0.2))
+    run = stand(plant, 1.0)
+    plant.robot.save(str(tmp_path / "go1.robot"))
+    alone = surefoot.StandController(surefoot.Robot.load(str(tmp_path / "go1.robot")))
+    replies = [alone.update(surefoot.LowState.from_bytes(report)) for report in run.reports]
+    assert [reply.to_bytes() for reply in replies] == run.commands
+    with pytest.raises(TypeError):
+        alone.update(plant.truth)
+
+
+@pytest.mark.parametrize("force", FORCE)
+@pytest.mark.parametrize("name", ["go1", "b1"])
+def test_a_robot_whose_torques_are_unknown_at_first_stands(name: str, force: str) -> None:
+    def silence(k: int, report: surefoot.LowState) -> None:
+        for i in range(12 if k < 50 else 0):
+            report.motorState[i].tauEst = 0.0
+
+    run = stand(Plant(name, PlantSettings(foot_force=force)), 3.0, silence)
+    check_controlled(run)
+    check_in_place(run)
+
+
+@pytest.mark.parametrize("force", FORCE)
+@pytest.mark.parametrize("name", ROBOTS)
+def test_a_robot_dropped_from_a_centimetre_stands(name: str, force: str) -> None:
+    run = stand(Plant(name, PlantSettings(foot_force=force)), 4.0, lift=0.01)
+    check_controlled(run)
+    check_in_place(run)
+    assert np.linalg.norm(run.truths[5].foot_forces) == 0.0
+
+
+@pytest.mark.parametrize("name", ["go1", "b1"])
+def test_a_robot_stands_and_settles_at_a_kilohertz(name: str) -> None:
+    plant = Plant(name, PlantSettings(control_rate=1000.0))
+    plant.add_push(Push("lateral", 0.5 * plant.lip_limit("lateral"), 0.1, 0.5))
+    run = stand(plant, 3.6)
+    check_controlled(run)
+    check_in_place(run)
+    ticks = [surefoot.LowState.from_bytes(report).tick for report in run.reports]
+    assert set(np.diff(ticks)) == {1}
+    assert rms([truth.dq for truth in run.tail(0.5)]) <= 0.03
+
+
+def test_exact_sensors_leave_a_robot_still() -> None:
+    run = stand(Plant("go2", PlantSettings(sensors="ideal")), 3.0)
+    check_controlled(run)
+    assert np.linalg.norm(run.offset(run.truths[-1])) < 1e-3
+    assert rms([truth.dq for truth in run.tail(1.0)]) < 1e-3
+
+
+def test_reports_lost_for_eight_milliseconds_are_not_felt() -> None:
+    def lose(k: int, report: surefoot.LowState) -> None:
+        report.imu.quaternion[0] = math.nan if k % 100 < 4 and k > 50 else report.imu.quaternion[0]
+
+    run = stand(Plant("go1"), 3.0, lose)
+    assert set(run.statuses) == {surefoot.Status.OK, surefoot.Status.NON_FINITE}
+    assert not run.plant.truth.fell
+    check_in_place(run)
+
+
+def test_reports_lost_for_good_end_in_damping_that_lets_the_robot_down_gently() -> None:
+    def lose(k: int, report: surefoot.LowState) -> None:
+        report.imu.quaternion[:] *= 0.0 if k > 250 else 1.0
+
+    run = stand(Plant("go1"), 1.5, lose)
+    assert run.statuses[-1] == surefoot.Status.DAMPING
+    assert run.controller.fault == surefoot.Status.BAD_QUATERNION
+    sinking = [truth.com_velocity[2] for truth in run.truths[250:]]
+    assert -1.0 < min(sinking) < -0.05
+    assert max(run.tilt(truth) for truth in run.truths) < 20.0
+
+
+def test_a_load_the_model_does_not_know_is_carried_at_the_same_height() -> None:
+    run = stand(Plant("go1", PlantSettings(payload_kg=1.5, payload_position=(0.05, 0, 0.1))), 6.0)
+    check_controlled(run)
+    assert abs(run.offset(run.truths[-1])[2]) < 0.005
+    assert run.tilt(run.truths[-1]) < 0.5
