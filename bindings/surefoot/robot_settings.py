@@ -96,5 +96,8 @@ def apply_gains(gains: Gains, rows: dict[str, Any], source: str) -> None:
     for name, value in rows.items():
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise Error(f"{source}: gain '{name}': got {value!r}, expected a number")
-        set_gain(gains, name, float(value))
+        try:
+            set_gain(gains, name, float(value))
+        except Error as problem:
+            raise Error(f"{source}: {problem}") from None
     gains.validate()
