@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -12,14 +12,51 @@ from typing import Any
 
 from surefoot._core import Error
 
-_KEYS: dict[str, set[str]] = {
-    "robot": {"name", "urdf", "srdf", "joints", "standing", "friction"},
-    "feet": {"frames", "radius"},
-    "imu": {"frame", "position", "quaternion"},
-    "limits": {"hip", "thigh", "calf"},
-    "motors": {"armature", "corner_fraction"},
-    "simulation": {"joint_friction", "joint_damping", "foot_force_est"},
-    "gains": set(),  # checked by set_gain, which knows the names
+_Check = Callable[[Any], bool]
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _numbers(*sizes: int) -> _Check:
+    return lambda value: isinstance(value, list) and len(value) in sizes and all(map(_number, value))
+
+
+def _word(value: Any) -> bool:
+    return isinstance(value, str)
+
+
+def _words(size: int) -> _Check:
+    return lambda value: isinstance(value, list) and len(value) == size and all(map(_word, value))
+
+
+_LIMITS = (_numbers(2), "[lower, upper] in rad")
+_MOTORS = (_numbers(3, 12), "3 numbers (hip, thigh, calf) or 12")
+# What each key must be, and how to say so. The names of gains are the core's to check.
+_KEYS: dict[str, dict[str, tuple[_Check, str]]] = {
+    "robot": {
+        "name": (_word, "a word"),
+        "urdf": (_word, "a path"),
+        "srdf": (_word, "a path"),
+        "joints": (_words(12), "12 joint names, FR FL RR RL"),
+        "standing": _MOTORS,
+        "friction": (_number, "a number"),
+    },
+    "feet": {"frames": (_words(4), "4 frame names, FR FL RR RL"), "radius": (_number, "metres")},
+    "imu": {
+        "frame": (_word, "a frame name"),
+        "position": (_numbers(3), "3 numbers in metres"),
+        "quaternion": (_numbers(4), "4 numbers, w x y z"),
+    },
+    "limits": {"hip": _LIMITS, "thigh": _LIMITS, "calf": _LIMITS},
+    "motors": {"armature": _MOTORS, "corner_fraction": (_number, "a number")},
+    "simulation": {
+        "joint_friction": _MOTORS,
+        "joint_damping": _MOTORS,
+        "foot_force_est": (lambda value: isinstance(value, bool), "true or false"),
+    },
+    "gains": {},
 }
 _REQUIRED = {
     "robot": {"name", "joints", "standing"},
@@ -110,6 +147,9 @@ def _check_table(table: dict[str, Any], source: str) -> None:
                     f"{source}: unknown key '{section}.{key}'{suggest(key, _KEYS[section])}; "
                     f"valid keys: {', '.join(sorted(_KEYS[section]))}"
                 )
+            check, expected = _KEYS[section][key]
+            if not check(rows[key]):
+                raise Error(f"{source}: {section}.{key}: got {rows[key]!r}, expected {expected}")
     for section, keys in _REQUIRED.items():
         for key in sorted(keys):
             if key not in table.get(section, {}):

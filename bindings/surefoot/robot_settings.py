@@ -17,8 +17,8 @@ def build_config(model: Any, table: dict[str, Any]) -> RobotConfig:
     config = RobotConfig()
     robot, feet, motors = table["robot"], table["feet"], table["motors"]
     config.name = robot["name"]
-    config.joint_names = _sized(robot["joints"], 12, "robot.joints")
-    config.foot_frames = _sized(feet["frames"], 4, "feet.frames")
+    config.joint_names = robot["joints"]
+    config.foot_frames = feet["frames"]
     config.foot_radius = float(feet["radius"])
     config.friction = float(robot.get("friction", 0.6))
     config.q_standing = per_motor(robot["standing"], "robot.standing")
@@ -51,9 +51,8 @@ def _set_imu(config: RobotConfig, model: Any, imu: dict[str, Any]) -> None:
         config.p_base_imu = frame.placement.translation
         config.quat_base_imu = np.array([w, x, y, z])
     else:
-        config.p_base_imu = np.array(_sized(imu.get("position", [0, 0, 0]), 3, "imu.position"))
-        quaternion = imu.get("quaternion", [1, 0, 0, 0])
-        config.quat_base_imu = np.array(_sized(quaternion, 4, "imu.quaternion"), dtype=float)
+        config.p_base_imu = np.array(imu.get("position", [0, 0, 0]), dtype=float)
+        config.quat_base_imu = np.array(imu.get("quaternion", [1, 0, 0, 0]), dtype=float)
 
 
 def _set_limits(
@@ -83,12 +82,6 @@ def per_motor(values: list[float], field: str) -> np.ndarray:
     if len(values) not in (3, 12):
         raise Error(f"{field}: got {len(values)} values, expected 3 (hip, thigh, calf) or 12")
     return np.array(values * (12 // len(values)), dtype=float)
-
-
-def _sized(values: list[Any], size: int, field: str) -> list[Any]:
-    if len(values) != size:
-        raise Error(f"{field}: got {len(values)} values, expected {size}")
-    return values
 
 
 def apply_gains(gains: Gains, rows: dict[str, Any], source: str) -> None:

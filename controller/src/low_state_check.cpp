@@ -11,11 +11,12 @@ namespace {
 bool credible(float value) noexcept { return std::abs(value) <= 1e4F; }
 
 bool credible(const IMU& imu) noexcept {
+  // Packed fields are not aligned: copy them before indexing.
+  const std::array<float, 4> quaternion = imu.quaternion;
+  const std::array<float, 3> gyroscope = imu.gyroscope, accelerometer = imu.accelerometer;
   bool good = true;
-  for (int i = 0; i < 4; ++i) good = good && credible(imu.quaternion[i]);
-  for (int i = 0; i < 3; ++i) {
-    good = good && credible(imu.gyroscope[i]) && credible(imu.accelerometer[i]);
-  }
+  for (int i = 0; i < 4; ++i) good = good && credible(quaternion[i]);
+  for (int i = 0; i < 3; ++i) good = good && credible(gyroscope[i]) && credible(accelerometer[i]);
   return good;
 }
 

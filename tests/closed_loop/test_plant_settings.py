@@ -77,7 +77,7 @@ def test_the_defaults_follow_the_kind_of_sensors() -> None:
 
 def test_a_plant_can_be_built_from_files_of_your_own() -> None:
     go2 = describe_robot("go2")
-    models = surefoot.robots._models_folder()
+    models = surefoot.robot_files._models_folder()
     plant = Plant(describe_robot(urdf=go2.urdf, config=models / "go2.toml"))
     assert plant.robot.mass == pytest.approx(Plant("go2").robot.mass)
 

@@ -108,7 +108,8 @@ BOOST_FIXTURE_TEST_CASE(a_lifted_foot_is_lost_within_the_dwell_and_found_again, 
   }
   BOOST_TEST(contact.probability()[FL_] == 0.0);
   BOOST_TEST(contact.probability()[FR_] == 1.0);
-  force[FL_] = 5;  // between the two thresholds (3.5 and 7 N): stays lost
+  const double between = 0.5 * (gains.contact_force_on + gains.contact_force_off);
+  force[FL_] = static_cast<std::int16_t>(between * robot.mass() * kGravity);  // stays lost
   contact.update(gains, dynamics, tau, force, Vector3::UnitZ(), kPeriod);
   BOOST_TEST(contact.probability()[FL_] == 0.0);
   force[FL_] = 30;

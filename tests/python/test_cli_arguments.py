@@ -151,7 +151,7 @@ def test_an_exported_robot_is_read_back_without_robot_data(capsys, tmp_path):
 
 def test_a_robot_of_ones_own_is_exported_from_its_files(tmp_path):
     known = surefoot.robots.describe_robot("a1")
-    config = surefoot.robots._models_folder() / "a1.toml"
+    config = surefoot.robot_files._models_folder() / "a1.toml"
     text = config.read_text().replace('srdf = "', '# srdf = "')
     (tmp_path / "own.toml").write_text(text.replace('name = "a1"', 'name = "mine"'))
     words = ["export", "--urdf", str(known.urdf), "--config", "own.toml", "mine.robot"]

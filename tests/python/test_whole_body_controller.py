@@ -238,15 +238,21 @@ def test_every_program_near_standing_is_solved(body, start: str) -> None:
     assert [seed for seed, status in enumerate(statuses) if status != Status.OK] == []
 
 
-def test_torque_limits_bind_when_the_motors_are_weak(body) -> None:
-    weak = body.with_config(tau_max=0.35 * body.robot.config.tau_max)
+@pytest.mark.parametrize("lift", [50.0, -9.0])
+def test_torque_limits_bind_inside_the_program_and_not_behind_it(body, lift: float) -> None:
+    weak = body.with_config(tau_max=0.3 * body.robot.config.tau_max)
     state = weak.random_state(seed=2, speed=0.0)
     reference = weak.reference_at(state)
-    reference.a_com = np.array([0.0, 0.0, 50.0])
-    tau = WholeBodyController(weak.robot).update(state, reference).torques
-    share = np.abs(tau)[np.array(weak.robot.motor_to_v) - 6] / weak.robot.config.tau_max
-    assert share.max() == pytest.approx(1.0, abs=1e-3)
-    assert share.max() <= 1.0 + 1e-9
+    reference.a_com, reference.alpha_world_base = lift * UP, np.array([0.0, 300.0, 0.0])
+    solution = WholeBodyController(weak.robot).update(state, reference)
+    assert solution.status == Status.OK
+    indices, tau_max = np.array(weak.robot.motor_to_v) - 6, weak.robot.config.tau_max
+    share = np.abs(solution.torques)[indices] / tau_max
+    assert share.max() == pytest.approx(1.0, abs=1e-4)
+    # Had the torques been cut off afterwards, they would no longer go with the motion.
+    effort = pin.rnea(weak.model, weak.data, state.q, state.v, solution.accelerations)
+    effort -= weak.contact_jacobian(state.q).T @ solution.forces.T.ravel()
+    np.testing.assert_allclose(effort[6:], solution.torques, atol=1e-4 * tau_max.max())
 
 
 def test_a_swing_foot_gets_no_force_and_the_others_carry(body) -> None:
@@ -269,6 +275,19 @@ def test_a_foot_that_lost_contact_is_given_no_more_than_it_may_be(body) -> None:
     limit = controller.gains.force_lost_contact * body.weight
     assert forces[2, 1] <= limit + 1e-4 * body.weight
     assert forces[2, 3] > 1.5 * limit
+
+
+def test_a_foot_that_lost_contact_is_offered_its_share_of_the_load(body) -> None:
+    state = body.random_state(seed=6, speed=0.0)
+    state.contact = np.array([1.0, 0.0, 1.0, 1.0])
+    offered = []
+    for share in (0.1, 0.5, 1.0):
+        gains = body.robot.config.gains
+        gains.force_lost_contact, gains.share_lost_contact = 0.5, share
+        controller = WholeBodyController(body.robot, gains)
+        offered.append(controller.update(state, body.reference_at(state)).forces[2, 1])
+    assert offered[0] < 0.9 * offered[1]
+    assert offered[1] < 0.95 * offered[2]
 
 
 def test_no_foot_is_loaded_beyond_its_greatest_force(go1) -> None:
@@ -428,3 +447,20 @@ def test_any_finite_nonsense_leaves_a_finite_answer_inside_the_motors(go1) -> No
         assert np.abs(solution.torques).max() <= tau_max
         assert np.isfinite(solution.forces).all()
         assert np.isfinite(solution.accelerations).all()
+
+
+def test_the_stand_controller_solves_the_same_program(body) -> None:
+    standing, rng = surefoot.StandController(body.robot), np.random.default_rng(6)
+    for tick in range(100):
+        report = body.resting_report(2 * tick)
+        report.imu.gyroscope[:] = 0.2 * rng.uniform(-1, 1, 3)
+        report.imu.accelerometer[:] += 2.0 * np.sin(0.1 * tick)
+        for i in range(12):
+            report.motorState[i].dq = 0.3 * rng.uniform(-1, 1)
+        standing.update(report)
+        assert standing.status == Status.OK
+        twin = WholeBodyController(body.robot).update(standing.state, standing.reference)
+        theirs = standing.solution
+        tau_max = body.robot.config.tau_max.max()
+        np.testing.assert_allclose(theirs.torques, twin.torques, atol=1e-3 * tau_max)
+        np.testing.assert_allclose(theirs.accelerations, twin.accelerations, atol=0.02)

@@ -14,7 +14,7 @@ enum class Status : int {
   kWaiting,        ///< no valid state has come yet
   kNonFinite,      ///< a NaN or an infinity in a field that is used
   kWrongSize,      ///< q or v is not of the robot's size
-  kBadQuaternion,  ///< the IMU's quaternion is zero or far from unit length
+  kBadQuaternion,  ///< a quaternion (the IMU's, or q's) is zero or far from unit length
   kStaleTick,      ///< tick did not advance
   kMaxIterations,  ///< the quadratic program hit its cap before our residual check passed
   kInfeasible,     ///< the solver called the program infeasible

@@ -8,6 +8,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kBiasMax = 0.1;      // [rad/s] no sane gyroscope is off by more
+constexpr double kMisfit = 2.0;       // of a foot's velocity noise
 constexpr double kAlignTime = 1.0;    // [s] and kAlignGain: follow faster at first, because
 constexpr double kAlignGain = 2.0;    // [1/s] the vendor's filter may start far off
 constexpr double kBelievableG = 1.0;  // [m/s^2] |f| further from g than this is no plumb line
@@ -15,8 +16,10 @@ constexpr double kBelievableG = 1.0;  // [m/s^2] |f| further from g than this is
 }  // namespace
 
 Status read_imu(const IMU& imu, const RobotConfig& config, ImuReading& out) noexcept {
-  Quaternion R_world_imu(imu.quaternion[0], imu.quaternion[1], imu.quaternion[2],
-                         imu.quaternion[3]);
+  // Packed fields are not aligned: copy them before indexing.
+  const std::array<float, 4> quaternion = imu.quaternion;
+  const std::array<float, 3> gyroscope = imu.gyroscope, accelerometer = imu.accelerometer;
+  Quaternion R_world_imu(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
   const double norm = R_world_imu.norm();
   if (!(std::abs(norm - 1.0) <= 0.05)) return Status::kBadQuaternion;
   R_world_imu.normalize();
@@ -24,9 +27,8 @@ Status read_imu(const IMU& imu, const RobotConfig& config, ImuReading& out) noex
   const Eigen::Vector4d& mount = config.quat_base_imu;
   const Quaternion R_base_imu(mount[0], mount[1], mount[2], mount[3]);
   out.R_world_base = R_world_imu * R_base_imu.conjugate();
-  out.w_base = R_base_imu * Vector3(imu.gyroscope[0], imu.gyroscope[1], imu.gyroscope[2]);
-  out.f_base =
-      R_base_imu * Vector3(imu.accelerometer[0], imu.accelerometer[1], imu.accelerometer[2]);
+  out.w_base = R_base_imu * Vector3(gyroscope[0], gyroscope[1], gyroscope[2]);
+  out.f_base = R_base_imu * Vector3(accelerometer[0], accelerometer[1], accelerometer[2]);
   return Status::kOk;
 }
 
@@ -70,10 +72,14 @@ void AttitudeFilter::learn_bias(const Gains& gains, const Dynamics& dynamics,
     normal_matrix += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
     moment += arm.cross(L.v_world_contact - v_mean);
   }
-  const Vector3 wrong = R_world_base_.conjugate() * (normal_matrix.inverse() * moment);
-  if (!wrong.allFinite()) return;
-  const Vector3 step = wrong.cwiseMax(-kBiasMax).cwiseMin(kBiasMax);
-  bias_ += dt / (dt + gains.gyro_bias_time) * step;
+  const Vector3 wrong = normal_matrix.inverse() * moment;
+  if (!wrong.allFinite() || !(wrong.norm() < kBiasMax)) return;
+  // One leg that lies, or slips, does not fit a common turn: then nothing is learnt.
+  for (const LegDynamics& L : dynamics.legs()) {
+    const Vector3 misfit = L.v_world_contact - v_mean - wrong.cross(L.p_world_contact - p_mean);
+    if (misfit.norm() > kMisfit * gains.noise_foot_velocity) return;
+  }
+  bias_ += dt / (dt + gains.gyro_bias_time) * (R_world_base_.conjugate() * wrong);
   bias_ = bias_.cwiseMax(-kBiasMax).cwiseMin(kBiasMax);
 }
 

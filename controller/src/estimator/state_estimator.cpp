@@ -73,7 +73,8 @@ Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   s.state.v.segment<3>(3) = s.attitude.w_base();
   s.dynamics.update(s.state.q, s.state.v, s.normal);
 
-  s.contact.update(s.gains, s.dynamics, s.tau_est, low_state.footForceEst, s.normal, dt);
+  const std::array<std::int16_t, kLegs> foot_force_est = low_state.footForceEst;  // packed: copy
+  s.contact.update(s.gains, s.dynamics, s.tau_est, foot_force_est, s.normal, dt);
   s.state.contact = s.contact.probability();
   s.attitude.learn_bias(s.gains, s.dynamics, s.state.contact, dt);
   s.place_base(imu.f_base, dt);

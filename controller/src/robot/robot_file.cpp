@@ -2,6 +2,7 @@
 // The .robot file: one line of magic and version, the configuration as "key values" lines, then the
 // serialised Pinocchio model, then a checksum over all that stands before it.
 #include <boost/crc.hpp>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -88,6 +89,13 @@ std::uint32_t checksum(const std::string& text) {
   throw Error("robot file '" + path + "': " + what);
 }
 
+std::string read_all(const std::string& path) {
+  if (std::filesystem::is_directory(path)) fail(path, "is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(path, "cannot be opened");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 void read_header(const std::string& path, std::istream& in) {
   std::string magic;
   int version = -1;
@@ -142,9 +150,7 @@ void Robot::save(const std::string& path) const {
 }
 
 Robot Robot::load(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(path, "cannot be opened");
-  std::string content{std::istreambuf_iterator<char>(file), {}};
+  std::string content = read_all(path);
   std::istringstream header(content);
   read_header(path, header);
   check_integrity(path, content);

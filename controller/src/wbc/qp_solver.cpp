@@ -19,8 +19,8 @@ constexpr double kSolverGap = 1e-7;
 constexpr double kAcceptTolerance = 5e-6;  // ours; the same residuals, computed by us
 constexpr double kAcceptGap = 1e-6;
 constexpr double kResidue = 1e-12;
-constexpr double kInfinity = 1e20;  // ProxQP's word for "no bound"
-constexpr int kAttempts = 4;  // warm, twice more from the corrected multipliers, once from nothing
+constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
+constexpr int kAttempts = 6;      // nothing, and on from there
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -82,7 +82,7 @@ QpResult QpSolver::solve(const QpProblem& problem) noexcept {
   z = (z.array().abs() < kResidue).select(0.0, z);
   int spent = 0;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    if (attempt == kAttempts - 1) forget();
+    if (attempt == kWarmAttempts) forget();
     result = run(problem);
     spent += result.iterations;
     if (result.status == Status::kOk) break;
@@ -112,7 +112,7 @@ double QpSolver::gap(Eigen::Index i) const noexcept {
   const double z = qp.results.z[i];
   const double bound = z > 0.0 ? qp.model.u[i] : qp.model.l[i];
   // A multiplier on a side that has no bound is wrong by its whole size.
-  return std::abs(z) * (std::abs(bound) < kInfinity ? std::abs(bound - Cx[i]) : 1.0);
+  return std::abs(z) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx[i]) : 1.0);
 }
 
 void QpSolver::write(const QpProblem& problem) noexcept {
@@ -120,8 +120,8 @@ void QpSolver::write(const QpProblem& problem) noexcept {
   model.H = problem.H;
   model.g = problem.g;
   model.C = problem.C;
-  model.l = problem.l.cwiseMax(-kInfinity);
-  model.u = problem.u.cwiseMin(kInfinity);
+  model.l = problem.l.cwiseMax(-kNoBound);
+  model.u = problem.u.cwiseMin(kNoBound);
 }
 
 // QP::update() allocates and rescales; the problem is scaled and of fixed size, so put it where

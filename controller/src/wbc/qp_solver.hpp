@@ -7,6 +7,9 @@
 
 namespace surefoot {
 
+/// What l or u hold where there is no bound; ProxQP's own word for it.
+constexpr double kNoBound = 1e20;
+
 /// Row-major, as ProxQP stores its data.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

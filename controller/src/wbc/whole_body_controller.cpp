@@ -10,6 +10,22 @@
 
 namespace surefoot {
 
+namespace {
+
+constexpr double kQuaternionTolerance = 1e-3;  // Pinocchio takes a unit quaternion for granted
+
+bool finite(const Reference& r) noexcept {
+  bool good = r.p_com.allFinite() && r.v_com.allFinite() && r.a_com.allFinite() &&
+              r.R_world_base.coeffs().allFinite() && r.w_world_base.allFinite() &&
+              r.alpha_world_base.allFinite() && r.ground_normal.allFinite();
+  for (const FootReference& foot : r.feet) {
+    good = good && foot.p_world.allFinite() && foot.v_world.allFinite() && foot.a_world.allFinite();
+  }
+  return good;
+}
+
+}  // namespace
+
 struct WholeBodyController::Impl {
   Impl(const Robot& r, const Gains& g)
       : robot(r),
@@ -54,8 +70,13 @@ const Solution& WholeBodyController::update(const RobotState& state,
     s.solution.status = Status::kWrongSize;
     return s.solution;
   }
-  if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite()) {
+  if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite() ||
+      !finite(reference)) {
     s.solution.status = Status::kNonFinite;
+    return s.solution;
+  }
+  if (std::abs(state.q.segment<4>(3).norm() - 1.0) > kQuaternionTolerance) {
+    s.solution.status = Status::kBadQuaternion;
     return s.solution;
   }
   s.dynamics.update(state.q, state.v, reference.ground_normal);

@@ -77,19 +77,31 @@ void WholeBodyProgram::set_friction(const Vector3& normal, double friction,
                                     const Eigen::Vector4d& maximum) noexcept {
   const ConeRows cone = friction_cone(normal, friction);
   for (int leg = 0; leg < kLegs; ++leg) {
-    const int row = leg * (kFacets + 1);
-    problem_.C.block<kFacets, 3>(row, 3 * leg) = cone;
-    problem_.l.segment<kFacets>(row).setConstant(-1e20);
-    problem_.u.segment<kFacets>(row).setZero();
-    problem_.C.block<1, 3>(row + kFacets, 3 * leg) = normal.transpose();
-    problem_.l[row + kFacets] = 0.0;
-    problem_.u[row + kFacets] = maximum[leg] / force_unit_;
+    const int row = leg * kFootRows;
+    auto C = problem_.C.block<kFootRows, 3>(row, 3 * leg);
+    auto l = problem_.l.segment<kFootRows>(row);
+    auto u = problem_.u.segment<kFootRows>(row);
+    l.setConstant(-kNoBound);
+    if (maximum[leg] > 0.0) {
+      C << cone, normal.transpose();
+      u.setZero();
+      l[kFacets] = 0.0;
+      u[kFacets] = maximum[leg] / force_unit_;
+    } else {
+      // No force at all: three rows that say so. All facets of an empty cone would meet in one
+      // point, and a solver gropes among their multipliers.
+      C.setZero();
+      C.topRows<3>().setIdentity();
+      l.head<3>().setZero();
+      u.setConstant(kNoBound);
+      u.head<3>().setZero();
+    }
   }
 }
 
 void WholeBodyProgram::set_torque_limits(const Condensed& condensed,
                                          const TorqueLimits& limits) noexcept {
-  const int row = kLegs * (kFacets + 1);
+  const int row = kLegs * kFootRows;
   const Vector12 inverse = tau_max_.cwiseInverse();
   problem_.C.block<kMotors, kForces>(row, 0) = (force_unit_ * inverse).asDiagonal() * condensed.T;
   const Vector12 lower = (limits.col(0) - condensed.t0).cwiseProduct(inverse);

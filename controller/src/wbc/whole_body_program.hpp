@@ -17,7 +17,8 @@ namespace surefoot {
 class WholeBodyProgram {
  public:
   static constexpr int kForces = 3 * kLegs;
-  static constexpr int kRows = kLegs * (kFacets + 1) + kMotors;
+  static constexpr int kFootRows = kFacets + 1;
+  static constexpr int kRows = kLegs * kFootRows + kMotors;
 
   explicit WholeBodyProgram(const Robot& robot);
 
@@ -30,7 +31,8 @@ class WholeBodyProgram {
   void set_cost(const Gains& gains, const TaskRows& com, const TaskRows& orientation,
                 const Vector12& even) noexcept;
 
-  /// Write friction and normal-force rows. @param maximum greatest normal force of each foot [N]
+  /// Write friction and normal-force rows.
+  /// @param maximum greatest normal force of each foot [N]; 0: no force of any direction
   void set_friction(const Vector3& normal, double friction,
                     const Eigen::Vector4d& maximum) noexcept;
 
