@@ -19,6 +19,9 @@ void bind_status(nb::module_& m) {
       .value("OK", Status::kOk, "Fresh command.")
       .value("WAITING", Status::kWaiting, "No valid state has come yet.")
       .value("NON_FINITE", Status::kNonFinite, "A used field is NaN, infinite or absurd.")
+      .value("IMPLAUSIBLE", Status::kImplausible, "A used field is beyond what the robot can say.")
+      .value("FALLEN", Status::kFallen, "The base is tilted beyond the gain fall_tilt.")
+      .value("BAD_REFERENCE", Status::kBadReference, "No unit quaternion or upward unit normal.")
       .value("WRONG_SIZE", Status::kWrongSize, "q or v is not of the robot's size.")
       .value("BAD_QUATERNION", Status::kBadQuaternion, "Zero, or far from unit length.")
       .value("STALE_TICK", Status::kStaleTick, "tick did not advance.")
@@ -92,6 +95,8 @@ void bind_whole_body(nb::module_& m) {
             return Solution(c.update(s, r));
           },
           "state"_a, "reference"_a, "Compute one tick: Solution. Never raises.")
+      .def("hold", &WholeBodyController::hold, "state"_a,
+           "Make the reference that asks the robot to stay as it is; raises Error on a wrong size.")
       .def("set_gains", &WholeBodyController::set_gains, "gains"_a,
            "Raise Error if one is invalid.")
       .def_prop_ro(

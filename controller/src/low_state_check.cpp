@@ -7,28 +7,44 @@ namespace surefoot {
 
 namespace {
 
-// Beyond anything a sensor of these robots can say, in any of the units; false for NaN.
-bool credible(float value) noexcept { return std::abs(value) <= 1e4F; }
+constexpr double kAbsurd = 1e4;          // in any unit
+constexpr double kRate = 40.0;           // [rad/s] gyroscopes clip at 35
+constexpr double kAcceleration = 200.0;  // [m/s^2] accelerometers clip at 157
+constexpr double kJointMargin = 1.0;     // [rad] a folded calf rests beyond its limit
+constexpr double kSpeedFactor = 2.0;     // of the motor's no-load speed
+constexpr double kTorqueFactor = 3.0;    // of the motor's greatest torque
 
-bool credible(const IMU& imu) noexcept {
-  // Packed fields are not aligned: copy them before indexing.
-  const std::array<float, 4> quaternion = imu.quaternion;
-  const std::array<float, 3> gyroscope = imu.gyroscope, accelerometer = imu.accelerometer;
-  bool good = true;
-  for (int i = 0; i < 4; ++i) good = good && credible(quaternion[i]);
-  for (int i = 0; i < 3; ++i) good = good && credible(gyroscope[i]) && credible(accelerometer[i]);
-  return good;
-}
+// Keeps the worst that was seen; comparisons are written so that NaN fails them.
+struct Judge {
+  Status status = Status::kOk;
+  void operator()(double value, double lower, double upper) noexcept {
+    if (!(std::abs(value) <= kAbsurd)) {
+      status = Status::kNonFinite;
+    } else if (!(value >= lower && value <= upper) && status == Status::kOk) {
+      status = Status::kImplausible;
+    }
+  }
+  void operator()(double value, double size) noexcept { (*this)(value, -size, size); }
+};
 
 }  // namespace
 
-bool finite(const LowState& state) noexcept {
-  bool good = credible(state.imu);
+Status check_low_state(const LowState& state, const RobotConfig& config) noexcept {
+  // Packed fields are not aligned: copy them before indexing.
+  const std::array<float, 4> quaternion = state.imu.quaternion;
+  const std::array<float, 3> gyroscope = state.imu.gyroscope;
+  const std::array<float, 3> accelerometer = state.imu.accelerometer;
+  Judge judge;
+  for (const float value : quaternion) judge(value, kAbsurd);
+  for (const float value : gyroscope) judge(value, kRate);
+  for (const float value : accelerometer) judge(value, kAcceleration);
   for (int i = 0; i < kMotors; ++i) {
     const MotorState& motor = state.motorState[i];
-    good = good && credible(motor.q) && credible(motor.dq) && credible(motor.tauEst);
+    judge(motor.q, config.q_lower[i] - kJointMargin, config.q_upper[i] + kJointMargin);
+    judge(motor.dq, kSpeedFactor * config.no_load_speed[i]);
+    judge(motor.tauEst, kTorqueFactor * config.tau_max[i]);
   }
-  return good;
+  return judge.status;
 }
 
 }  // namespace surefoot

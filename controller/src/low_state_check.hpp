@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surefoot/low_level.hpp"
+#include "surefoot/robot_config.hpp"
+#include "surefoot/types.hpp"
 
 namespace surefoot {
 
-/// Is every floating-point field that the controller uses finite, and no larger than any sensor of
-/// these robots can mean (1e4 in its unit)? Real-time: yes.
-bool finite(const LowState& state) noexcept;
+/// Judge every floating-point field that the controller uses. Real-time: yes.
+///
+/// @return kNonFinite for NaN, infinities and anything beyond 1e4 in any unit; kImplausible for
+/// what no such sensor or robot can say (rates over 40 rad/s, accelerations over 20 g, joints far
+/// outside their range or twice as fast as their motor); else kOk.
+Status check_low_state(const LowState& state, const RobotConfig& config) noexcept;
 
 }  // namespace surefoot

@@ -18,6 +18,10 @@ void StandOptions::validate() const {
   }
 }
 
+namespace {
+constexpr int kLatches = 3;
+}
+
 struct StandController::Impl {
   Impl(const Robot& r, const Gains& g, const StandOptions& o)
       : robot(r), options(o), estimator(r), controller(r, g) {
@@ -34,6 +38,8 @@ struct StandController::Impl {
   StandReference reference;
   WholeBodyController controller;
   CommandKeeper keeper;
+  double since_estimate = 0.0;  // [s]
+  int latches = 0;
   Status status = Status::kWaiting;
   Status fault = Status::kOk;
 };
@@ -42,11 +48,12 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
   Impl& s = *impl_;
   const double step = s.clock.advance(low_state.tick);
   const double elapsed = step > 0.0 ? step : s.clock.period();
+  s.since_estimate += elapsed;  // time in bad reports is not lost to the estimator
   Status status = Status::kStaleTick;
   if (s.keeper.latched()) {
     status = Status::kDamping;
   } else if (step >= 0.0) {
-    status = s.think(low_state, s.clock.period());
+    status = s.think(low_state, std::min(s.since_estimate, TickClock::kMaxStep));
   }
   if (status == Status::kOk) {
     s.status = status;
@@ -62,9 +69,18 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
 Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
   const Status estimated = estimator.update(low_state, dt);
   if (estimated != Status::kOk) return estimated;
+  since_estimate = 0.0;
   const Dynamics& dynamics = estimator.dynamics();
   const Eigen::Vector4d& contact = estimator.state().contact;
-  if (!reference.latched()) reference.latch(dynamics);
+  if (dynamics.R_world_base()(2, 2) < std::cos(controller.gains().fall_tilt)) {
+    return Status::kFallen;
+  }
+  // The contact points hang on the ground's normal, which is known once they are: latch a few
+  // times.
+  if (latches < kLatches) {
+    reference.latch(dynamics);
+    ++latches;
+  }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
   return controller.solve(dynamics, contact, estimator.dq_motor(), wanted).status;
@@ -116,9 +132,10 @@ void StandController::reset() noexcept {
   Impl& s = *impl_;
   s.clock.reset();
   s.estimator.reset();
-  s.reference.reset();
   s.controller.reset();
   s.keeper.reset();
+  s.since_estimate = 0.0;
+  s.latches = 0;
   s.status = Status::kWaiting;
   s.fault = Status::kOk;
 }

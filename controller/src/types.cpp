@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/types.hpp"
 
+#include "surefoot/error.hpp"
+
 namespace surefoot {
+
+RobotState::RobotState(int nq, int nv) {
+  if (nq < 7 || nv < 6) {
+    throw Error("RobotState: got nq = " + std::to_string(nq) + ", nv = " + std::to_string(nv) +
+                ", expected nq >= 7 and nv >= 6 (19 and 18 for a quadruped)");
+  }
+  q = Eigen::VectorXd::Zero(nq);
+  v = Eigen::VectorXd::Zero(nv);
+  q[6] = 1.0;
+}
 
 const char* to_string(Status status) noexcept {
   switch (status) {
@@ -11,6 +23,12 @@ const char* to_string(Status status) noexcept {
       return "waiting";
     case Status::kNonFinite:
       return "non_finite";
+    case Status::kImplausible:
+      return "implausible";
+    case Status::kFallen:
+      return "fallen";
+    case Status::kBadReference:
+      return "bad_reference";
     case Status::kWrongSize:
       return "wrong_size";
     case Status::kBadQuaternion:

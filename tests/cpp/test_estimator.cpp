@@ -101,7 +101,9 @@ BOOST_FIXTURE_TEST_CASE(torques_alone_tell_which_feet_carry_and_how_much, Standi
 BOOST_FIXTURE_TEST_CASE(a_lifted_foot_is_lost_within_the_dwell_and_found_again, Standing) {
   ContactEstimator contact(robot.mass() * kGravity);
   std::array<std::int16_t, 4> force{30, 30, 30, 30};
-  contact.update(gains, dynamics, tau, force, Vector3::UnitZ(), kPeriod);
+  for (int tick = 0; tick < 100; ++tick) {
+    contact.update(gains, dynamics, tau, force, Vector3::UnitZ(), kPeriod);
+  }
   force[FL_] = 1;
   for (int tick = 0; tick < 11; ++tick) {
     contact.update(gains, dynamics, tau, force, Vector3::UnitZ(), kPeriod);
@@ -121,12 +123,24 @@ BOOST_FIXTURE_TEST_CASE(a_lifted_foot_is_lost_within_the_dwell_and_found_again, 
 
 BOOST_FIXTURE_TEST_CASE(a_force_field_that_goes_silent_while_the_legs_carry_is_dead, Standing) {
   ContactEstimator contact(robot.mass() * kGravity);
-  contact.update(gains, dynamics, tau, {30, 30, 30, 30}, Vector3::UnitZ(), kPeriod);
+  for (int tick = 0; tick < 100; ++tick) {
+    contact.update(gains, dynamics, tau, {30, 30, 30, 30}, Vector3::UnitZ(), kPeriod);
+  }
   BOOST_TEST(contact.foot_force_alive());
   for (int tick = 0; tick < 100; ++tick) {
     contact.update(gains, dynamics, tau, kSilent, Vector3::UnitZ(), kPeriod);
   }
   BOOST_TEST(!contact.foot_force_alive());
+  BOOST_TEST((contact.probability() == Eigen::Vector4d::Ones()));
+}
+
+BOOST_FIXTURE_TEST_CASE(stray_counts_in_a_dead_force_field_change_nothing, Standing) {
+  ContactEstimator contact(robot.mass() * kGravity);
+  for (int tick = 0; tick < 1000; ++tick) {
+    const auto stray = static_cast<std::int16_t>(tick % 7 == 0 ? 1 : 3);
+    contact.update(gains, dynamics, tau, {stray, 0, 2, stray}, Vector3::UnitZ(), kPeriod);
+    BOOST_TEST(!contact.foot_force_alive());
+  }
   BOOST_TEST((contact.probability() == Eigen::Vector4d::Ones()));
 }
 

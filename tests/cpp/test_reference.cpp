@@ -92,8 +92,7 @@ BOOST_FIXTURE_TEST_CASE(integrals_stay_inside_their_limits, Latched) {
   Dynamics low(robot);
   low.update(q, state.v, Vector3::UnitZ());
   for (int tick = 0; tick < 20000; ++tick) stand.update(gains, low, Eigen::Vector4d::Ones(), 0.002);
-  BOOST_TEST(stand.reference().a_com.norm() <=
-             gains.integral_com_max * std::sqrt(3.0) + 1e-9);
+  BOOST_TEST(stand.reference().a_com.norm() <= gains.integral_com_max * std::sqrt(3.0) + 1e-9);
   BOOST_TEST(stand.reference().a_com.z() > 0.99 * gains.integral_com_max);
 }
 

@@ -97,6 +97,20 @@ BOOST_FIXTURE_TEST_CASE(a_zero_quaternion_is_told_by_name, Running) {
   BOOST_TEST((controller.status() == Status::kBadQuaternion));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_robot_on_its_back_is_fallen_and_damps, Running) {
+  report.imu.quaternion = {0.0F, 1.0F, 0.0F, 0.0F};
+  report.imu.accelerometer = {0.0F, 0.0F, static_cast<float>(-kGravity)};
+  controller.reset();
+  BOOST_TEST(damping(step()));
+  BOOST_TEST((controller.fault() == Status::kFallen));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_rate_no_gyroscope_can_say_reaches_no_motor, Running) {
+  report.imu.gyroscope = {0.0F, 3000.0F, 0.0F};
+  BOOST_TEST(same(step(), last));
+  BOOST_TEST((controller.status() == Status::kImplausible));
+}
+
 BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_asked_for) {
   const Robot robot = quadruped();
   StandOptions options;
@@ -116,7 +130,7 @@ BOOST_FIXTURE_TEST_CASE(random_bytes_never_make_a_command_that_is_not_finite_and
   for (int round = 0; round < 20000; ++round) {
     LowState noise = resting_report(robot, tick += 2);
     auto* bytes = reinterpret_cast<unsigned char*>(&noise);
-    for (int k = 0; k < 1 + round % 40; ++k) bytes[22 + generator() % 860] = generator() & 0xFF;
+    for (int k = 0; k < 1 + round % 40; ++k) bytes[22 + generator() % 867] = generator() & 0xFF;
     const LowCmd command = controller.update(noise);
     for (int i = 0; i < kMotors; ++i) {
       BOOST_REQUIRE(std::abs(command.motorCmd[i].tau) <= robot.config().tau_max[i] * 1.0001);

@@ -142,7 +142,7 @@ def test_a_bad_gain_file_is_refused_by_what_is_wrong(load, text: str, words: str
 
 
 def test_a_missing_gain_file_is_named() -> None:
-    with pytest.raises(Error, match="cannot read '/no/such/gains.toml'"):
+    with pytest.raises(Error, match=r"cannot read '/no/such/gains.toml'"):
         surefoot.load_gains("/no/such/gains.toml")
 
 
@@ -188,3 +188,25 @@ def test_gains_given_to_a_controller_are_copied(go1) -> None:
     gains.foot_kp = 1.0
     controller.gains.foot_kp = 2.0
     assert controller.gains == Gains()
+
+
+def belief_after_four_ticks(go1, first: float, later: float) -> float:
+    """In a foot whose force has vanished, with the dwell time of a start and of later [s]."""
+    gains = go1.robot.config.gains
+    gains.contact_dwell = first
+    controller = surefoot.StandController(go1.robot, gains)
+    gains.contact_dwell = later
+    for tick in range(54):
+        report = go1.resting_report(2 * tick)
+        report.footForceEst[:] = 40
+        report.footForceEst[0] = 40 if tick < 50 else 0
+        controller.update(report)
+        if later != first and tick == 40:
+            controller.set_gains(gains)
+    return float(controller.state.contact[0])
+
+
+def test_gains_reach_the_estimator_from_the_start_and_between_ticks(go1) -> None:
+    assert belief_after_four_ticks(go1, 0.02, 0.02) == pytest.approx(0.6)
+    assert belief_after_four_ticks(go1, 0.08, 0.08) == pytest.approx(0.9)
+    assert belief_after_four_ticks(go1, 0.02, 0.08) == pytest.approx(0.9)

@@ -211,9 +211,7 @@ def test_demands_beyond_physics_still_give_a_command_inside_the_motors(body) -> 
         solution = controller.update(state, reference)
         indices = np.array(body.robot.motor_to_v)
         tau, dq = solution.torques[indices - 6], state.v[indices]
-        limit = [
-            surefoot.motor_torque_limit(config, i, dq[i], np.sign(tau[i])) for i in range(12)
-        ]
+        limit = [surefoot.motor_torque_limit(config, i, dq[i], np.sign(tau[i])) for i in range(12)]
         assert (np.abs(tau) <= config.tau_max).all()
         solved.append(solution.status == Status.OK)
         inside.append((np.abs(tau) <= np.array(limit) + 1e-9).all())
@@ -266,7 +264,9 @@ def test_a_swing_foot_gets_no_force_and_the_others_carry(body) -> None:
 
 
 def test_a_foot_that_lost_contact_is_given_no_more_than_it_may_be(body) -> None:
-    controller = WholeBodyController(body.robot)
+    gains = body.robot.config.gains
+    gains.force_lost_contact = 0.2
+    controller = WholeBodyController(body.robot, gains)
     state = body.random_state(seed=6, speed=0.0)
     state.contact = np.array([1.0, 0.0, 1.0, 1.0])
     reference = body.reference_at(state)

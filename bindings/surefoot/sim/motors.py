@@ -93,5 +93,6 @@ class Motors:
         least, most = self.limits(dq)
         target = np.minimum(np.maximum(target, least), most)
         self.believed = self.believed + self._share * (target - self.believed)
-        self.torque = self._scale * self.believed
+        # A motor that errs upwards still makes no more than it can.
+        self.torque = np.minimum(np.maximum(self._scale * self.believed, least), most)
         return self.torque

@@ -37,7 +37,7 @@ struct Gains {
   double weight_base_yaw = 0.3;
   double weight_force = 0.02;
   double force_max_contact = 3.0;
-  double force_lost_contact = 0.2;
+  double force_lost_contact = 0.3;
   double share_lost_contact = 0.3;
   // Estimator: what is believed, and how much.
   double attitude_gain = 0.2;
@@ -51,6 +51,7 @@ struct Gains {
   double contact_force_off = 0.02;
   double contact_dwell = 0.02;
   // Command.
+  double fall_tilt = 1.0;
   double damping_kd = 3.0;
 
   /// Throw surefoot::Error naming the first gain that is not finite or outside its range.

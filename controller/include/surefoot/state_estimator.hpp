@@ -22,8 +22,9 @@ class StateEstimator {
   ~StateEstimator();
   StateEstimator(StateEstimator&&) noexcept;
 
-  /// Take in one report. @param dt [s] since the last one
-  /// @return kOk; kNonFinite or kBadQuaternion with the state as it was
+  /// Take in one report. @param dt [s] since the last one taken in, 0 < dt <= 0.1
+  /// @return kOk; kStaleTick (dt), kNonFinite, kImplausible or kBadQuaternion with the state as it
+  /// was
   Status update(const LowState& low_state, double dt) noexcept;
 
   const RobotState& state() const noexcept;

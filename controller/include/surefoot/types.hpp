@@ -13,6 +13,9 @@ enum class Status : int {
   kOk = 0,
   kWaiting,        ///< no valid state has come yet
   kNonFinite,      ///< a NaN or an infinity in a field that is used
+  kImplausible,    ///< a used field is finite and beyond what the robot can do or measure
+  kFallen,         ///< the base is tilted beyond the gain fall_tilt
+  kBadReference,   ///< the reference has no unit quaternion, or no upward unit ground normal
   kWrongSize,      ///< q or v is not of the robot's size
   kBadQuaternion,  ///< a quaternion (the IMU's, or q's) is zero or far from unit length
   kStaleTick,      ///< tick did not advance
@@ -25,10 +28,8 @@ const char* to_string(Status status) noexcept;
 
 /// Where the robot is and how it moves.
 struct RobotState {
-  explicit RobotState(int nq = 19, int nv = 18)
-      : q(Eigen::VectorXd::Zero(nq)), v(Eigen::VectorXd::Zero(nv)) {
-    q[6] = 1.0;
-  }
+  /// Level at the origin, at rest. Throws surefoot::Error unless nq >= 7 and nv >= 6.
+  explicit RobotState(int nq = 19, int nv = 18);
   Eigen::VectorXd q;  ///< Pinocchio's q: position, quaternion x y z w, joints
   Eigen::VectorXd v;  ///< Pinocchio's v: base twist in base axes, joint velocities
   /// Probability that each foot carries load, 0 .. 1, FR FL RR RL.

@@ -31,7 +31,11 @@ class WholeBodyController {
   /// @return status kOk, or why the other fields are still those of the last good tick
   const Solution& update(const RobotState& state, const Reference& reference) noexcept;
 
-  /// The same on dynamics that are computed already (StandController's way in). Real-time: yes.
+  /// Make the reference that asks the robot to stay as it is: centre of mass, orientation and
+  /// contact points where `state` has them, at rest. Throws surefoot::Error on a wrong size.
+  Reference hold(const RobotState& state);
+
+  /// update() on dynamics that are computed already (StandController's way in). Real-time: yes.
   /// @param dq_motor joint velocities in SDK motor order [rad/s]
   const Solution& solve(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                         const Vector12& dq_motor, const Reference& reference) noexcept;

@@ -16,6 +16,15 @@ struct Dynamics::Pinocchio {
 
 Dynamics::Dynamics(const Robot& robot)
     : pinocchio_(std::make_unique<Pinocchio>(robot.model())), robot_(robot) {
+  if (robot.nv() != 6 + kMotors || robot.nq() != 7 + kMotors) {
+    throw Error("robot '" + robot.config().name + "': got nq = " + std::to_string(robot.nq()) +
+                ", nv = " + std::to_string(robot.nv()) +
+                ", expected 19 and 18: a free base and 12 leg joints; make any others fixed");
+  }
+  const Vector3 gravity = robot.model().gravity.linear();
+  if ((gravity + kGravity * Vector3::UnitZ()).norm() > 1e-6) {
+    throw Error("robot '" + robot.config().name + "': the model's gravity is not (0, 0, -9.81)");
+  }
   for (int leg = 0; leg < kLegs; ++leg) {
     const int first = robot.motor_to_v()[3 * leg];
     for (int k = 1; k < kLegJoints; ++k) {

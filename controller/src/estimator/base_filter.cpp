@@ -26,7 +26,7 @@ void BaseFilter::update(const Gains& gains, const Vector3& f_world, const Vector
                         const Eigen::Vector4d& contact, double dt) noexcept {
   predict(gains, f_world - kGravity * Vector3::UnitZ(), contact, dt);
   refused_ = 0;
-  int velocities_refused = 0;
+  int stance = 0, velocities_refused = 0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
     Vector6 h_position = Vector6::Zero();
@@ -43,11 +43,13 @@ void BaseFilter::update(const Gains& gains, const Vector3& f_world, const Vector
         correct(Vector6::Unit(1), v_imu - L.v_world_contact, sigma * sigma, gains.gate_foot);
     wandering_[leg] = !(position_ok && velocity_ok);
     refused_ += !position_ok + !velocity_ok;
-    velocities_refused += !velocity_ok;
+    stance += contact[leg] > 0.5;
+    velocities_refused += contact[leg] > 0.5 && !velocity_ok;
   }
-  // Four feet that all contradict the prediction are right: a blow has clipped the accelerometer.
+  // Standing feet that all contradict the prediction are right: a blow has clipped the
+  // accelerometer.
   // Without this the gate would lock them out for ever.
-  if (velocities_refused == kLegs) P_(1, 1) += kSurprise * kSurprise;
+  if (stance >= 2 && velocities_refused == stance) P_(1, 1) += kSurprise * kSurprise;
 }
 
 void BaseFilter::predict(const Gains& gains, const Vector3& a_world, const Eigen::Vector4d& contact,

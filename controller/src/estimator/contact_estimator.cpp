@@ -8,8 +8,9 @@ namespace surefoot {
 namespace {
 
 constexpr double kForceFilter = 0.01;  // [s] smooths the torque-based force
-constexpr double kDeadAfter = 0.1;     // [s] of zeros on all feet
-constexpr double kCarrying = 0.5;      // share of the weight that the torques must show meanwhile
+constexpr double kJudgement = 0.1;     // [s] before the field is believed, or no longer
+constexpr double kDenying = 0.25;      // share of the weight below which the field denies the load
+constexpr double kCarrying = 0.5;      // share of the weight that shows the robot is carried
 
 }  // namespace
 
@@ -32,7 +33,7 @@ void ContactEstimator::update(const Gains& gains, const Dynamics& dynamics, cons
     const double threshold = loaded_[leg] ? gains.contact_force_off : gains.contact_force_on;
     loaded_[leg] = load > threshold * weight_;
     // A ramp over the dwell time: a single wrong sample moves the belief by one step only.
-    const double step = dt / std::max(gains.contact_dwell, dt);
+    const double step = gains.contact_dwell > dt ? dt / gains.contact_dwell : 1.0;
     const double moved = probability_[leg] + (loaded_[leg] ? step : -step);
     probability_[leg] = std::min(std::max(moved, 0.0), 1.0);
   }
@@ -40,12 +41,16 @@ void ContactEstimator::update(const Gains& gains, const Dynamics& dynamics, cons
 
 void ContactEstimator::judge_foot_force(const std::array<std::int16_t, kLegs>& force,
                                         double dt) noexcept {
-  bool any = false;
-  for (const std::int16_t f : force) any = any || f != 0;
-  silence_ = any ? 0.0 : silence_ + dt;
-  if (any) alive_ = true;
-  // All zero while the legs carry the robot: the field lies. All zero in the air is the truth.
-  if (silence_ > kDeadAfter && torque_force_.sum() > kCarrying * weight_) alive_ = false;
+  const double sum = static_cast<double>(force[0]) + force[1] + force[2] + force[3];
+  const bool carried = torque_force_.sum() > kCarrying * weight_;
+  // In the air both are silent, and nothing is learnt about the field.
+  const bool contradicts =
+      alive_ ? carried && sum < kDenying * weight_ : carried && sum > kCarrying * weight_;
+  contradiction_ = contradicts ? contradiction_ + dt : 0.0;
+  if (contradiction_ > kJudgement) {
+    alive_ = !alive_;
+    contradiction_ = 0.0;
+  }
 }
 
 }  // namespace surefoot

@@ -8,8 +8,9 @@ namespace surefoot {
 
 /// Which foot carries load: footForceEst while it is alive, else the motors' torques.
 ///
-/// footForceEst is zero on most real robots, so it counts as dead until it has shown a force and
-/// again when it stays zero while the torques carry the robot. Real-time: yes.
+/// footForceEst is zero on most real robots, and a stray count must not switch the source: it
+/// counts as alive only after it has agreed with the torques that the robot is carried, and as dead
+/// again when it denies that for as long. Real-time: yes.
 class ContactEstimator {
  public:
   ContactEstimator(double weight) : weight_(weight) {}
@@ -33,7 +34,8 @@ class ContactEstimator {
 
   double weight_;
   bool alive_ = false;
-  double silence_ = 0.0;  // [s] for which every foot read zero
+  double contradiction_ =
+      0.0;  // [s] for which the torques have contradicted what is held of the field
   std::array<bool, kLegs> loaded_{true, true, true, true};
   Eigen::Vector4d torque_force_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d probability_ = Eigen::Vector4d::Ones();

@@ -8,6 +8,10 @@
 
 namespace surefoot {
 
+namespace {
+constexpr double kLongestStep = 0.1;  // [s] longer steps say nothing about what happened meanwhile
+}
+
 struct StateEstimator::Impl {
   explicit Impl(const Robot& r)
       : robot(r),
@@ -58,9 +62,11 @@ void StateEstimator::reset() noexcept {
 
 Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   Impl& s = *impl_;
-  if (!finite(low_state)) return Status::kNonFinite;
+  if (!(dt > 0.0 && dt <= kLongestStep)) return Status::kStaleTick;
+  Status status = check_low_state(low_state, s.robot.config());
+  if (status != Status::kOk) return status;
   ImuReading imu;
-  const Status status = read_imu(low_state.imu, s.robot.config(), imu);
+  status = read_imu(low_state.imu, s.robot.config(), imu);
   if (status != Status::kOk) return status;
   if (!s.started) s.attitude.reset(imu);
   s.attitude.update(s.gains, imu, dt);

@@ -31,7 +31,6 @@ void StandReference::latch(const Dynamics& dynamics) noexcept {
   normal_ = support.normal;
   com_integral_.setZero();
   base_integral_.setZero();
-  latched_ = true;
 }
 
 const Reference& StandReference::update(const Gains& gains, const Dynamics& dynamics,
@@ -47,7 +46,7 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   for (int leg = 0; leg < kLegs; ++leg) {
     reference_.feet[leg].p_world = support.centroid + R * anchors_.col(leg);
   }
-  integrate(gains, dynamics, R, dt);
+  integrate(gains, dynamics, R, contact.prod() * dt);
   reference_.a_com = R * com_integral_;
   reference_.alpha_world_base = R * base_integral_;
   return reference_;
@@ -71,7 +70,8 @@ void StandReference::follow_moved_feet(const SupportFrame& support, const Matrix
 }
 
 // Integral action takes out what the model does not know: torque scale, payload, joint friction. It
-// fades while the body moves or is far off, so that a push winds little up.
+// fades while the body moves or is far off, so that a push winds little up, and stops while a foot
+// is off the ground (its share of time is zero).
 void StandReference::integrate(const Gains& gains, const Dynamics& dynamics,
                                const Matrix3& R_world_support, double dt) noexcept {
   const double speed = dynamics.v_world_com().norm() / gains.integral_speed;

@@ -14,9 +14,6 @@ namespace surefoot {
 /// together and so cannot lean the robot. Real-time: yes.
 class StandReference {
  public:
-  bool latched() const noexcept { return latched_; }
-  void reset() noexcept { latched_ = false; }
-
   /// Remember how the robot stands.
   void latch(const Dynamics& dynamics) noexcept;
 
@@ -35,7 +32,6 @@ class StandReference {
   void integrate(const Gains& gains, const Dynamics& dynamics, const Matrix3& R_world_support,
                  double dt) noexcept;
 
-  bool latched_ = false;
   Vector3 com_from_centroid_ = Vector3::Zero();  // support axes
   Quaternion R_support_base_ = Quaternion::Identity();
   FeetMatrix anchors_ = FeetMatrix::Zero();  // support axes, from the centroid

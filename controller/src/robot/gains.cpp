@@ -46,7 +46,7 @@ constexpr GainInfo kRows[] = {
     {"weight_force", "1", 1e-6, 1e2, &G::weight_force, "pull towards the even force distribution"},
     {"force_max_contact", "m g", 0.3, 10, &G::force_max_contact,
      "greatest normal force of a foot in contact"},
-    {"force_lost_contact", "m g", 0, 0.5, &G::force_lost_contact,
+    {"force_lost_contact", "m g", 0.05, 1, &G::force_lost_contact,
      "greatest normal force of a stance foot whose contact is lost"},
     {"share_lost_contact", "1", 0.01, 1, &G::share_lost_contact,
      "share of the even load offered to a stance foot whose contact is lost"},
@@ -66,6 +66,7 @@ constexpr GainInfo kRows[] = {
     {"contact_force_on", "m g", 0.001, 0.5, &G::contact_force_on, "load that makes a contact"},
     {"contact_force_off", "m g", 0.001, 0.5, &G::contact_force_off, "load that ends a contact"},
     {"contact_dwell", "s", 0, 0.5, &G::contact_dwell, "how long a change must last to count"},
+    {"fall_tilt", "rad", 0.1, 1.6, &G::fall_tilt, "tilt of the base at which the motors damp"},
     {"damping_kd", "N.m.s/rad", 0.0625, 50, &G::damping_kd,
      "motor-side damping when something is wrong"},
 };

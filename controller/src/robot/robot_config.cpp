@@ -32,6 +32,9 @@ void check_names(const RobotConfig& config) {
     fail(config, "name", "'" + config.name + "'", "a word without spaces");
   }
   for (int i = 0; i < kMotors; ++i) {
+    if (config.joint_names[i].find_first_of(" \n\t") != std::string::npos) {
+      fail(config, "joint name", "'" + config.joint_names[i] + "'", "a name without spaces");
+    }
     if (config.joint_names[i].empty())
       fail(config, "joint name " + std::to_string(i), "''", "a name");
     for (int j = 0; j < i; ++j) {

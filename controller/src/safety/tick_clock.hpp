@@ -10,20 +10,25 @@ namespace surefoot {
 class TickClock {
  public:
   /// Take in a tick. @return seconds since the last good one; 0 for the first; negative when the
-  /// tick stands still or runs backwards, and then nothing is remembered.
+  /// tick stands still, runs backwards, or leaps (more than kLeap) to where the next tick does not
+  /// confirm it. A leap that is confirmed counts as kMaxStep.
   double advance(std::uint32_t tick) noexcept;
 
-  /// The usual step [s]: the last good one, at most kMaxStep.
-  double period() const noexcept { return period_; }
+  /// The longer of the last two steps [s], at most kMaxStep: what a tick that tells no time is
+  /// taken to last. Reports may jitter; an old command must not live longer for it.
+  double period() const noexcept;
 
   void reset() noexcept { *this = TickClock(); }
 
   static constexpr double kMaxStep = 0.010;  ///< [s] a longer gap is integrated as this
+  static constexpr double kLeap = 0.100;     ///< [s]
 
  private:
   bool started_ = false;
+  bool leapt_ = false;
   std::uint32_t last_ = 0;
-  double period_ = 0.002;
+  std::uint32_t leap_ = 0;
+  double step_ = 0.002, previous_step_ = 0.002;
 };
 
 }  // namespace surefoot

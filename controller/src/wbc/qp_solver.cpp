@@ -21,6 +21,7 @@ constexpr double kAcceptGap = 1e-6;
 constexpr double kResidue = 1e-12;
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
 constexpr int kAttempts = 6;      // nothing, and on from there
+constexpr int kBudget = 100;      // inner iterations after which no further attempt begins
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -82,10 +83,10 @@ QpResult QpSolver::solve(const QpProblem& problem) noexcept {
   z = (z.array().abs() < kResidue).select(0.0, z);
   int spent = 0;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    if (attempt == kWarmAttempts) forget();
+    if (attempt == kWarmAttempts || !x().allFinite()) forget();
     result = run(problem);
     spent += result.iterations;
-    if (result.status == Status::kOk) break;
+    if (result.status == Status::kOk || spent >= kBudget) break;
     drop_slack_multipliers();
   }
   result.iterations = spent;

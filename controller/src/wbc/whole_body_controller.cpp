@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/whole_body_controller.hpp"
 
+#include "surefoot/error.hpp"
 #include "tasks/base_orientation_task.hpp"
 #include "tasks/com_task.hpp"
 #include "tasks/foot_task.hpp"
@@ -12,7 +13,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kQuaternionTolerance = 1e-3;  // Pinocchio takes a unit quaternion for granted
+constexpr double kQuaternionTolerance = 1e-3;  // unit quaternions and normals are relied on
 
 bool finite(const Reference& r) noexcept {
   bool good = r.p_com.allFinite() && r.v_com.allFinite() && r.a_com.allFinite() &&
@@ -22,6 +23,12 @@ bool finite(const Reference& r) noexcept {
     good = good && foot.p_world.allFinite() && foot.v_world.allFinite() && foot.a_world.allFinite();
   }
   return good;
+}
+
+bool sound(const Reference& r) noexcept {
+  return std::abs(r.R_world_base.norm() - 1.0) <= kQuaternionTolerance &&
+         std::abs(r.ground_normal.norm() - 1.0) <= kQuaternionTolerance &&
+         r.ground_normal.z() > 0.1;
 }
 
 }  // namespace
@@ -75,6 +82,10 @@ const Solution& WholeBodyController::update(const RobotState& state,
     s.solution.status = Status::kNonFinite;
     return s.solution;
   }
+  if (!sound(reference)) {
+    s.solution.status = Status::kBadReference;
+    return s.solution;
+  }
   if (std::abs(state.q.segment<4>(3).norm() - 1.0) > kQuaternionTolerance) {
     s.solution.status = Status::kBadQuaternion;
     return s.solution;
@@ -83,6 +94,23 @@ const Solution& WholeBodyController::update(const RobotState& state,
   Vector12 dq;
   for (int i = 0; i < kMotors; ++i) dq[i] = state.v[s.robot.motor_to_v()[i]];
   return solve(s.dynamics, state.contact, dq, reference);
+}
+
+Reference WholeBodyController::hold(const RobotState& state) {
+  Impl& s = *impl_;
+  if (state.q.size() != s.robot.nq() || state.v.size() != s.robot.nv()) {
+    throw Error("hold: got q of " + std::to_string(state.q.size()) + " and v of " +
+                std::to_string(state.v.size()) + ", expected " + std::to_string(s.robot.nq()) +
+                " and " + std::to_string(s.robot.nv()));
+  }
+  Reference reference;
+  s.dynamics.update(state.q, state.v, reference.ground_normal);
+  reference.p_com = s.dynamics.p_world_com();
+  reference.R_world_base = Quaternion(s.dynamics.R_world_base());
+  for (int leg = 0; leg < kLegs; ++leg) {
+    reference.feet[leg].p_world = s.dynamics.legs()[leg].p_world_contact;
+  }
+  return reference;
 }
 
 const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Eigen::Vector4d& contact,
