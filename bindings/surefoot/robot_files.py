@@ -20,7 +20,9 @@ def _number(value: Any) -> bool:
 
 
 def _numbers(*sizes: int) -> _Check:
-    return lambda value: isinstance(value, list) and len(value) in sizes and all(map(_number, value))
+    return lambda value: (
+        isinstance(value, list) and len(value) in sizes and all(map(_number, value))
+    )
 
 
 def _word(value: Any) -> bool:
@@ -28,7 +30,10 @@ def _word(value: Any) -> bool:
 
 
 def _words(size: int) -> _Check:
-    return lambda value: isinstance(value, list) and len(value) == size and all(map(_word, value))
+    def check(value: Any) -> bool:
+        return isinstance(value, list) and len(value) == size and all(map(_word, value))
+
+    return check
 
 
 _LIMITS = (_numbers(2), "[lower, upper] in rad")

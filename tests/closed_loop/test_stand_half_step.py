@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
 import surefoot
 from surefoot.sim import Plant, PlantSettings, Push
 

@@ -196,12 +196,12 @@ def belief_after_four_ticks(go1, first: float, later: float) -> float:
     gains.contact_dwell = first
     controller = surefoot.StandController(go1.robot, gains)
     gains.contact_dwell = later
-    for tick in range(54):
+    for tick in range(124):
         report = go1.resting_report(2 * tick)
         report.footForceEst[:] = 40
-        report.footForceEst[0] = 40 if tick < 50 else 0
+        report.footForceEst[0] = 40 if tick < 120 else 0
         controller.update(report)
-        if later != first and tick == 40:
+        if later != first and tick == 100:
             controller.set_gains(gains)
     return float(controller.state.contact[0])
 

@@ -5,7 +5,8 @@
 
 namespace surefoot {
 
-/// Everything that can be tuned, and nothing else: there is no hidden term in the controller.
+/// Everything that shapes how the robot stands. What is left as constants in the source are bounds
+/// on sensors and solver, and the estimator's time constants for judging them.
 ///
 /// `gain_table()` says each one's unit, range, default and meaning. Stiffness and damping are per
 /// unit of inertia, so they carry over between robots.

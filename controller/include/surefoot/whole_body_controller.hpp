@@ -15,7 +15,8 @@ class Dynamics;
 /// Minimises, over the contact forces alone, the missed accelerations of the centre of mass and the
 /// base's orientation and the distance from the most even forces; friction and normal force are
 /// hard, and torques stay inside the motors' torque-speed curve. Rigid-body dynamics (armature
-/// included) and contact accelerations hold exactly.
+/// included) and contact accelerations hold exactly unless feet are asked to accelerate beyond what
+/// their motors can give: then torques are clipped to the motors and the motion will differ.
 class WholeBodyController {
  public:
   /// Throws surefoot::Error when the robot does not fit the condensed form or a gain is invalid.
