@@ -124,6 +124,7 @@ FAULTS = {
     "tick that jumped back": (stuck(7), Status.STALE_TICK),
     "tick running backwards": (backwards, Status.STALE_TICK),
     "straight leg": (set_motor(2, "q", 0.0), Status.SINGULAR),
+    "rate beyond any gyroscope": (set_imu("gyroscope", 1, 50.0), Status.IMPLAUSIBLE),
 }
 
 
@@ -172,6 +173,50 @@ def test_every_used_field_is_watched(go1, value: float) -> None:
         assert set(commands[:HELD]) == {good[-1]}, name
         assert damps(commands[HELD:]).all(), name
         assert set(statuses[HELD:]) == {Status.DAMPING}, name
+
+
+BEYOND = {
+    "gyroscope": (set_imu("gyroscope", 0, 35.0), set_imu("gyroscope", 0, -60.0)),
+    "accelerometer": (set_imu("accelerometer", 2, 157.0), set_imu("accelerometer", 2, 250.0)),
+    "hip angle": (set_motor(0, "q", -1.0), set_motor(0, "q", -2.5)),
+    "joint speed": (set_motor(7, "dq", -35.0), set_motor(7, "dq", 80.0)),
+    "torque": (set_motor(7, "tauEst", 40.0), set_motor(7, "tauEst", -120.0)),
+}
+
+
+@pytest.mark.parametrize("field", BEYOND)
+def test_what_a_sensor_can_say_is_taken_and_what_it_cannot_is_refused(go1, field: str) -> None:
+    can, cannot = BEYOND[field]
+    stand = Stand(go1)
+    stand.run(20)
+    assert stand.run(1, can)[1] == [Status.OK]
+    stand.run(20)
+    commands, statuses = stand.run(10, cannot)
+    assert set(statuses[:HELD]) == {Status.IMPLAUSIBLE}
+    assert damps(commands[HELD:]).all()
+    assert stand.controller.fault == Status.IMPLAUSIBLE
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_a_robot_that_topples_is_damped_beyond_the_tilt_of_a_fall(go1, axis: int) -> None:
+    stand = Stand(go1)
+    stand.run(20)
+    commands, statuses = stand.run(75, set_imu("gyroscope", axis, 10.0))
+    fell = statuses.index(Status.FALLEN)
+    # 10 rad/s for 2 ms each; the accelerometer holds against it, a little.
+    assert 1.0 <= fell * 0.02 / go1.robot.config.gains.fall_tilt < 1.2
+    assert is_torque_mode(commands[:fell]).all()
+    assert set(statuses[fell : fell + HELD]) == {Status.FALLEN}
+    assert damps(commands[fell + HELD :]).all()
+    assert stand.controller.fault == Status.FALLEN
+
+
+def test_a_robot_found_on_its_side_is_damped_from_the_start(go1) -> None:
+    stand = Stand(go1)
+    stand.good = go1.resting_report(0, pin.rpy.rpyToMatrix(1.3, 0.0, 0.0)).to_bytes()
+    commands, statuses = stand.run(20)
+    assert damps(commands).all()
+    assert set(statuses) == {Status.FALLEN}
 
 
 def test_fields_that_are_carried_unused_change_nothing(go1) -> None:
@@ -312,6 +357,37 @@ def test_a_command_is_held_ten_milliseconds_at_any_rate(go1, period: int) -> Non
     held = 10 // period
     assert set(commands[:held]) == {good[-1]}
     assert damps(commands[held:]).all()
+
+
+def test_time_that_passed_in_bad_reports_is_made_good(go1) -> None:
+    stand, whole = Stand(go1), Stand(go1)
+    for each in (stand, whole):
+        each.run(50)
+    for _ in range(50):
+        stand.run(2, zero_quaternion)
+        stand.run(1, set_imu("gyroscope", 2, 0.5))
+        whole.run(3, set_imu("gyroscope", 2, 0.5))
+    ours, theirs = (
+        pin.rpy.matrixToRpy(pin.Quaternion(each.controller.state.q[3:7]).matrix())[2]
+        for each in (stand, whole)
+    )
+    assert theirs > 0.1
+    assert ours == pytest.approx(theirs, rel=0.02)
+
+
+def test_one_tick_that_leaps_ahead_is_refused_and_time_goes_on(stand) -> None:
+    stand.run(20)
+    leap = stuck(stand.tick + 600_000)
+    assert stand.run(1, leap)[1] == [Status.STALE_TICK]
+    assert set(stand.run(50)[1]) == {Status.OK}
+
+
+def test_a_leap_of_the_tick_that_lasts_is_believed_at_the_next_report(stand) -> None:
+    stand.run(20)
+    stand.tick += 600_000
+    commands, statuses = stand.run(20)
+    assert statuses == [Status.STALE_TICK] + [Status.OK] * 19
+    assert is_torque_mode(commands).all()
 
 
 def test_a_bad_report_after_a_long_silence_damps_at_once(stand) -> None:

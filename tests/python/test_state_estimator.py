@@ -216,6 +216,16 @@ def test_the_dwell_is_time_and_not_ticks(go1) -> None:
     np.testing.assert_allclose(leaving, 1.0 - 0.05 * np.arange(1, 21), atol=1e-9)
 
 
+@pytest.mark.parametrize("count", [1, -32768, 32767])
+def test_a_stray_count_does_not_wake_a_dead_foot_force(go1, count: int) -> None:
+    estimator, stray = StateEstimator(go1.robot), go1.resting_report(0)
+    feed(estimator, go1.resting_report(0), 100)
+    stray.footForceEst[2] = count
+    states = feed(estimator, stray, 20) + feed(estimator, go1.resting_report(0), 100)
+    assert not estimator.foot_force_alive
+    assert min(contacts(states, leg).min() for leg in range(4)) == 1.0
+
+
 def test_a_foot_force_that_falls_silent_under_load_is_dead(go1) -> None:
     estimator = StateEstimator(go1.robot)
     feed(estimator, loaded(go1, 32), 100)
@@ -314,6 +324,16 @@ def test_a_number_that_means_nothing_is_refused_and_the_state_kept(go1, value: f
         setattr(report.motorState[11], field, value)
         refused(estimator, report, Status.NON_FINITE)
     feed(estimator, go1.resting_report(0), 1)
+
+
+@pytest.mark.parametrize("dt", [0.0, -0.002, 0.2, math.nan, math.inf])
+def test_a_step_that_is_no_time_is_refused_and_the_state_kept(go1, dt: float) -> None:
+    estimator, report = StateEstimator(go1.robot), go1.resting_report(0)
+    feed(estimator, report, 20)
+    before = estimator.state
+    assert estimator.update(report, dt) == Status.STALE_TICK
+    np.testing.assert_array_equal(estimator.state.q, before.q)
+    np.testing.assert_allclose(feed(estimator, report, 20)[-1].v, before.v, atol=1e-6)
 
 
 @pytest.mark.parametrize("length", [0.0, 0.5, 0.94, 1.06, 2.0])

@@ -369,6 +369,48 @@ def test_a_state_of_another_robots_size_is_refused(go1, nq: int, nv: int) -> Non
     assert WholeBodyController(go1.robot).update(state, reference).status == Status.WRONG_SIZE
 
 
+@pytest.mark.parametrize(
+    "normal", [[0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0]]
+)
+def test_a_ground_normal_that_is_none_is_refused(go1, normal: list[float]) -> None:
+    controller = WholeBodyController(go1.robot)
+    state, reference = asked(go1, seed=1)
+    good = controller.update(state, reference)
+    reference.ground_normal = np.array(normal)
+    refused = controller.update(state, reference)
+    assert refused.status == Status.BAD_REFERENCE
+    np.testing.assert_array_equal(refused.torques, good.torques)
+
+
+def test_a_reference_refuses_a_quaternion_that_is_not_unit() -> None:
+    reference = surefoot.Reference()
+    with pytest.raises(surefoot.Error, match=r"\(w, x, y, z\): got norm 2.*, expected 1"):
+        reference.quat_world_base = np.array([2.0, 0.0, 0.0, 0.0])
+    np.testing.assert_array_equal(reference.quat_world_base, [1.0, 0.0, 0.0, 0.0])
+
+
+def test_hold_asks_a_robot_to_stay_as_it_is(body) -> None:
+    controller, state = WholeBodyController(body.robot), body.random_state(seed=5)
+    held, expected = controller.hold(state), body.reference_at(state)
+    np.testing.assert_allclose(held.p_com, expected.p_com, atol=1e-9)
+    assert abs(held.quat_world_base @ expected.quat_world_base) == pytest.approx(1.0)
+    for leg in range(4):
+        np.testing.assert_allclose(held.foot(leg).p_world, expected.foot(leg).p_world, atol=1e-9)
+    for at_rest in (held.v_com, held.a_com, held.w_world_base, held.alpha_world_base):
+        np.testing.assert_array_equal(at_rest, 0.0)
+    state.v = np.zeros(body.robot.nv)
+    a = controller.update(state, held).accelerations
+    np.testing.assert_allclose(com_acceleration(body, state, a), 0.0, atol=1e-5)
+    with pytest.raises(surefoot.Error, match=r"expected"):
+        controller.hold(surefoot.RobotState(20, 19))
+
+
+@pytest.mark.parametrize(("nq", "nv"), [(6, 18), (19, 5), (-1, 18)])
+def test_a_state_too_small_for_a_base_is_refused(nq: int, nv: int) -> None:
+    with pytest.raises(surefoot.Error, match="expected"):
+        surefoot.RobotState(nq, nv)
+
+
 @pytest.mark.parametrize("leg", range(4))
 def test_a_straight_leg_is_called_singular_and_a_bent_one_is_solved_again(body, leg) -> None:
     controller = WholeBodyController(body.robot)
