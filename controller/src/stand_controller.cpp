@@ -55,7 +55,7 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
   } else if (step >= 0.0) {
     status = s.think(low_state, std::min(s.since_estimate, TickClock::kMaxStep));
   }
-  if (status == Status::kOk) {
+  if (is_usable(status)) {
     s.status = status;
     return s.keeper.accept(s.torque_command(s.controller.solution()));
   }
@@ -83,7 +83,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  return controller.solve(dynamics, contact, estimator.dq_motor(), wanted).status;
+  return controller.solve(dynamics, estimator.state(), wanted).status;
 }
 
 // Torque mode exactly; with motor damping the velocity loop is on and asks for rest.

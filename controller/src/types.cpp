@@ -43,6 +43,22 @@ const char* to_string(Status status) noexcept {
       return "singular";
     case Status::kDamping:
       return "damping";
+    case Status::kBadTask:
+      return "bad_task";
+    case Status::kSaturated:
+      return "saturated";
+  }
+  return "unknown";
+}
+
+const char* to_string(Form form) noexcept {
+  switch (form) {
+    case Form::kAuto:
+      return "auto";
+    case Form::kCondensed:
+      return "condensed";
+    case Form::kGeneral:
+      return "general";
   }
   return "unknown";
 }

@@ -31,15 +31,37 @@ struct Gains {
   // Feet: how a stance foot is kept where it stands.
   double foot_kp = 400.0;
   double foot_kd = 35.0;
+  // Joints: those that nothing else decides, and how softly their limits are met.
+  double posture_kp = 100.0;
+  double posture_kd = 20.0;
+  double joint_limit_rate = 30.0;
+  double joint_limit_margin = 0.02;
   // Quadratic program: what gives way when not everything fits.
   double weight_com_horizontal = 1.0;
   double weight_com_vertical = 2.0;
   double weight_base_tilt = 1.0;
   double weight_base_yaw = 0.3;
+  double weight_momentum = 0.0;
+  double momentum_kd = 5.0;
+  double weight_posture = 0.0;
+  double weight_posture_free = 0.01;
+  double weight_foot_soft = 10.0;
   double weight_force = 0.02;
+  double weight_smooth = 0.0;
+  double penalty_torque = 100.0;
+  double penalty_joint_limit = 30.0;
+  double penalty_hold_down = 2.0;
+  double hold_down = 0.03;
+  double hold_down_margin = 0.03;
   double force_max_contact = 3.0;
   double force_lost_contact = 0.3;
   double share_lost_contact = 0.3;
+  // Body reference: how fast it moves and how far it may go.
+  double reference_speed = 0.15;
+  double reference_turn_speed = 0.8;
+  double reference_time = 0.1;
+  double reach_joint_margin = 0.087;
+  double reach_support_margin = 0.03;
   // Estimator: what is believed, and how much.
   double attitude_gain = 0.2;
   double gyro_bias_time = 2.0;

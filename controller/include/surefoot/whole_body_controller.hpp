@@ -4,24 +4,37 @@
 #include <memory>
 
 #include "surefoot/robot.hpp"
+#include "surefoot/task.hpp"
 #include "surefoot/types.hpp"
 
 namespace surefoot {
 
 class Dynamics;
 
+/// What is set once, as opposed to tuned.
+struct WholeBodyOptions {
+  Form form = Form::kAuto;
+  double tolerance = 1e-6;  ///< of the program's residuals, in its own scaling
+
+  /// Throw surefoot::Error naming what is out of range.
+  void validate() const;
+};
+
 /// State and reference in, joint torques out: for people who bring their own estimator or planner.
 ///
-/// Minimises, over the contact forces alone, the missed accelerations of the centre of mass and the
-/// base's orientation and the distance from the most even forces; friction and normal force are
-/// hard, and torques stay inside the motors' torque-speed curve. Rigid-body dynamics (armature
-/// included) and contact accelerations hold exactly unless feet are asked to accelerate beyond what
-/// their motors can give: then torques are clipped to the motors and the motion will differ.
+/// Minimises the missed accelerations of the body (centre of mass or base, orientation, angular
+/// momentum), of the posture and of tasks of your own, and the distance from the most even forces.
+/// Rigid-body dynamics (armature included) and contact accelerations hold exactly; friction and
+/// normal force are hard, f = 0 always allowed; torque by the motors' torque-speed curve, joint
+/// position and velocity, and the force that keeps feet down are elastic with exact penalties, so
+/// the program is feasible by construction. Torques that leave are clipped to the motors, and the
+/// solution says how much that took.
 class WholeBodyController {
  public:
-  /// Throws surefoot::Error when the robot does not fit the condensed form or a gain is invalid.
+  /// Throws surefoot::Error when the robot does not fit the form asked for, or a gain or an option
+  /// is invalid.
   explicit WholeBodyController(const Robot& robot);
-  WholeBodyController(const Robot& robot, const Gains& gains);
+  WholeBodyController(const Robot& robot, const Gains& gains, const WholeBodyOptions& options = {});
   ~WholeBodyController();
   WholeBodyController(WholeBodyController&&) noexcept;
 
@@ -29,7 +42,7 @@ class WholeBodyController {
   ///
   /// @param state q and v of the robot's size, Pinocchio's order; contact 0 .. 1 per foot
   /// @param reference in the same world frame
-  /// @return status kOk, or why the other fields are still those of the last good tick
+  /// @return status kOk or kSaturated, or why the other fields are those of the last good tick
   const Solution& update(const RobotState& state, const Reference& reference) noexcept;
 
   /// Make the reference that asks the robot to stay as it is: centre of mass, orientation and
@@ -37,9 +50,12 @@ class WholeBodyController {
   Reference hold(const RobotState& state);
 
   /// update() on dynamics that are computed already (StandController's way in). Real-time: yes.
-  /// @param dq_motor joint velocities in SDK motor order [rad/s]
-  const Solution& solve(const Dynamics& dynamics, const Eigen::Vector4d& contact,
-                        const Vector12& dq_motor, const Reference& reference) noexcept;
+  /// @param state the same state that the dynamics belong to
+  const Solution& solve(const Dynamics& dynamics, const RobotState& state,
+                        const Reference& reference) noexcept;
+
+  /// Add a task of your own, from the next tick on. Not in the tick; throws surefoot::Error.
+  void add_task(std::shared_ptr<Task> task);
 
   const Solution& solution() const noexcept;
   const Gains& gains() const noexcept;

@@ -15,27 +15,33 @@ struct Dynamics::Pinocchio {
 };
 
 Dynamics::Dynamics(const Robot& robot)
-    : pinocchio_(std::make_unique<Pinocchio>(robot.model())), robot_(robot) {
-  if (robot.nv() != 6 + kMotors || robot.nq() != 7 + kMotors) {
-    throw Error("robot '" + robot.config().name + "': got nq = " + std::to_string(robot.nq()) +
-                ", nv = " + std::to_string(robot.nv()) +
-                ", expected 19 and 18: a free base and 12 leg joints; make any others fixed");
-  }
+    : pinocchio_(std::make_unique<Pinocchio>(robot.model())),
+      robot_(robot),
+      condensable_(has_chains_of_three()) {
   const Vector3 gravity = robot.model().gravity.linear();
   if ((gravity + kGravity * Vector3::UnitZ()).norm() > 1e-6) {
     throw Error("robot '" + robot.config().name + "': the model's gravity is not (0, 0, -9.81)");
   }
+  // Which side of the hip axis is below: the one where the feet stand.
+  update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  for (int leg = 0; leg < kLegs; ++leg) depth_sign_[leg] = legs_[leg].depth < 0.0 ? -1.0 : 1.0;
+}
+
+// The condensed form reads a leg's blocks as contiguous 3x3 pieces of the mass matrix, and knows of
+// nothing but legs.
+bool Dynamics::has_chains_of_three() const noexcept {
+  const auto& model = robot_.model();
+  if (model.nv != 6 + kMotors || model.nq != 7 + kMotors) return false;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const int first = robot.motor_to_v()[3 * leg];
-    for (int k = 1; k < kLegJoints; ++k) {
-      // The leg's blocks are read as contiguous 3x3 pieces of the mass matrix.
-      if (robot.motor_to_v()[3 * leg + k] == first + k) continue;
-      throw Error(
-          "robot '" + robot.config().name + "': joint '" + robot.config().joint_names[3 * leg + k] +
-          "' does not follow its leg's previous joint in the model; expected the chain hip, "
-          "thigh, calf");
+    pinocchio::JointIndex parent = 1;
+    for (int k = 0; k < kLegJoints; ++k) {
+      const auto joint = model.getJointId(robot_.config().joint_names[3 * leg + k]);
+      if (model.parents[joint] != parent) return false;
+      if (robot_.motor_to_v()[3 * leg + k] != robot_.motor_to_v()[3 * leg] + k) return false;
+      parent = joint;
     }
   }
+  return true;
 }
 
 Dynamics::~Dynamics() = default;
@@ -49,17 +55,22 @@ void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
   pinocchio::nonLinearEffects(model, data, q, v);
 
   R_world_base_ = data.oMi[1].rotation();
+  p_world_base_ = data.oMi[1].translation();
+  v_base_ = v.head<3>();
   w_base_ = v.segment<3>(3);
+  v_world_base_ = R_world_base_ * v_base_;
   M_base_ = data.M.topLeftCorner<6, 6>().selfadjointView<Eigen::Upper>();
   h_base_ = data.nle.head<6>();
   a_base_shift_.setZero();
   update_com(v);
-  for (int leg = 0; leg < kLegs; ++leg) update_leg(leg, ground_normal, v);
+  for (int leg = 0; leg < kLegs; ++leg) update_leg(leg, ground_normal);
 }
 
 void Dynamics::shift(const Vector3& p_world, const Vector3& v_world) noexcept {
   p_world_com_ += p_world;
   v_world_com_ += v_world;
+  p_world_base_ += p_world;
+  v_world_base_ += v_world;
   a_base_shift_ = -w_base_.cross(R_world_base_.transpose() * v_world);
   for (LegDynamics& leg : legs_) {
     leg.p_world_contact += p_world;
@@ -70,18 +81,20 @@ void Dynamics::shift(const Vector3& p_world, const Vector3& v_world) noexcept {
 void Dynamics::update_com(const Eigen::VectorXd& v) noexcept {
   const auto& data = pinocchio_->data;
   p_world_com_ = data.oYcrb[1].lever();
-  // The first three rows of M are the linear momentum in base axes.
-  const Vector3 momentum = data.M.topRows<3>().rightCols(v.size() - 3) * v.tail(v.size() - 3) +
-                           M_base_.topLeftCorner<3, 3>() * v.head<3>();
-  v_world_com_ = R_world_base_ * momentum / robot_.mass();
+  I_world_com_ = data.oYcrb[1].inertia().matrix();
+  // The first six rows of M are the momentum about the base's origin, in base axes.
+  Vector6 momentum = M_base_ * v.head<6>();
+  momentum.noalias() += data.M.topRows<6>().rightCols(v.size() - 6) * v.tail(v.size() - 6);
+  const Vector3 linear = R_world_base_ * momentum.head<3>();
+  v_world_com_ = linear / robot_.mass();
+  L_world_com_ = R_world_base_ * momentum.tail<3>() - (p_world_com_ - p_world_base_).cross(linear);
 }
 
-void Dynamics::update_leg(int leg, const Vector3& ground_normal,
-                          const Eigen::VectorXd& v) noexcept {
+void Dynamics::update_leg(int leg, const Vector3& ground_normal) noexcept {
   const auto& [model, data] = *pinocchio_;
   const auto& frame = model.frames[robot_.foot_frame_ids()[leg]];
   const auto& placement = data.oMi[frame.parentJoint];
-  const int first = robot_.motor_to_v()[3 * leg];
+  const int* column = &robot_.motor_to_v()[3 * leg];
   LegDynamics& out = legs_[leg];
 
   // Contact point and its rows: v_p = v_O + w x p from the spatial Jacobian about the world origin.
@@ -89,11 +102,12 @@ void Dynamics::update_leg(int leg, const Vector3& ground_normal,
   const Vector3 lever = robot_.config().foot_radius * ground_normal;
   out.p_world_contact = p_centre - lever;
   const auto J_base = data.J.middleCols<6>(0);
-  const auto J_leg = data.J.middleCols<3>(first);
   const Matrix3 p_cross = skew(out.p_world_contact);
   out.J_base = J_base.topRows<3>() - p_cross * J_base.bottomRows<3>();
-  out.J_leg = J_leg.topRows<3>() - p_cross * J_leg.bottomRows<3>();
-  out.v_world_contact = out.J_base * v.head<6>() + out.J_leg * v.segment<3>(first);
+  for (int k = 0; k < kLegJoints; ++k) {
+    const auto J = data.J.col(column[k]);
+    out.J_leg.col(k) = J.head<3>() - out.p_world_contact.cross(J.tail<3>());
+  }
 
   // Drift: classical acceleration of the foot centre at zero joint acceleration (a_gf carries
   // -gravity), plus the rolling term.
@@ -101,14 +115,46 @@ void Dynamics::update_leg(int leg, const Vector3& ground_normal,
   const auto& accel = data.a_gf[frame.parentJoint];
   const Vector3 w = twist.angular();
   const Vector3 r = frame.placement.translation();
+  out.v_world_contact =
+      placement.rotation() * (twist.linear() + w.cross(r)) + lever.cross(placement.rotation() * w);
   const Vector3 centre =
       accel.linear() + accel.angular().cross(r) + w.cross(twist.linear() + w.cross(r));
   out.drift = placement.rotation() * centre + model.gravity.linear() +
               lever.cross(placement.rotation() * accel.angular());
 
-  out.M_base_leg = data.M.block<6, 3>(0, first);
-  out.M_leg = data.M.block<3, 3>(first, first).selfadjointView<Eigen::Upper>();
-  out.h_leg = data.nle.segment<3>(first);
+  for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
+  if (condensable_) {
+    out.M_base_leg = data.M.block<6, 3>(0, column[0]);
+    out.M_leg = data.M.block<3, 3>(column[0], column[0]).selfadjointView<Eigen::Upper>();
+  }
+  update_depth(leg);
+}
+
+// The hip's column of J is its axis crossed with the way to the foot; its part along the thigh's
+// axis is the foot's distance below the hip axis, and a factor of the Jacobian's determinant.
+void Dynamics::update_depth(int leg) noexcept {
+  const Vector3 thigh_axis = pinocchio_->data.J.col(robot_.motor_to_v()[3 * leg + 1]).tail<3>();
+  legs_[leg].depth = depth_sign_[leg] * legs_[leg].J_leg.col(0).dot(thigh_axis);
+}
+
+void Dynamics::write_full(FullDynamics& out) const noexcept {
+  const auto& [model, data] = *pinocchio_;
+  out.M.triangularView<Eigen::Upper>() = data.M.triangularView<Eigen::Upper>();
+  out.M.triangularView<Eigen::StrictlyLower>() =
+      out.M.transpose().triangularView<Eigen::StrictlyLower>();
+  out.h = data.nle;
+  out.J.setZero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;
+    const Vector3& p = legs_[leg].p_world_contact;
+    for (const auto joint : model.supports[calf]) {
+      for (int k = 0; k < model.nvs[joint]; ++k) {
+        const int column = model.idx_vs[joint] + k;
+        const auto J = data.J.col(column);
+        out.J.block<3, 1>(3 * leg, column) = J.head<3>() - p.cross(J.tail<3>());
+      }
+    }
+  }
 }
 
 }  // namespace surefoot

@@ -13,11 +13,11 @@ Vector3 base_angular_acceleration(const Gains& gains, const Reference& reference
          kd.cwiseProduct(reference.w_world_base - dynamics.w_world_base());
 }
 
-TaskRows base_orientation_task(const Gains& gains, const Vector3& angular_acceleration_world,
-                               const Dynamics& dynamics, const Condensed& condensed) noexcept {
-  TaskRows rows;
-  rows.A = condensed.B.bottomRows<3>();
-  rows.b = dynamics.R_world_base().transpose() * angular_acceleration_world - condensed.c.tail<3>();
+BodyRows base_orientation_task(const Gains& gains, const Vector3& angular_acceleration_world,
+                               const Dynamics& dynamics) noexcept {
+  BodyRows rows;
+  rows.A_base.rightCols<3>() = dynamics.R_world_base();
+  rows.b = angular_acceleration_world;
   rows.weight << gains.weight_base_tilt, gains.weight_base_tilt, gains.weight_base_yaw;
   return rows;
 }

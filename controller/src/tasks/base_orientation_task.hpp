@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tasks/task.hpp"
+#include "tasks/body_rows.hpp"
 
 namespace surefoot {
 
@@ -11,8 +11,8 @@ namespace surefoot {
 Vector3 base_angular_acceleration(const Gains& gains, const Reference& reference,
                                   const Dynamics& dynamics) noexcept;
 
-/// Rows of the base orientation, in base axes: the angular part of a_b = B f + c.
-TaskRows base_orientation_task(const Gains& gains, const Vector3& angular_acceleration_world,
-                               const Dynamics& dynamics, const Condensed& condensed) noexcept;
+/// Rows of the base's orientation, in world axes like its gains: R a_ang = alpha.
+BodyRows base_orientation_task(const Gains& gains, const Vector3& angular_acceleration_world,
+                               const Dynamics& dynamics) noexcept;
 
 }  // namespace surefoot

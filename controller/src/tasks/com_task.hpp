@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tasks/task.hpp"
+#include "tasks/body_rows.hpp"
 
 namespace surefoot {
 
@@ -12,6 +12,6 @@ Vector3 com_acceleration(const Gains& gains, const Reference& reference,
                          const Dynamics& dynamics) noexcept;
 
 /// Rows of the centre of mass: sum(f) / m + g = a, exact for any motion of the joints.
-TaskRows com_task(const Gains& gains, const Vector3& acceleration, double mass) noexcept;
+BodyRows com_task(const Gains& gains, const Vector3& acceleration, double mass) noexcept;
 
 }  // namespace surefoot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "tasks/task.hpp"
+#include "tasks/body_rows.hpp"
 
 namespace surefoot {
 

@@ -1,25 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wbc/limits.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 
 namespace {
 
+double clamp01(double x) noexcept { return std::min(std::max(x, 0.0), 1.0); }
+
 // From `lost` at no belief to `held` at full belief; nothing for a swing foot.
-double by_belief(double lost, double held, double contact, bool stance) noexcept {
-  const double belief = std::min(std::max(contact, 0.0), 1.0);
-  return stance ? lost + belief * (held - lost) : 0.0;
+double by_belief(double lost, double held, double contact, const FootReference& foot) noexcept {
+  const double share = lost + clamp01(contact) * (held - lost);
+  return foot.stance ? clamp01(foot.load) * share : 0.0;
 }
 
 }  // namespace
 
-TorqueLimits torque_limits(const RobotConfig& config, const Vector12& dq) noexcept {
-  TorqueLimits limits;
-  for (int i = 0; i < kMotors; ++i) {
-    limits(i, 0) = -motor_torque_limit(config, i, dq[i], -1.0);
-    limits(i, 1) = motor_torque_limit(config, i, dq[i], 1.0);
+void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
+                  const RobotState& state, JointLimits& out) noexcept {
+  const double r = gains.joint_limit_rate;
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const JointRow& joint = joints[k];
+    const double dq = state.v[joint.v];
+    const bool motor = joint.motor >= 0;
+    out.tau_upper[k] = motor ? motor_torque_limit(config, joint.motor, dq, 1.0) : joint.tau_max;
+    out.tau_lower[k] = motor ? -motor_torque_limit(config, joint.motor, dq, -1.0) : -joint.tau_max;
+
+    double lower = -r * (joint.dq_max + dq);
+    double upper = r * (joint.dq_max - dq);
+    if (joint.q >= 0) {
+      const double q = state.q[joint.q];
+      lower = std::max(lower, r * r * (joint.q_lower + gains.joint_limit_margin - q) - 2 * r * dq);
+      upper = std::min(upper, r * r * (joint.q_upper - gains.joint_limit_margin - q) - 2 * r * dq);
+    }
+    // Far outside both limits can contradict each other; then half of either is all there is.
+    if (lower > upper) lower = upper = 0.5 * (lower + upper);
+    out.a_lower[k] = lower;
+    out.a_upper[k] = upper;
   }
-  return limits;
 }
 
 Eigen::Vector4d normal_force_limits(const Gains& gains, double weight,
@@ -28,7 +47,7 @@ Eigen::Vector4d normal_force_limits(const Gains& gains, double weight,
   Eigen::Vector4d limits;
   for (int leg = 0; leg < kLegs; ++leg) {
     limits[leg] = weight * by_belief(gains.force_lost_contact, gains.force_max_contact,
-                                     contact[leg], reference.feet[leg].stance);
+                                     contact[leg], reference.feet[leg]);
   }
   return limits;
 }
@@ -37,8 +56,7 @@ Eigen::Vector4d load_shares(const Gains& gains, const Eigen::Vector4d& contact,
                             const Reference& reference) noexcept {
   Eigen::Vector4d shares;
   for (int leg = 0; leg < kLegs; ++leg) {
-    shares[leg] =
-        by_belief(gains.share_lost_contact, 1.0, contact[leg], reference.feet[leg].stance);
+    shares[leg] = by_belief(gains.share_lost_contact, 1.0, contact[leg], reference.feet[leg]);
   }
   return shares;
 }

@@ -1,21 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "surefoot/robot_config.hpp"
 #include "surefoot/types.hpp"
+#include "wbc/joint_table.hpp"
 
 namespace surefoot {
 
-/// Columns lower, upper; rows in SDK motor order [N.m].
-using TorqueLimits = Eigen::Matrix<double, kMotors, 2>;
+/// What the joints can give and may do at this instant, in the rows of a JointTable.
+struct JointLimits {
+  explicit JointLimits(int size)
+      : tau_lower(Eigen::VectorXd::Zero(size)),
+        tau_upper(tau_lower),
+        a_lower(tau_lower),
+        a_upper(tau_lower) {}
+  Eigen::VectorXd tau_lower, tau_upper;  ///< [N.m]
+  Eigen::VectorXd a_lower, a_upper;      ///< [rad/s^2] that keep position and velocity in range
+};
 
-/// What the motors can give at these joint velocities, SDK motor order [rad/s]. Real-time: yes.
-TorqueLimits torque_limits(const RobotConfig& config, const Vector12& dq) noexcept;
+/// Torques by the motors' torque-speed curve; accelerations by the approach to each limit,
+///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),
+/// and the same below. Lower <= upper always. Real-time: yes.
+void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
+                  const RobotState& state, JointLimits& out) noexcept;
 
 /// Greatest normal force of each foot [N], FR FL RR RL. Real-time: yes.
 ///
-/// It goes smoothly with the belief that the foot is on the ground, never to nothing while it is
-/// meant to stand: a foot wrongly believed lifted must be able to show its load. 0 in swing.
+/// It goes smoothly with the planned load and the belief that the foot is on the ground, never to
+/// nothing while it is meant to stand: a foot wrongly believed lifted must be able to show its
+/// load. 0 in swing.
 Eigen::Vector4d normal_force_limits(const Gains& gains, double weight,
                                     const Eigen::Vector4d& contact,
                                     const Reference& reference) noexcept;

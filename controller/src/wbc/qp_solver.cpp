@@ -14,34 +14,36 @@ namespace {
 
 namespace proxqp = proxsuite::proxqp;
 
-constexpr double kSolverTolerance = 1e-6;
-constexpr double kSolverGap = 1e-7;
-constexpr double kAcceptTolerance = 5e-6;  // ours; the same residuals, computed by us
-constexpr double kAcceptGap = 1e-6;
+constexpr double kSolverGap = 0.1;  // times the tolerance
+constexpr double kAccept = 5.0;     // the same, ours: residuals computed by us
 constexpr double kResidue = 1e-12;
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
 constexpr int kAttempts = 6;      // nothing, and on from there
-constexpr int kBudget = 100;      // inner iterations after which no further attempt begins
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
 bool finite(const QpProblem& p) {
   // NaN in l or u would silently drop that bound inside ProxQP; infinities are allowed there.
-  return p.H.allFinite() && p.g.allFinite() && p.C.allFinite() && !p.l.hasNaN() && !p.u.hasNaN();
+  return p.H.allFinite() && p.g.allFinite() && p.A.allFinite() && p.b.allFinite() &&
+         p.C.allFinite() && !p.l.hasNaN() && !p.u.hasNaN();
 }
 
 }  // namespace
 
 struct QpSolver::Workspace {
-  Workspace(int n, int n_in)
-      : qp(n, 0, n_in, false, proxqp::DenseBackend::PrimalDualLDLT), Cx(n_in), gradient(n) {}
+  Workspace(int n, int n_eq, int n_in)
+      : qp(n, n_eq, n_in, false, proxqp::DenseBackend::PrimalDualLDLT),
+        Ax(n_eq),
+        Cx(n_in),
+        gradient(n) {}
   proxqp::dense::QP<double> qp;
-  Eigen::VectorXd Cx, gradient;
+  Eigen::VectorXd Ax, Cx, gradient;
 };
 
-QpSolver::QpSolver(int n, int n_in) : workspace_(std::make_unique<Workspace>(n, n_in)) {
+QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
+    : workspace_(std::make_unique<Workspace>(n, n_eq, n_in)), tolerance_(tolerance) {
   auto& qp = workspace_->qp;
-  qp.settings.eps_abs = kSolverTolerance;
+  qp.settings.eps_abs = tolerance;
   qp.settings.eps_rel = 0.0;
   qp.settings.max_iter = kMaxOuter;
   qp.settings.max_iter_in = kMaxInner;
@@ -51,15 +53,14 @@ QpSolver::QpSolver(int n, int n_in) : workspace_(std::make_unique<Workspace>(n, 
   // Primal and dual residuals alone let it stop with multipliers on rows that are not active:
   // forces that look converged and are not optimal. The gap is what tells.
   qp.settings.check_duality_gap = true;
-  qp.settings.eps_duality_gap_abs = kSolverGap;
+  qp.settings.eps_duality_gap_abs = kSolverGap * tolerance;
   qp.settings.eps_duality_gap_rel = 0.0;
   qp.settings.default_mu_in = 1e-2;
   qp.settings.initial_guess = proxqp::InitialGuessStatus::WARM_START_WITH_PREVIOUS_RESULT;
   // Once through the front door for sizes and the identity preconditioner.
-  const QpProblem dummy(n, n_in);
+  const QpProblem dummy(n, n_eq, n_in);
   const RowMatrix identity = RowMatrix::Identity(n, n);
-  qp.init(identity, dummy.g, proxsuite::nullopt, proxsuite::nullopt, dummy.C, dummy.l, dummy.u,
-          false);
+  qp.init(identity, dummy.g, dummy.A, dummy.b, dummy.C, dummy.l, dummy.u, false);
 }
 
 QpSolver::~QpSolver() = default;
@@ -69,7 +70,17 @@ void QpSolver::reset() noexcept { has_answer_ = false; }
 const Eigen::VectorXd& QpSolver::x() const noexcept { return workspace_->qp.results.x; }
 const Eigen::VectorXd& QpSolver::z() const noexcept { return workspace_->qp.results.z; }
 
-QpResult QpSolver::solve(const QpProblem& problem) noexcept {
+const Eigen::VectorXd& QpSolver::y() const noexcept { return workspace_->qp.results.y; }
+
+void QpSolver::start_from(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
+                          const Eigen::VectorXd& z) noexcept {
+  workspace_->qp.results.x = x;
+  workspace_->qp.results.y = y;
+  workspace_->qp.results.z = z;
+  has_answer_ = true;
+}
+
+QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
   QpResult result;
   if (!finite(problem)) {
     result.status = Status::kNonFinite;
@@ -86,7 +97,7 @@ QpResult QpSolver::solve(const QpProblem& problem) noexcept {
     if (attempt == kWarmAttempts || !x().allFinite()) forget();
     result = run(problem);
     spent += result.iterations;
-    if (result.status == Status::kOk || spent >= kBudget) break;
+    if (result.status == Status::kOk || spent >= budget) break;
     drop_slack_multipliers();
   }
   result.iterations = spent;
@@ -96,6 +107,7 @@ QpResult QpSolver::solve(const QpProblem& problem) noexcept {
 
 void QpSolver::forget() noexcept {
   workspace_->qp.results.x.setZero();
+  workspace_->qp.results.y.setZero();
   workspace_->qp.results.z.setZero();
 }
 
@@ -104,12 +116,12 @@ void QpSolver::forget() noexcept {
 void QpSolver::drop_slack_multipliers() noexcept {
   auto& z = workspace_->qp.results.z;
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    if (!(gap(i) <= kAcceptGap)) z[i] = 0.0;
+    if (!(gap(i) <= tolerance_)) z[i] = 0.0;
   }
 }
 
 double QpSolver::gap(Eigen::Index i) const noexcept {
-  const auto& [qp, Cx, gradient] = *workspace_;
+  const auto& [qp, Ax, Cx, gradient] = *workspace_;
   const double z = qp.results.z[i];
   const double bound = z > 0.0 ? qp.model.u[i] : qp.model.l[i];
   // A multiplier on a side that has no bound is wrong by its whole size.
@@ -120,6 +132,8 @@ void QpSolver::write(const QpProblem& problem) noexcept {
   auto& model = workspace_->qp.model;
   model.H = problem.H;
   model.g = problem.g;
+  model.A = problem.A;
+  model.b = problem.b;
   model.C = problem.C;
   model.l = problem.l.cwiseMax(-kNoBound);
   model.u = problem.u.cwiseMin(kNoBound);
@@ -133,6 +147,8 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
   work.cleanup(false);
   work.H_scaled = qp.model.H;
   work.g_scaled = qp.model.g;
+  work.A_scaled = qp.model.A;
+  work.b_scaled = qp.model.b;
   work.C_scaled = qp.model.C;
   work.l_scaled = qp.model.l;
   work.u_scaled = qp.model.u;
@@ -142,6 +158,8 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
   work.refactorize = true;
   auto& info = qp.results.info;
   info.rho = qp.settings.default_rho;
+  info.mu_eq = qp.settings.default_mu_eq;
+  info.mu_eq_inv = 1.0 / info.mu_eq;
   info.mu_in = qp.settings.default_mu_in;
   info.mu_in_inv = 1.0 / info.mu_in;
   qp.results.cleanup_statistics();
@@ -152,21 +170,28 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
 
 // Our own residuals on the program as we posed it; the solver's word decides nothing.
 QpResult QpSolver::check(const QpProblem& problem) noexcept {
-  auto& [qp, Cx, gradient] = *workspace_;
+  auto& [qp, Ax, Cx, gradient] = *workspace_;
   const auto& results = qp.results;
   Cx.noalias() = problem.C * results.x;
   gradient = problem.g;
   gradient.noalias() += problem.H * results.x;
   gradient.noalias() += problem.C.transpose() * results.z;
+  if (Ax.size() > 0) {
+    Ax.noalias() = problem.A * results.x;
+    gradient.noalias() += problem.A.transpose() * results.y;
+  }
 
   QpResult out;
   out.iterations = static_cast<int>(results.info.iter);
   out.primal_residual = std::max({0.0, (problem.l - Cx).maxCoeff(), (Cx - problem.u).maxCoeff()});
+  if (Ax.size() > 0) {
+    out.primal_residual = std::max(out.primal_residual, (Ax - problem.b).lpNorm<Eigen::Infinity>());
+  }
   out.dual_residual = gradient.lpNorm<Eigen::Infinity>();
   for (Eigen::Index i = 0; i < Cx.size(); ++i) out.gap = std::max(out.gap, gap(i));
-  const bool accepted = results.x.allFinite() && results.z.allFinite() &&
-                        out.primal_residual <= kAcceptTolerance &&
-                        out.dual_residual <= kAcceptTolerance && out.gap <= kAcceptGap;
+  const bool accepted = results.x.allFinite() && results.z.allFinite() && results.y.allFinite() &&
+                        out.primal_residual <= kAccept * tolerance_ &&
+                        out.dual_residual <= kAccept * tolerance_ && out.gap <= tolerance_;
   const bool infeasible = results.info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||
                           results.info.status == proxqp::QPSolverOutput::PROXQP_DUAL_INFEASIBLE;
   out.status = accepted ? Status::kOk : infeasible ? Status::kInfeasible : Status::kMaxIterations;

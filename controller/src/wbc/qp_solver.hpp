@@ -4,35 +4,16 @@
 #include <memory>
 
 #include "surefoot/types.hpp"
+#include "wbc/qp_problem.hpp"
 
 namespace surefoot {
-
-/// What l or u hold where there is no bound; ProxQP's own word for it.
-constexpr double kNoBound = 1e20;
-
-/// Row-major, as ProxQP stores its data.
-using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// minimise 1/2 x'H x + g'x  subject to  l <= C x <= u
-struct QpProblem {
-  QpProblem(int n, int n_in)
-      : H(RowMatrix::Zero(n, n)),
-        g(Eigen::VectorXd::Zero(n)),
-        C(RowMatrix::Zero(n_in, n)),
-        l(Eigen::VectorXd::Zero(n_in)),
-        u(Eigen::VectorXd::Zero(n_in)) {}
-  RowMatrix H;
-  Eigen::VectorXd g;
-  RowMatrix C;
-  Eigen::VectorXd l, u;
-};
 
 /// A program's answer as we checked it ourselves.
 struct QpResult {
   Status status = Status::kWaiting;
   int iterations = 0;            ///< inner iterations
-  double primal_residual = 0.0;  ///< greatest violation of l <= C x <= u
-  double dual_residual = 0.0;    ///< greatest entry of H x + g + C'z
+  double primal_residual = 0.0;  ///< greatest violation of A x = b, l <= C x <= u
+  double dual_residual = 0.0;    ///< greatest entry of H x + g + A'y + C'z
   double gap = 0.0;              ///< greatest |z_i| times row i's distance from its bound
 };
 
@@ -42,17 +23,25 @@ struct QpResult {
 /// preconditioner. Real-time: solve() yes, allocates nothing.
 class QpSolver {
  public:
-  QpSolver(int n, int n_in);
+  /// @param tolerance of the residuals; what is accepted is 5 times that
+  QpSolver(int n, int n_eq, int n_in, double tolerance);
   ~QpSolver();
 
   /// Solve, warm started from the last answer; go on from a corrected one while our check fails,
   /// and at last from nothing.
-  QpResult solve(const QpProblem& problem) noexcept;
+  /// @param budget inner iterations after which no further attempt begins
+  QpResult solve(const QpProblem& problem, int budget = kBudget) noexcept;
+  static constexpr int kBudget = 100;
 
   /// Forget the last answer: the next solve starts cold.
   void reset() noexcept;
 
+  /// Start the next solve from here instead, e.g. from another program's answer.
+  void start_from(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
+                  const Eigen::VectorXd& z) noexcept;
+
   const Eigen::VectorXd& x() const noexcept;
+  const Eigen::VectorXd& y() const noexcept;  ///< multipliers of A x = b
   const Eigen::VectorXd& z() const noexcept;  ///< multipliers of l <= C x <= u
 
  private:
@@ -64,6 +53,7 @@ class QpSolver {
   void drop_slack_multipliers() noexcept;
   void forget() noexcept;
   std::unique_ptr<Workspace> workspace_;
+  double tolerance_;
   bool has_answer_ = false;
 };
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "surefoot/gains.hpp"
+#include "surefoot/types.hpp"
+
+namespace surefoot {
+
+using Matrix3x12 = Eigen::Matrix<double, 3, 3 * kLegs>;
+
+/// Three rows of the cost: A_base a_b + A_force f = b is wanted, and missed as cheaply as `weight`
+/// says. Every task of the body is of this kind, in either form of the program.
+///
+/// a_b: acceleration of the base, Pinocchio's local axes. f: contact forces [N], FR FL RR RL, world
+/// axes. b: an acceleration [m/s^2], [rad/s^2] or a moment [N.m].
+struct BodyRows {
+  Matrix36 A_base = Matrix36::Zero();
+  Matrix3x12 A_force = Matrix3x12::Zero();
+  Vector3 b = Vector3::Zero();
+  Vector3 weight = Vector3::Zero();
+  double scale = 1.0;  ///< brings the rows to length one, so that a weight means the same for all
+};
+
+}  // namespace surefoot

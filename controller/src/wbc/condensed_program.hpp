@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "wbc/condensation.hpp"
+#include "wbc/joint_table.hpp"
+#include "wbc/program_layout.hpp"
+#include "wbc/program_terms.hpp"
+#include "wbc/qp_problem.hpp"
+
+namespace surefoot {
+
+/// The program on the contact forces alone, 12 variables in units of a quarter of the weight.
+///
+/// f = 0 always satisfies its hard rows, and its elastic rows give way: feasible by construction.
+/// Real-time: pose() and read() yes.
+class CondensedProgram {
+ public:
+  CondensedProgram(const JointTable& joints, const ProgramUnits& units);
+
+  /// Write the program; false when a leg is too close to singular for this form.
+  bool pose(const Dynamics& dynamics, const ProgramTerms& terms) noexcept;
+
+  const QpProblem& problem() const noexcept { return problem_; }
+  /// Factor that brought the cost to trace(H) = n; prices of slacks go with it.
+  double cost_scale() const noexcept { return cost_scale_; }
+
+  /// Turn an answer into forces [N], accelerations (Pinocchio's order) and torques (table's order).
+  void read(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
+            Eigen::VectorXd& torques) const noexcept;
+
+ private:
+  void write_cost(const ProgramTerms& terms) noexcept;
+  void add_body(const BodyRows& rows) noexcept;
+  void add_posture(const ProgramTerms& terms) noexcept;
+  void add_custom(const TaskRows& rows, const Eigen::VectorXd& wanted) noexcept;
+  void write_joint_rows(const ProgramTerms& terms) noexcept;
+
+  ProgramUnits units_;
+  ProgramLayout layout_;
+  Condensed condensed_;
+  Matrix12 joint_from_force_;  // leg accelerations = this f + joint_bias_, motor order
+  Vector12 joint_bias_;
+  Vector12 tau_max_;
+  std::array<int, kMotors> motor_to_v_;
+  QpProblem problem_;
+  double cost_scale_ = 1.0;
+};
+
+}  // namespace surefoot

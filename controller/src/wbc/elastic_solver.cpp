@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/elastic_solver.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kPatience = 40;    // inner iterations before a hard program counts as impossible
+constexpr int kQuietTicks = 10;  // without slack before the hard program is tried again
+constexpr double kSlack = 1e-5;  // more of it is giving way
+
+int elastic_count(const ElasticRows& rows) {
+  int count = 0;
+  for (const int group : rows.group) count += group >= 0 ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+// Rows of the large program: the hard rows and the upper sides of the elastic ones where they were,
+// then the lower sides, then s >= 0.
+ElasticSolver::ElasticSolver(int n, int n_eq, const ElasticRows& rows, double tolerance)
+    : n_(n),
+      n_in_(static_cast<int>(rows.group.size())),
+      rows_(rows),
+      elastic_(n + rows.groups, n_eq, n_in_ + elastic_count(rows) + rows.groups),
+      hard_solver_(n, n_eq, n_in_, tolerance),
+      elastic_solver_(n + rows.groups, n_eq, n_in_ + elastic_count(rows) + rows.groups, tolerance),
+      x_(Eigen::VectorXd::Zero(n)),
+      slack_(Eigen::VectorXd::Zero(rows.groups)),
+      charged_(Eigen::VectorXd::Zero(rows.groups)) {
+  int next = n_in_;
+  for (int row = 0; row < n_in_; ++row) {
+    lower_row_.push_back(rows.group[row] >= 0 ? next++ : -1);
+    if (rows.group[row] < 0) continue;
+    elastic_.C(row, n_ + rows.group[row]) = -1.0;
+    elastic_.C(lower_row_[row], n_ + rows.group[row]) = 1.0;
+  }
+  for (int k = 0; k < rows.groups; ++k) elastic_.C(next + k, n_ + k) = 1.0;
+  elastic_.l.setConstant(-kNoBound);
+  elastic_.u.setConstant(kNoBound);
+  elastic_.l.tail(rows.groups).setZero();
+}
+
+void ElasticSolver::reset() noexcept {
+  hard_solver_.reset();
+  elastic_solver_.reset();
+  yielding_ = false;
+}
+
+QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& price,
+                              double curvature) noexcept {
+  int spent = 0;
+  if (!yielding_) {
+    QpResult result = hard_solver_.solve(problem, kPatience);
+    if (result.status == Status::kNonFinite) return result;
+    if (result.status == Status::kOk && within_price(price)) {
+      x_ = hard_solver_.x();
+      slack_.setZero();
+      return result;
+    }
+    spent = result.iterations;
+    elastic_solver_.reset();
+  }
+  write_elastic(problem, price, curvature);
+  QpResult result = solve_elastic();
+  result.iterations += spent;
+  return result;
+}
+
+bool ElasticSolver::within_price(const Eigen::VectorXd& price) noexcept {
+  charged_.setZero();
+  for (int row = 0; row < n_in_; ++row) {
+    if (rows_.group[row] >= 0) charged_[rows_.group[row]] += std::abs(hard_solver_.z()[row]);
+  }
+  return (charged_.array() <= price.array()).all();
+}
+
+void ElasticSolver::write_elastic(const QpProblem& problem, const Eigen::VectorXd& price,
+                                  double curvature) noexcept {
+  elastic_.H.topLeftCorner(n_, n_) = problem.H;
+  elastic_.H.bottomRightCorner(rows_.groups, rows_.groups).diagonal().setConstant(curvature);
+  elastic_.g.head(n_) = problem.g;
+  elastic_.g.tail(rows_.groups) = price;
+  elastic_.A.leftCols(n_) = problem.A;
+  elastic_.b = problem.b;
+  elastic_.C.topLeftCorner(n_in_, n_) = problem.C;
+  elastic_.u.head(n_in_) = problem.u;
+  for (int row = 0; row < n_in_; ++row) {
+    const int lower = lower_row_[row];
+    if (lower < 0) {
+      elastic_.l[row] = problem.l[row];
+    } else {
+      elastic_.C.row(lower).head(n_) = problem.C.row(row);
+      elastic_.l[lower] = problem.l[row];
+    }
+  }
+}
+
+QpResult ElasticSolver::solve_elastic() noexcept {
+  QpResult result = elastic_solver_.solve(elastic_);
+  if (result.status == Status::kNonFinite) return result;
+  x_ = elastic_solver_.x().head(n_);
+  slack_ = elastic_solver_.x().tail(rows_.groups);
+  const bool gave = slack_.maxCoeff() > kSlack || result.status != Status::kOk;
+  quiet_ticks_ = gave ? 0 : quiet_ticks_ + 1;
+  yielding_ = quiet_ticks_ < kQuietTicks;
+  return result;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/force_rows.hpp"
+
+#include "wbc/friction_cone.hpp"
+
+namespace surefoot {
+
+void write_force_rows(const ProgramTerms& terms, int first, double unit, QpProblem& out) noexcept {
+  constexpr int kRows = ProgramLayout::kFootRows;
+  const ConeRows cone = friction_cone(terms.ground_normal, terms.friction);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    auto C = out.C.block<kRows, 3>(leg * kRows, first + 3 * leg);
+    auto l = out.l.segment<kRows>(leg * kRows);
+    auto u = out.u.segment<kRows>(leg * kRows);
+    l.setConstant(-kNoBound);
+    if (terms.normal_max[leg] > 0.0) {
+      C << cone, terms.ground_normal.transpose();
+      u.setZero();
+      l[kFacets] = 0.0;
+      u[kFacets] = terms.normal_max[leg] / unit;
+    } else {
+      // No force at all: three rows that say so. All facets of an empty cone would meet in one
+      // point, and a solver gropes among their multipliers.
+      C.setZero();
+      C.topRows<3>().setIdentity();
+      l.head<3>().setZero();
+      u.setConstant(kNoBound);
+      u.head<3>().setZero();
+    }
+    const int hold = ProgramLayout::kHard + leg;
+    out.C.block<1, 3>(hold, first + 3 * leg) = terms.ground_normal.transpose();
+    out.l[hold] = terms.hold_down[leg] > 0.0 ? terms.hold_down[leg] / unit : -kNoBound;
+    out.u[hold] = kNoBound;
+  }
+}
+
+}  // namespace surefoot

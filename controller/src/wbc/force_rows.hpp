@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "wbc/program_layout.hpp"
+#include "wbc/program_terms.hpp"
+#include "wbc/qp_problem.hpp"
+
+namespace surefoot {
+
+/// Write friction, normal force and hold-down: rows on the contact forces, alike in both forms.
+/// @param first column of the forces in x @param unit [N] of a force variable
+/// Real-time: yes.
+void write_force_rows(const ProgramTerms& terms, int first, double unit, QpProblem& out) noexcept;
+
+}  // namespace surefoot

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/form_selector.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+constexpr double kSmallestDepth = 0.05;  // [m] of a stance foot below its hip axis
+constexpr double kBackDepth = 0.06;      // [m] it has to come down again by
+constexpr double kBackDeterminant = 1.2;
+}  // namespace
+
+Form FormSelector::update(const Dynamics& dynamics, const Reference& reference,
+                          Form wanted) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const LegDynamics& L = dynamics.legs()[leg];
+    const double determinant = std::abs(L.J_leg.determinant()) / smallest_determinant_;
+    const bool deep =
+        L.depth > (singular_[leg] ? kBackDepth : kSmallestDepth) || !reference.feet[leg].stance;
+    singular_[leg] = !deep || determinant < (singular_[leg] ? kBackDeterminant : 1.0);
+  }
+  if (wanted != Form::kAuto) return wanted;
+  const bool any = std::any_of(singular_.begin(), singular_.end(), [](bool s) { return s; });
+  return dynamics.condensable() && !any ? Form::kCondensed : Form::kGeneral;
+}
+
+}  // namespace surefoot

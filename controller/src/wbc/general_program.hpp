@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "wbc/joint_table.hpp"
+#include "wbc/program_layout.hpp"
+#include "wbc/program_terms.hpp"
+#include "wbc/qp_problem.hpp"
+
+namespace surefoot {
+
+/// The program on accelerations and contact forces, x = [a / unit, f / unit]: for any pose and any
+/// further joints. The same tasks and limits as CondensedProgram, and the same answer where both
+/// hold.
+///   equalities: the base's six equations of motion; the feet's accelerations
+///   torques:    eliminated, tau = M_j a + h_j - J_j' f, rows of the inequalities
+/// The cost holds a multiple of the squared equality rows too: it is zero wherever they hold, so it
+/// moves nothing, and makes H positive definite. Real-time: pose() and read() yes.
+class GeneralProgram {
+ public:
+  GeneralProgram(int nv, const JointTable& joints, const ProgramUnits& units);
+
+  void pose(const Dynamics& dynamics, const ProgramTerms& terms) noexcept;
+
+  const QpProblem& problem() const noexcept { return problem_; }
+  double cost_scale() const noexcept { return cost_scale_; }
+  const ProgramLayout& layout() const noexcept { return layout_; }
+
+  /// As CondensedProgram::read().
+  void read(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
+            Eigen::VectorXd& torques) const noexcept;
+
+ private:
+  void write_equalities(const Dynamics& dynamics, const ProgramTerms& terms) noexcept;
+  void write_joint_rows(const ProgramTerms& terms) noexcept;
+  void write_cost(const Dynamics& dynamics, const ProgramTerms& terms) noexcept;
+  void add_body(const BodyRows& rows) noexcept;
+  void add_row(double weight, double b) noexcept;
+  void add_soft_foot(const Dynamics& dynamics, const ProgramTerms& terms, int leg) noexcept;
+
+  int nv_;
+  JointTable joints_;
+  ProgramUnits units_;
+  ProgramLayout layout_;
+  FullDynamics full_;
+  Eigen::VectorXd unit_;  // of each variable
+  Eigen::VectorXd row_;   // one row of the cost, in units
+  QpProblem problem_;
+  double cost_scale_ = 1.0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "surefoot/gains.hpp"
+#include "surefoot/types.hpp"
+
+namespace surefoot {
+
+/// Distance of the capture point, p_com + v_com / omega on the ground, inside the support polygon's
+/// nearest edge [m]; negative outside, 0 with fewer than three stance feet. Real-time: yes.
+/// Source: Pratt et al. 2006, eq. 4.
+double capture_margin(const Dynamics& dynamics, const Reference& reference) noexcept;
+
+/// Least normal force wanted of each foot [N], FR FL RR RL. Real-time: yes.
+///
+/// Feet that are pressed down do not slide or lift; but the last newtons of a foot are also the
+/// last millimetres of the support. So it fades as the capture point nears the edge.
+Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, const Dynamics& dynamics,
+                                 const Eigen::Vector4d& contact,
+                                 const Reference& reference) noexcept;
+
+}  // namespace surefoot

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/input_check.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kUnitTolerance = 1e-3;  // unit quaternions and normals are relied on
+
+bool finite(const Reference& r) noexcept {
+  bool good = r.p_com.allFinite() && r.v_com.allFinite() && r.a_com.allFinite() &&
+              r.p_base.allFinite() && r.v_base.allFinite() && r.a_base.allFinite() &&
+              r.R_world_base.coeffs().allFinite() && r.w_world_base.allFinite() &&
+              r.alpha_world_base.allFinite() && r.L_com.allFinite() && r.Ldot_com.allFinite() &&
+              r.posture.allFinite() && r.ground_normal.allFinite();
+  for (const FootReference& foot : r.feet) {
+    good = good && foot.p_world.allFinite() && foot.v_world.allFinite() &&
+           foot.a_world.allFinite() && foot.f_world.allFinite() && std::isfinite(foot.load);
+  }
+  return good;
+}
+
+}  // namespace
+
+Status check_state(const RobotState& state, const Robot& robot) noexcept {
+  if (state.q.size() != robot.nq() || state.v.size() != robot.nv()) return Status::kWrongSize;
+  if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite()) {
+    return Status::kNonFinite;
+  }
+  const double norm = state.q.segment<4>(3).norm();
+  return std::abs(norm - 1.0) > kUnitTolerance ? Status::kBadQuaternion : Status::kOk;
+}
+
+Status check_reference(const Reference& r, const Robot& robot) noexcept {
+  if (r.posture.size() != 0 && r.posture.size() != robot.nv() - 6) return Status::kWrongSize;
+  if (!finite(r)) return Status::kNonFinite;
+  const bool sound = std::abs(r.R_world_base.norm() - 1.0) <= kUnitTolerance &&
+                     std::abs(r.ground_normal.norm() - 1.0) <= kUnitTolerance &&
+                     r.ground_normal.z() > 0.1;
+  return sound ? Status::kOk : Status::kBadReference;
+}
+
+}  // namespace surefoot

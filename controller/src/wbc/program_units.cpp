@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <limits>
+
+#include "dynamics/dynamics.hpp"
+#include "surefoot/error.hpp"
+#include "wbc/program_layout.hpp"
+
+namespace surefoot {
+
+namespace {
+
+// A leg's Jacobian may shrink to this share of what it is in the standing pose: less is a knee
+// nearly straight or a foot near hip height, where accelerations run away.
+constexpr double kSmallestShare = 0.1;
+
+// Base acceleration per force with all joints locked: a rigid body's, m and I about the centre.
+Vector3 angular_row_lengths(const Dynamics& dynamics) {
+  const Matrix3 inverse = dynamics.I_world_com().inverse();
+  Eigen::Matrix<double, 3, 12> rows;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 arm = dynamics.legs()[leg].p_world_contact - dynamics.p_world_com();
+    rows.middleCols<3>(3 * leg) = inverse * skew(arm);
+  }
+  return rows.rowwise().norm();
+}
+
+}  // namespace
+
+ProgramUnits::ProgramUnits(const Robot& robot) {
+  Dynamics dynamics(robot);
+  dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  double determinant = std::numeric_limits<double>::infinity();
+  double depth = 0.0, arm_squared = 0.0;
+  for (const LegDynamics& leg : dynamics.legs()) {
+    determinant = std::min(determinant, std::abs(leg.J_leg.determinant()));
+    depth += leg.depth / kLegs;
+    arm_squared += (leg.p_world_contact - dynamics.p_world_com()).squaredNorm() / kLegs;
+  }
+  if (!(determinant > 1e-9 && depth > 0.0)) {
+    throw Error("robot '" + robot.config().name +
+                "': a leg is singular in the standing pose; expected every foot well below its hip "
+                "and no straight knee");
+  }
+  force = robot.mass() * kGravity / kLegs;
+  length = depth;
+  linear = kGravity;
+  angular = kGravity / length;
+  scale_com = robot.mass() / std::sqrt(double(kLegs)) / force;
+  scale_base = scale_com;
+  scale_angular = 1.0 / angular_row_lengths(dynamics).mean() / force;
+  scale_momentum = 1.0 / std::sqrt(2.0 * kLegs * arm_squared / 3.0) / force;
+  smallest_determinant = kSmallestShare * determinant;
+}
+
+}  // namespace surefoot

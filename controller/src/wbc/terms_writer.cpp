@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/terms_writer.hpp"
+
+#include "tasks/base_orientation_task.hpp"
+#include "tasks/base_position_task.hpp"
+#include "tasks/com_task.hpp"
+#include "tasks/foot_task.hpp"
+#include "tasks/force_task.hpp"
+#include "tasks/momentum_task.hpp"
+#include "tasks/posture_task.hpp"
+#include "wbc/hold_down.hpp"
+
+namespace surefoot {
+
+namespace {
+
+bool sound(const TaskRows& rows, Eigen::Index count, int nv) noexcept {
+  return rows.A_a.rows() == count && rows.A_a.cols() == nv && rows.A_f.rows() == count &&
+         rows.A_f.cols() == ProgramLayout::kForces && rows.b.size() == count &&
+         rows.weight.size() == count && rows.A_a.allFinite() && rows.A_f.allFinite() &&
+         rows.b.allFinite() && rows.weight.allFinite() && (rows.weight.array() >= 0.0).all();
+}
+
+}  // namespace
+
+TermsWriter::TermsWriter(const Robot& robot)
+    : robot_(robot),
+      units_(robot),
+      joints_(make_joint_table(robot)),
+      terms_(static_cast<int>(joints_.size())) {
+  terms_.friction = robot.config().friction;
+}
+
+void TermsWriter::add_task(std::shared_ptr<Task> task) {
+  const int rows = task->rows();
+  terms_.custom.push_back(
+      {std::move(task), TaskRows(rows, robot_.nv()), Eigen::VectorXd::Zero(rows)});
+}
+
+Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
+                          const Reference& reference, const std::array<bool, kLegs>& singular,
+                          const FeetMatrix& previous) noexcept {
+  const double weight = robot_.mass() * kGravity;
+  terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
+  terms_.soft_foot = singular;
+  terms_.weight_foot_soft = gains.weight_foot_soft;
+  terms_.ground_normal = reference.ground_normal;
+  terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
+  terms_.hold_down = hold_down_forces(gains, weight, dynamics, state.contact, reference);
+  joint_limits(robot_.config(), joints_, gains, state, terms_.limits);
+  write_body(gains, dynamics, state, reference);
+  write_forces(gains, reference, even_, previous);
+  write_posture(gains, state, reference);
+  return write_custom(dynamics, state);
+}
+
+void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
+                             const Reference& reference) noexcept {
+  const bool base = reference.body_point == BodyPoint::kBase;
+  const Vector3 a = base ? base_acceleration(gains, reference, dynamics)
+                         : com_acceleration(gains, reference, dynamics);
+  const Vector3 alpha = base_angular_acceleration(gains, reference, dynamics);
+  auto& [position, orientation, momentum] = terms_.body;
+  position = base ? base_position_task(gains, a, dynamics) : com_task(gains, a, robot_.mass());
+  position.scale = base ? units_.scale_base : units_.scale_com;
+  orientation = base_orientation_task(gains, alpha, dynamics);
+  orientation.scale = units_.scale_angular;
+  terms_.body_tasks = 2;
+  if (gains.weight_momentum > 0.0) {
+    momentum = momentum_task(gains, reference, dynamics);
+    momentum.scale = units_.scale_momentum;
+    terms_.body_tasks = 3;
+  }
+  even_ =
+      even_forces(dynamics, robot_.mass() * (a + kGravity * Vector3::UnitZ()),
+                  turning_moment(dynamics, alpha), load_shares(gains, state.contact, reference));
+}
+
+// Two pulls on the forces, evenness and smoothness, are one pull to their weighted mean.
+void TermsWriter::write_forces(const Gains& gains, const Reference& reference, const Vector12& even,
+                               const FeetMatrix& previous) noexcept {
+  Vector12 wanted = even;
+  if (reference.use_forces) {
+    for (int leg = 0; leg < kLegs; ++leg) {
+      wanted.segment<3>(3 * leg) = reference.feet[leg].f_world;
+    }
+  }
+  terms_.weight_force = gains.weight_force + gains.weight_smooth;
+  const double smooth = gains.weight_smooth / terms_.weight_force;
+  terms_.forces = (1.0 - smooth) * wanted + smooth * previous.reshaped();
+}
+
+void TermsWriter::write_posture(const Gains& gains, const RobotState& state,
+                                const Reference& reference) noexcept {
+  terms_.has_posture = gains.weight_posture > 0.0;
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const int group = joints_[k].group;
+    const bool free = group == kLegs || terms_.soft_foot[group];
+    terms_.posture_weight[k] =
+        free ? std::max(gains.weight_posture, gains.weight_posture_free) : gains.weight_posture;
+    terms_.has_posture = terms_.has_posture || free;
+  }
+  if (terms_.has_posture) {
+    posture_accelerations(gains, joints_, state, reference.posture, terms_.posture);
+  }
+}
+
+Status TermsWriter::write_custom(const Dynamics& dynamics, const RobotState& state) noexcept {
+  for (auto& [task, rows, b] : terms_.custom) {
+    if (!task->write(state, rows) || !sound(rows, b.size(), robot_.nv())) return Status::kBadTask;
+    // The program's base acceleration is that of the frame its dynamics were computed in.
+    b = rows.b;
+    b.noalias() -= rows.A_a.leftCols<3>() * dynamics.a_base_shift();
+  }
+  return Status::kOk;
+}
+
+}  // namespace surefoot

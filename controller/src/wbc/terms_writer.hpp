@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "wbc/program_layout.hpp"
+#include "wbc/program_terms.hpp"
+
+namespace surefoot {
+
+/// Turns state, reference and gains into what the program is asked. Real-time: write() yes.
+class TermsWriter {
+ public:
+  explicit TermsWriter(const Robot& robot);
+
+  void add_task(std::shared_ptr<Task> task);
+
+  /// @param singular legs whose foot may not be met exactly @param previous forces [N], (3, 4)
+  /// @return kOk, or kBadTask
+  Status write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
+               const Reference& reference, const std::array<bool, kLegs>& singular,
+               const FeetMatrix& previous) noexcept;
+
+  const ProgramTerms& terms() const noexcept { return terms_; }
+
+ private:
+  void write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
+                  const Reference& reference) noexcept;
+  void write_forces(const Gains& gains, const Reference& reference, const Vector12& even,
+                    const FeetMatrix& previous) noexcept;
+  void write_posture(const Gains& gains, const RobotState& state,
+                     const Reference& reference) noexcept;
+  Status write_custom(const Dynamics& dynamics, const RobotState& state) noexcept;
+
+  Robot robot_;
+  ProgramUnits units_;
+  JointTable joints_;
+  ProgramTerms terms_;
+  Vector12 even_ = Vector12::Zero();
+};
+
+}  // namespace surefoot

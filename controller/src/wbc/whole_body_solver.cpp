@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/whole_body_solver.hpp"
+
+#include "surefoot/error.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kSaturated = 1e-3;  // share of tau_max that the clip may take off unnoticed
+constexpr double kCurvature = 1.0;   // of the slacks' cost, before scaling
+
+ElasticRows elastic_rows(const JointTable& joints) {
+  const ProgramLayout layout(static_cast<int>(joints.size()));
+  ElasticRows rows;
+  rows.groups = ProgramLayout::kGroups;
+  rows.group.assign(layout.rows(), -1);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    rows.group[layout.hold_down() + leg] = ProgramLayout::hold_down_group(leg);
+  }
+  for (int k = 0; k < layout.joints; ++k) {
+    rows.group[layout.torque() + k] = ProgramLayout::torque_group(joints[k].group);
+    rows.group[layout.acceleration() + k] = ProgramLayout::acceleration_group(joints[k].group);
+  }
+  return rows;
+}
+
+JointTable motors_only(const JointTable& joints) {
+  return JointTable(joints.begin(), joints.begin() + kMotors);
+}
+
+}  // namespace
+
+WholeBodySolver::WholeBodySolver(const Robot& robot, const WholeBodyOptions& options)
+    : robot_(robot),
+      options_(options),
+      joints_(make_joint_table(robot)),
+      units_(robot),
+      selector_(units_.smallest_determinant),
+      condensed_(joints_, units_),
+      general_(robot.nv(), joints_, units_),
+      condensed_solver_(ProgramLayout::kForces, 0, elastic_rows(motors_only(joints_)),
+                        options.tolerance),
+      general_solver_(robot.nv() + ProgramLayout::kForces, 6 + ProgramLayout::kForces,
+                      elastic_rows(joints_), options.tolerance),
+      price_(Eigen::VectorXd::Zero(ProgramLayout::kGroups)),
+      accelerations_(Eigen::VectorXd::Zero(robot.nv())),
+      torques_(Eigen::VectorXd::Zero(robot.nv() - 6)) {
+  if (options.form == Form::kCondensed && !Dynamics(robot).condensable()) {
+    throw Error("robot '" + robot.config().name +
+                "': the condensed form got nv = " + std::to_string(robot.nv()) +
+                ", expected 18: a free base and four chains of three joints (hip, thigh, calf); "
+                "use form 'general' or 'auto', or make other joints fixed");
+  }
+}
+
+void WholeBodySolver::reset() noexcept {
+  condensed_solver_.reset();
+  general_solver_.reset();
+}
+
+const std::array<bool, kLegs>& WholeBodySolver::select(const Dynamics& dynamics,
+                                                       const Reference& reference) noexcept {
+  form_ = selector_.update(dynamics, reference, options_.form);
+  return selector_.singular();
+}
+
+const QpProblem& WholeBodySolver::problem() const noexcept {
+  return form_ == Form::kCondensed ? condensed_.problem() : general_.problem();
+}
+
+const ElasticSolver& WholeBodySolver::elastic() const noexcept {
+  return form_ == Form::kCondensed ? condensed_solver_ : general_solver_;
+}
+
+void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
+                            Solution& out) noexcept {
+  const bool condensed = form_ == Form::kCondensed;
+  if (condensed && !condensed_.pose(dynamics, terms)) {
+    out.status = Status::kSingular;
+    return;
+  }
+  if (!condensed) general_.pose(dynamics, terms);
+  const double scale = condensed ? condensed_.cost_scale() : general_.cost_scale();
+  price_.head<kLegs>().setConstant(scale * gains.penalty_hold_down);
+  price_.segment<ProgramLayout::kLegGroups>(kLegs).setConstant(scale * gains.penalty_torque);
+  price_.tail<ProgramLayout::kLegGroups>().setConstant(scale * gains.penalty_joint_limit);
+  ElasticSolver& solver = condensed ? condensed_solver_ : general_solver_;
+  const QpResult result = solver.solve(problem(), price_, scale * kCurvature);
+  out.status = result.status;
+  out.iterations = result.iterations;
+  out.primal_residual = result.primal_residual;
+  out.dual_residual = result.dual_residual;
+  if (result.status != Status::kOk) return;
+  if (condensed) {
+    condensed_.read(solver.x(), forces_, accelerations_, torques_);
+  } else {
+    general_.read(solver.x(), forces_, accelerations_, torques_);
+  }
+  out.form = form_;
+  write(dynamics, terms.limits, out);
+}
+
+void WholeBodySolver::write(const Dynamics& dynamics, const JointLimits& limits,
+                            Solution& out) noexcept {
+  const Eigen::VectorXd& slack = elastic().slack();
+  out.accelerations = accelerations_;
+  out.accelerations.head<3>() += dynamics.a_base_shift();
+  out.forces = Eigen::Map<const FeetMatrix>(forces_.data());
+  out.torque_residual = 0.0;
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const double tau = std::min(std::max(torques_[k], limits.tau_lower[k]), limits.tau_upper[k]);
+    const double taken = std::abs(tau - torques_[k]);
+    out.torque_residual = std::max(out.torque_residual, taken);
+    if (taken > kSaturated * joints_[k].tau_max) out.status = Status::kSaturated;
+    out.torques[joints_[k].v - 6] = tau;
+  }
+  out.hold_down_missing = units_.force * slack.head<kLegs>().maxCoeff();
+  out.torque_excess = slack.segment<ProgramLayout::kLegGroups>(kLegs).maxCoeff();
+  out.joint_limit_excess = units_.angular * slack.tail<ProgramLayout::kLegGroups>().maxCoeff();
+}
+
+}  // namespace surefoot

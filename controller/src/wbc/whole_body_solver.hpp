@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/whole_body_controller.hpp"
+#include "wbc/condensed_program.hpp"
+#include "wbc/elastic_solver.hpp"
+#include "wbc/form_selector.hpp"
+#include "wbc/general_program.hpp"
+
+namespace surefoot {
+
+/// Chooses the form, poses the program, solves it and reads the answer. Real-time: yes.
+class WholeBodySolver {
+ public:
+  /// Throws surefoot::Error when the condensed form is asked for and the robot does not fit it.
+  WholeBodySolver(const Robot& robot, const WholeBodyOptions& options);
+
+  /// Choose the form; returns which legs are near singular.
+  const std::array<bool, kLegs>& select(const Dynamics& dynamics,
+                                        const Reference& reference) noexcept;
+
+  /// Solve in that form. On failure only the solution's status and residuals change.
+  void solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
+             Solution& out) noexcept;
+
+  void reset() noexcept;
+
+  const QpProblem& problem() const noexcept;  ///< of the form in force
+  const ElasticSolver& elastic() const noexcept;
+
+ private:
+  void write(const Dynamics& dynamics, const JointLimits& limits, Solution& out) noexcept;
+
+  Robot robot_;
+  WholeBodyOptions options_;
+  JointTable joints_;
+  ProgramUnits units_;
+  FormSelector selector_;
+  Form form_ = Form::kGeneral;
+  CondensedProgram condensed_;
+  GeneralProgram general_;
+  ElasticSolver condensed_solver_, general_solver_;
+  Eigen::VectorXd price_, accelerations_, torques_;
+  Vector12 forces_ = Vector12::Zero();
+};
+
+}  // namespace surefoot
