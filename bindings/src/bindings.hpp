@@ -5,4 +5,7 @@
 
 void bind_low_level(nanobind::module_& m);
 void bind_robot(nanobind::module_& m);
-void bind_control(nanobind::module_& m);
+void bind_types(nanobind::module_& m);
+void bind_task(nanobind::module_& m);
+void bind_whole_body(nanobind::module_& m);
+void bind_stand(nanobind::module_& m);

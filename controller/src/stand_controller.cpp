@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/stand_controller.hpp"
 
+#include "estimator/delay_predictor.hpp"
 #include "reference/stand_reference.hpp"
 #include "safety/command_keeper.hpp"
 #include "safety/tick_clock.hpp"
@@ -16,16 +17,35 @@ void StandOptions::validate() const {
     throw Error("option 'motor_damping' out of range: got " + to_text(motor_damping) +
                 ", expected 0 .. 50 [N.m.s/rad]");
   }
+  if (!(delay >= 0.0 && delay <= DelayPredictor::kLongest)) {
+    throw Error("option 'delay' out of range: got " + to_text(delay) + ", expected 0 .. " +
+                to_text(DelayPredictor::kLongest) + " [s]");
+  }
 }
 
 namespace {
+
 constexpr int kLatches = 3;
+
+const Robot& twelve_joints(const Robot& robot) {
+  if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
+  throw Error("robot '" + robot.config().name + "': got nq = " + std::to_string(robot.nq()) +
+              ", nv = " + std::to_string(robot.nv()) +
+              ", expected 19 and 18 for a StandController: LowState reports twelve joints; make "
+              "others fixed, or use WholeBodyController with a state of your own");
 }
+
+}  // namespace
 
 struct StandController::Impl {
   Impl(const Robot& r, const Gains& g, const StandOptions& o)
-      : robot(r), options(o), estimator(r), controller(r, g) {
-    options.validate();
+      : robot(twelve_joints(r)),
+        options((o.validate(), o)),
+        estimator(r),
+        reference(r),
+        predictor(r.nv(), o.delay),
+        predicted(r),
+        controller(r, g, WholeBodyOptions{o.form}) {
     estimator.set_gains(g);
   }
   Status think(const LowState& low_state, double dt) noexcept;
@@ -36,6 +56,8 @@ struct StandController::Impl {
   TickClock clock;
   StateEstimator estimator;
   StandReference reference;
+  DelayPredictor predictor;
+  Dynamics predicted;  // at the state when the command acts
   WholeBodyController controller;
   CommandKeeper keeper;
   double since_estimate = 0.0;  // [s]
@@ -78,12 +100,17 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   // The contact points hang on the ground's normal, which is known once they are: latch a few
   // times.
   if (latches < kLatches) {
-    reference.latch(dynamics);
+    reference.latch(dynamics, estimator.state().q);
     ++latches;
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  return controller.solve(dynamics, estimator.state(), wanted).status;
+  if (!predictor.active()) return controller.solve(dynamics, estimator.state(), wanted).status;
+  const RobotState& then = predictor.predict(estimator.state());
+  predicted.update(then.q, then.v, wanted.ground_normal);
+  const Solution& solution = controller.solve(predicted, then, wanted);
+  if (is_usable(solution.status)) predictor.remember(solution.accelerations, dt);
+  return solution.status;
 }
 
 // Torque mode exactly; with motor damping the velocity loop is on and asks for rest.
@@ -121,6 +148,16 @@ bool StandController::foot_force_alive() const noexcept {
 Eigen::Vector4d StandController::torque_force() const noexcept {
   return impl_->estimator.torque_force();
 }
+void StandController::set_body_reference(const BodyReference& target) noexcept {
+  impl_->reference.set_target(target);
+}
+BodyReference StandController::body_reference() const noexcept {
+  return impl_->reference.motion().position();
+}
+ReachStatus StandController::reach() const noexcept { return impl_->reference.motion().status(); }
+void StandController::add_task(std::shared_ptr<Task> task) {
+  impl_->controller.add_task(std::move(task));
+}
 const Gains& StandController::gains() const noexcept { return impl_->controller.gains(); }
 
 void StandController::set_gains(const Gains& gains) {
@@ -133,6 +170,7 @@ void StandController::reset() noexcept {
   s.clock.reset();
   s.estimator.reset();
   s.controller.reset();
+  s.predictor.reset();
   s.keeper.reset();
   s.since_estimate = 0.0;
   s.latches = 0;

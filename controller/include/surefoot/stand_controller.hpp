@@ -3,7 +3,9 @@
 
 #include <memory>
 
+#include "surefoot/body_reference.hpp"
 #include "surefoot/robot.hpp"
+#include "surefoot/task.hpp"
 #include "surefoot/types.hpp"
 
 namespace surefoot {
@@ -13,12 +15,17 @@ struct StandOptions {
   /// [N.m.s/rad] Motor-side damping added to every command, with dq = 0. 0 is pure torque mode;
   /// hardware whose knees buzz under pure torque may need some.
   double motor_damping = 0.0;
+  /// [s] from a measurement to the action of the command made from it; the state is predicted over
+  /// it with the commands already sent. Up to 0.05.
+  double delay = 0.0;
+  Form form = Form::kAuto;
 
   /// Throw surefoot::Error naming what is out of range.
   void validate() const;
 };
 
-/// Holds the body where and as it stands: LowState in, LowCmd out. The whole tick.
+/// Holds the body where and as it stands, or where a BodyReference asks it to be: LowState in,
+/// LowCmd out. The whole tick.
 ///
 /// The first good report latches the pose, relative to the feet. Commands are torque mode: motors
 /// 0 .. 11 in mode 0x0A with q = PosStopF, dq = VelStopF, Kp = Kd = 0 and tau from the whole-body
@@ -26,7 +33,8 @@ struct StandOptions {
 /// then the motors damp (dq = 0, Kd > 0, tau = 0) until reset(). Time comes from LowState::tick.
 class StandController {
  public:
-  /// Throws surefoot::Error when the robot, a gain or an option is invalid.
+  /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
+  /// invalid.
   explicit StandController(const Robot& robot);
   StandController(const Robot& robot, const Gains& gains, const StandOptions& options = {});
   ~StandController();
@@ -36,7 +44,16 @@ class StandController {
   /// @return the command; status() says what it is worth
   const LowCmd& update(const LowState& low_state) noexcept;
 
-  /// kOk, or why this tick's command is not fresh; kDamping while latched.
+  /// Ask for another pose of the body; it goes there at limited speed, and stops where the robot
+  /// could not stand. Numbers that are not finite change nothing but reach(). Real-time: yes.
+  void set_body_reference(const BodyReference& target) noexcept;
+  BodyReference body_reference() const noexcept;  ///< where it is on the way
+  ReachStatus reach() const noexcept;             ///< what keeps it from getting there
+
+  /// Add a task of your own; not in the tick. Throws surefoot::Error.
+  void add_task(std::shared_ptr<Task> task);
+
+  /// kOk, kSaturated, or why this tick's command is not fresh; kDamping while latched.
   Status status() const noexcept;
   /// What was wrong when the last tick was not kOk; stays after the damping has latched.
   Status fault() const noexcept;

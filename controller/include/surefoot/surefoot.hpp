@@ -2,9 +2,11 @@
 #pragma once
 
 /// Everything: #include <surefoot/surefoot.hpp>
+#include "surefoot/body_reference.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/low_level.hpp"
 #include "surefoot/robot.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/state_estimator.hpp"
+#include "surefoot/task.hpp"
 #include "surefoot/whole_body_controller.hpp"

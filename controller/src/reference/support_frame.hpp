@@ -5,22 +5,37 @@
 
 namespace surefoot {
 
-/// Where the feet are: the frame that standing refers to.
+/// Where the feet are: the frame that standing refers to. Its origin is the centroid of the feet,
+/// x points from the rear feet's middle to the front's, z out of the plane of the feet.
 ///
 /// World x, y and yaw of a legged robot drift; a reference that stayed there would lean the robot
-/// off its feet. The feet themselves do not drift.
-struct SupportFrame {
-  Vector3 centroid = Vector3::Zero();  ///< [m] mean of the four contact points, world
-  double heading = 0.0;                ///< [rad] from the rear feet's middle to the front's
-  Vector3 normal = Vector3::UnitZ();   ///< of the plane through the feet, upwards
+/// off its feet. The feet themselves do not drift. Each foot has its place in the frame, and the
+/// frame is where it fits these places to the feet that stand: a foot in the air, or one that
+/// slides, moves the frame by as much as it is believed, and a foot that stands elsewhere for good
+/// takes the frame along slowly. Real-time: yes.
+class SupportFrame {
+ public:
+  /// Take the feet as they are now, all of them standing.
+  void latch(const FeetMatrix& p_world_feet) noexcept;
 
-  /// Axes of the frame: z along a normal (given, so that it may be smoothed), x towards `heading`.
-  Matrix3 R_world_support(const Vector3& smooth_normal) const noexcept;
+  /// Follow the feet. @param contact belief per foot, 0 .. 1
+  void update(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, double dt) noexcept;
+
+  const Vector3& origin() const noexcept { return origin_; }  ///< [m] world
+  const Matrix3& R_world_support() const noexcept { return R_; }
+  Vector3 normal() const noexcept { return R_.col(2); }
+  const FeetMatrix& places() const noexcept { return places_; }  ///< [m] support axes
+
+ private:
+  void tilt(const FeetMatrix& from_mean, const FeetMatrix& places, const Eigen::Vector4d& weight,
+            double blend) noexcept;
+  void turn(const FeetMatrix& from_mean, const FeetMatrix& places,
+            const Eigen::Vector4d& weight) noexcept;
+  void follow_moved_feet(const FeetMatrix& p, const Eigen::Vector4d& contact, double dt) noexcept;
+
+  Vector3 origin_ = Vector3::Zero();
+  Matrix3 R_ = Matrix3::Identity();
+  FeetMatrix places_ = FeetMatrix::Zero();
 };
-
-/// Fit the frame to the contact points, one column a foot, world axes. Real-time: yes.
-///
-/// The plane's normal is normal to both diagonals, i.e. to the plane closest to the four points.
-SupportFrame fit_support_frame(const FeetMatrix& p_world_feet) noexcept;
 
 }  // namespace surefoot

@@ -2,43 +2,22 @@
 #include "wbc/hold_down.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "reference/support_polygon.hpp"
 
 namespace surefoot {
 
-namespace {
-
-using Vector2 = Eigen::Vector2d;
-
-// Round the robot, counter-clockwise from above.
-constexpr int kRound[kLegs] = {FR_, FL_, RL_, RR_};
-
-double cross(const Vector2& a, const Vector2& b) noexcept { return a.x() * b.y() - a.y() * b.x(); }
-
-}  // namespace
-
 double capture_margin(const Dynamics& dynamics, const Reference& reference) noexcept {
-  std::array<Vector2, kLegs> corner;
-  int corners = 0;
-  double ground = 0.0;
-  for (const int leg : kRound) {
-    if (!reference.feet[leg].stance) continue;
-    const Vector3& p = dynamics.legs()[leg].p_world_contact;
-    corner[corners++] = p.head<2>();
-    ground += p.z();
+  FeetMatrix feet;
+  std::array<bool, kLegs> stance;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    feet.col(leg) = dynamics.legs()[leg].p_world_contact;
+    stance[leg] = reference.feet[leg].stance;
   }
-  if (corners < 3) return 0.0;
-  const double height = std::max(dynamics.p_world_com().z() - ground / corners, 0.05);
+  const double height = std::max(dynamics.p_world_com().z() - feet.row(2).mean(), 0.05);
   const double omega = std::sqrt(kGravity / height);
-  const Vector2 capture =
-      dynamics.p_world_com().head<2>() + dynamics.v_world_com().head<2>() / omega;
-  double margin = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < corners; ++k) {
-    const Vector2 edge = corner[(k + 1) % corners] - corner[k];
-    const double length = std::max(edge.norm(), 1e-6);
-    margin = std::min(margin, cross(edge, capture - corner[k]) / length);
-  }
-  return margin;
+  const Vector3 capture = dynamics.p_world_com() + dynamics.v_world_com() / omega;
+  return SupportPolygon(feet, stance).margin(capture.head<2>());
 }
 
 Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, const Dynamics& dynamics,

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/eigen/dense.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+
+#include "bindings.hpp"
+#include "pending_error.hpp"
+#include "surefoot/stand_controller.hpp"
+#include "surefoot/state_estimator.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+using namespace surefoot;
+
+namespace {
+
+void bind_body_reference(nb::module_& m) {
+  nb::class_<BodyReference>(m, "BodyReference",
+                            "Where the body is asked to be, from the pose that was latched.\n\n"
+                            "Along the axes of the support frame: forward, left, out of the "
+                            "ground.")
+      .def(
+          "__init__",
+          [](BodyReference* r, double x, double y, double height, double roll, double pitch,
+             double yaw) { new (r) BodyReference{x, y, height, roll, pitch, yaw}; },
+          "x"_a = 0.0, "y"_a = 0.0, "height"_a = 0.0, "roll"_a = 0.0, "pitch"_a = 0.0,
+          "yaw"_a = 0.0)
+      .def_rw("x", &BodyReference::x, "[m]")
+      .def_rw("y", &BodyReference::y, "[m]")
+      .def_rw("height", &BodyReference::height, "[m]")
+      .def_rw("roll", &BodyReference::roll, "[rad]")
+      .def_rw("pitch", &BodyReference::pitch, "[rad]")
+      .def_rw("yaw", &BodyReference::yaw, "[rad]");
+  nb::enum_<ReachLimit>(m, "ReachLimit", "What keeps the body from going where it is asked to.")
+      .value("NONE", ReachLimit::kNone, "Nothing: it is there, or on its way.")
+      .value("JOINT", ReachLimit::kJoint, "A joint would come too near its limit.")
+      .value("SUPPORT", ReachLimit::kSupport, "The centre of mass would come too near the edge.")
+      .value("UNREACHABLE", ReachLimit::kUnreachable, "A leg is too short.")
+      .value("NOT_FINITE", ReachLimit::kNotFinite, "No number; the last request stands.");
+  nb::class_<ReachStatus>(m, "ReachStatus", "A limit, and whose it is.")
+      .def_ro("limit", &ReachStatus::limit, "Which.")
+      .def_ro("motor", &ReachStatus::motor, "SDK motor, when the limit is JOINT; else -1.");
+}
+
+void bind_estimator(nb::module_& m) {
+  nb::class_<StateEstimator>(m, "StateEstimator", "LowState in, RobotState out.")
+      .def(nb::init<const Robot&>(), "robot"_a)
+      .def("update", &StateEstimator::update, "low_state"_a, "dt"_a,
+           "Take in one report, dt seconds after the last: Status. Never raises.")
+      .def_prop_ro(
+          "state", [](const StateEstimator& e) { return RobotState(e.state()); }, "A copy.")
+      .def_prop_ro("torque_force", &StateEstimator::torque_force, "Normal force per foot [N].")
+      .def_prop_ro("foot_force_alive", &StateEstimator::foot_force_alive, "Does footForceEst live?")
+      .def("set_gains", &StateEstimator::set_gains, "gains"_a, "Raise Error if one is invalid.")
+      .def("reset", &StateEstimator::reset, "Begin anew with the next report.");
+}
+
+void bind_controller(nb::module_& m) {
+  nb::class_<StandOptions>(m, "StandOptions", "What is set once, as opposed to tuned.")
+      .def(
+          "__init__",
+          [](StandOptions* o, double motor_damping, double delay, Form form) {
+            new (o) StandOptions{motor_damping, delay, form};
+          },
+          "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = Form::kAuto)
+      .def_rw("motor_damping", &StandOptions::motor_damping,
+              "[N.m.s/rad] motor-side damping in every command; 0 is pure torque mode.")
+      .def_rw("delay", &StandOptions::delay, "[s] from a measurement to its command's action.")
+      .def_rw("form", &StandOptions::form, "Of the whole-body program.");
+  nb::class_<StandController>(
+      m, "StandController",
+      "Holds the body as it stands, or where it is asked to be: LowState in, LowCmd out.\n\n"
+      "Torque mode: Kp = Kd = 0, q = PosStopF, dq = VelStopF. On a bad report "
+      "or solve the last\ngood command is repeated for at most 10 ms, then the "
+      "motors damp until reset().")
+      .def(nb::init<const Robot&>(), "robot"_a)
+      .def(nb::init<const Robot&, const Gains&, const StandOptions&>(), "robot"_a, "gains"_a,
+           "options"_a = StandOptions())
+      .def(
+          "update",
+          [](StandController& c, const LowState& s) {
+            LowCmd command(c.update(s));
+            raise_pending_error();
+            return command;
+          },
+          "low_state"_a,
+          "Compute one tick: LowCmd; read status. Raises only what a task in Python raised.")
+      .def("set_body_reference", &StandController::set_body_reference, "target"_a,
+           "Ask for another pose of the body; it goes there at limited speed.")
+      .def_prop_ro("body_reference", &StandController::body_reference, "Where it is on the way.")
+      .def_prop_ro("reach", &StandController::reach, "What keeps it from getting there.")
+      .def("add_task", &StandController::add_task, "task"_a, "Add a task of your own.")
+      .def_prop_ro("status", &StandController::status, "What this tick's command is worth.")
+      .def_prop_ro("fault", &StandController::fault, "What was wrong when a tick last was not OK.")
+      .def_prop_ro(
+          "state", [](const StandController& c) { return RobotState(c.state()); },
+          "Estimate, a copy.")
+      .def_prop_ro(
+          "reference", [](const StandController& c) { return Reference(c.reference()); }, "A copy.")
+      .def_prop_ro(
+          "solution", [](const StandController& c) { return Solution(c.solution()); }, "A copy.")
+      .def_prop_ro("torque_force", &StandController::torque_force,
+                   "Normal force per foot from torques [N].")
+      .def_prop_ro("foot_force_alive", &StandController::foot_force_alive,
+                   "Does footForceEst live?")
+      .def_prop_ro(
+          "gains", [](const StandController& c) { return Gains(c.gains()); }, "A copy.")
+      .def("set_gains", &StandController::set_gains, "gains"_a, "Raise Error if one is invalid.")
+      .def("reset", &StandController::reset, "Leave damping; latch the pose anew.");
+}
+
+}  // namespace
+
+void bind_stand(nb::module_& m) {
+  bind_body_reference(m);
+  bind_estimator(m);
+  bind_controller(m);
+}

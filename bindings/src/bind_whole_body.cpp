@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/eigen/dense.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+
+#include "bindings.hpp"
+#include "pending_error.hpp"
+#include "surefoot/whole_body_controller.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+using namespace surefoot;
+
+namespace {
+
+void bind_options(nb::module_& m) {
+  nb::class_<WholeBodyOptions>(m, "WholeBodyOptions", "What is set once, as opposed to tuned.")
+      .def(
+          "__init__",
+          [](WholeBodyOptions* o, Form form, double tolerance) {
+            new (o) WholeBodyOptions{form, tolerance};
+          },
+          "form"_a = Form::kAuto, "tolerance"_a = 1e-6)
+      .def_rw("form", &WholeBodyOptions::form, "AUTO, CONDENSED or GENERAL.")
+      .def_rw("tolerance", &WholeBodyOptions::tolerance, "Of the program's scaled residuals.");
+}
+
+}  // namespace
+
+void bind_whole_body(nb::module_& m) {
+  bind_options(m);
+  nb::class_<WholeBodyController>(m, "WholeBodyController",
+                                  "State and reference in, joint torques out.\n\n"
+                                  "For people who bring their own estimator or planner.")
+      .def(nb::init<const Robot&>(), "robot"_a)
+      .def(nb::init<const Robot&, const Gains&, const WholeBodyOptions&>(), "robot"_a, "gains"_a,
+           "options"_a = WholeBodyOptions())
+      .def(
+          "update",
+          [](WholeBodyController& c, const RobotState& s, const Reference& r) {
+            Solution solution(c.update(s, r));
+            raise_pending_error();
+            return solution;
+          },
+          "state"_a, "reference"_a,
+          "Compute one tick: Solution. Raises only what a task written in Python raised.")
+      .def("hold", &WholeBodyController::hold, "state"_a,
+           "Make the reference that asks the robot to stay as it is; raises Error on a wrong size.")
+      .def("add_task", &WholeBodyController::add_task, "task"_a,
+           "Add a task of your own, from the next tick on; raises Error.")
+      .def("set_gains", &WholeBodyController::set_gains, "gains"_a,
+           "Raise Error if one is invalid.")
+      .def_prop_ro(
+          "gains", [](const WholeBodyController& c) { return Gains(c.gains()); }, "A copy.")
+      .def("reset", &WholeBodyController::reset, "Forget the warm start.");
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/stance_kinematics.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <pinocchio/algorithm/center-of-mass.hpp>
+#include <pinocchio/algorithm/jacobian.hpp>
+
+namespace surefoot {
+
+namespace {
+constexpr int kIterations = 6;
+constexpr double kTolerance = 1e-6;   // [m]
+constexpr double kLongestStep = 0.2;  // [rad] of a joint; further and a leg might fold over
+constexpr double kSingular = 1e-7;    // [m^3] of a leg's Jacobian
+}  // namespace
+
+struct StanceKinematics::Pinocchio {
+  explicit Pinocchio(const pinocchio::Model& m) : model(m), data(m) {}
+  const pinocchio::Model& model;  // lives in the Robot that StanceKinematics keeps
+  pinocchio::Data data;
+};
+
+StanceKinematics::StanceKinematics(const Robot& robot)
+    : pinocchio_(std::make_unique<Pinocchio>(robot.model())),
+      robot_(robot),
+      q_(robot.q_standing()),
+      trial_(q_) {}
+StanceKinematics::~StanceKinematics() = default;
+StanceKinematics::StanceKinematics(StanceKinematics&&) noexcept = default;
+
+bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
+                             const FeetMatrix& contacts, const Vector3& normal) noexcept {
+  const FeetMatrix centres = contacts.colwise() + robot_.config().foot_radius * normal;
+  trial_ = q_;
+  trial_.head<3>() = p_base;
+  trial_.segment<4>(3) = R_base.coeffs();
+  for (int k = 0; k < kIterations; ++k) {
+    const double error = step(centres);
+    if (!(error < 10.0)) return false;
+    if (error > kTolerance) continue;
+    q_ = trial_;
+    p_com_ = pinocchio::centerOfMass(pinocchio_->model, pinocchio_->data, q_, false);
+    return true;
+  }
+  return false;
+}
+
+// One Newton step of every leg; returns the greatest foot error before it.
+double StanceKinematics::step(const FeetMatrix& centres) noexcept {
+  auto& [model, data] = *pinocchio_;
+  pinocchio::computeJointJacobians(model, data, trial_);
+  double worst = 0.0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const auto& frame = model.frames[robot_.foot_frame_ids()[leg]];
+    const Vector3 p = data.oMi[frame.parentJoint].act(frame.placement.translation());
+    Matrix3 J;
+    for (int k = 0; k < kLegJoints; ++k) {
+      const auto column = data.J.col(robot_.motor_to_v()[3 * leg + k]);
+      J.col(k) = column.head<3>() - p.cross(column.tail<3>());
+    }
+    const Vector3 error = centres.col(leg) - p;
+    if (std::abs(J.determinant()) < kSingular) return std::numeric_limits<double>::infinity();
+    const Vector3 step = J.inverse() * error;
+    for (int k = 0; k < kLegJoints; ++k) {
+      trial_[robot_.motor_to_q()[3 * leg + k]] +=
+          std::min(std::max(step[k], -kLongestStep), kLongestStep);
+    }
+    worst = std::max(worst, error.norm());
+  }
+  return worst;
+}
+
+}  // namespace surefoot

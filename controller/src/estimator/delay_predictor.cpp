@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/delay_predictor.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+constexpr int kRing = 64;  // commands that may be on their way: 50 ms at 1 kHz, and some
+}
+
+DelayPredictor::DelayPredictor(int nv, double delay)
+    : delay_(delay),
+      sent_(kRing, Sent{Eigen::VectorXd::Zero(nv), 0.0}),
+      dv_(Eigen::VectorXd::Zero(nv)),
+      dq_(Eigen::VectorXd::Zero(nv)),
+      predicted_(nv + 1, nv) {}
+
+void DelayPredictor::remember(const Eigen::VectorXd& accelerations, double dt) noexcept {
+  sent_[next_].acceleration = accelerations;
+  sent_[next_].dt = dt;
+  next_ = (next_ + 1) % kRing;
+  count_ = std::min(count_ + 1, kRing);
+}
+
+const RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
+  dv_.setZero();
+  dq_ = delay_ * state.v;
+  // Backwards from the command that stops acting when the next one starts.
+  double end = delay_;
+  for (int k = 1; k <= count_ && end > 0.0; ++k) {
+    const Sent& sent = sent_[(next_ - k + kRing) % kRing];
+    const double lasts = std::min(sent.dt, end);
+    dv_ += lasts * sent.acceleration;
+    dq_ += lasts * (delay_ - end + 0.5 * lasts) * sent.acceleration;
+    end -= lasts;
+  }
+  // dq is in base axes for the base, as v is.
+  const Quaternion R(state.q[6], state.q[3], state.q[4], state.q[5]);
+  const Quaternion turned = (R * exp_so3(dq_.segment<3>(3))).normalized();
+  predicted_.q = state.q;
+  predicted_.q.head<3>() += R * Vector3(dq_.head<3>());
+  predicted_.q.segment<4>(3) = turned.coeffs();
+  predicted_.q.tail(dq_.size() - 6) += dq_.tail(dq_.size() - 6);
+  predicted_.v = state.v + dv_;
+  predicted_.contact = state.contact;
+  return predicted_;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/stance_kinematics.hpp"
+#include "surefoot/body_reference.hpp"
+#include "surefoot/gains.hpp"
+
+namespace surefoot {
+
+/// What a pose of the base would break.
+struct ReachVerdict {
+  ReachStatus status;
+  double violation = 0.0;  ///< [rad] or as bad; 0: nothing
+};
+
+/// Judges whether the robot can stand with its base in a pose, in the support frame.
+///
+/// All feet by inverse kinematics, every joint at least reach_joint_margin inside its limits; the
+/// centre of mass, projected along gravity, at least reach_support_margin inside the polygon of the
+/// feet. For standing this stands in for self-collision constraints: legs that keep their feet in
+/// place and their joints in range do not meet. Real-time: yes.
+class Reach {
+ public:
+  explicit Reach(const Robot& robot) : robot_(robot), kinematics_(robot) {}
+
+  void start_from(const Eigen::VectorXd& q) noexcept { kinematics_.start_from(q); }
+
+  /// @param feet contact points @param gravity unit, support axes
+  ReachVerdict judge(const Gains& gains, const Vector3& p_base, const Quaternion& R_base,
+                     const FeetMatrix& feet, const Vector3& gravity) noexcept;
+
+  /// Centre of mass of the pose judged last [m], if it was not kUnreachable.
+  const Vector3& p_com() const noexcept { return kinematics_.p_com(); }
+
+ private:
+  Robot robot_;
+  StanceKinematics kinematics_;
+};
+
+}  // namespace surefoot

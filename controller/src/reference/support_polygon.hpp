@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// The polygon of the stance feet, seen from above. Real-time: yes.
+class SupportPolygon {
+ public:
+  /// @param feet contact points, one column a foot FR FL RR RL; x and y are used
+  SupportPolygon(const FeetMatrix& feet, const std::array<bool, kLegs>& stance) noexcept;
+
+  /// Distance of a point inside the nearest edge [m]; negative outside; 0 with fewer than 3 feet.
+  double margin(const Eigen::Vector2d& point) const noexcept;
+
+ private:
+  std::array<Eigen::Vector2d, kLegs> corners_;
+  int count_ = 0;
+};
+
+}  // namespace surefoot
