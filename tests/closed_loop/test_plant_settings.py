@@ -28,6 +28,8 @@ from surefoot.sim import Plant, PlantSettings, Push
         ("physics_dt", 0.1),
         ("joint_friction_scale", -1.0),
         ("armature_scale", True),
+        ("backlash_deg", -0.1),
+        ("backlash_deg", 6.0),
         ("motor_lag", -0.001),
         ("extra_delay", -0.002),
         ("seed", -1),

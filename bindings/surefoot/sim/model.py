@@ -8,6 +8,7 @@ import mujoco
 
 from surefoot._core import Error, Robot
 from surefoot.robots import RobotDescription, per_motor
+from surefoot.sim.backlash import add_backlash
 from surefoot.sim.scene import BODY_FRICTION, GROUND, add_ground, add_light_and_sky, set_physics
 from surefoot.sim.settings import PlantSettings
 from surefoot.sim.urdf import load_urdf, root_body
@@ -32,17 +33,18 @@ def build_model(
     Args:
         robot: The robot that the controller knows.
         description: Its files.
-        settings: Ground, payload, friction, armature, step.
+        settings: Ground, payload, friction, armature, backlash, step.
         visuals: Add the visual meshes, for pictures; collision geometry is then hidden.
 
     Raises:
-        Error: A joint, foot body or mesh that is not there.
+        Error: A joint, foot body or mesh that is not there; a gear with play but no rotor.
     """
     spec = load_urdf(description)
     set_physics(spec, settings)
     add_ground(spec, settings)
     add_light_and_sky(spec)
     set_joints(spec, robot, description, settings)
+    add_backlash(spec, robot, settings)
     set_contacts(spec, robot, settings)
     exclude_pairs(spec, description)
     add_payload(spec, settings)

@@ -30,6 +30,7 @@ class PlantSettings:
         physics_dt: Physics step [s]; a control period is a whole number of them.
         joint_friction_scale: Factor on joint friction and joint damping.
         armature_scale: Factor on the reflected rotor inertia.
+        backlash_deg: Play of every gear, from end to end, at the joint; see sim/backlash.py [deg].
         motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
         seed: Of every random number; the same seed gives the same run.
@@ -46,6 +47,7 @@ class PlantSettings:
     physics_dt: float = 0.0005
     joint_friction_scale: float = 1.0
     armature_scale: float = 1.0
+    backlash_deg: float = 0.0
     motor_lag: float | None = None
     extra_delay: float = 0.0
     seed: int = 0
@@ -63,6 +65,7 @@ class PlantSettings:
             ("physics_dt", 1e-5, 0.002),
             ("joint_friction_scale", 0.0, 100.0),
             ("armature_scale", 0.0, 100.0),
+            ("backlash_deg", 0.0, 5.0),
             ("extra_delay", 0.0, 1.0),
         ):
             number(name, getattr(self, name), low, high)

@@ -18,7 +18,8 @@ def place(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles, robot: R
     """Reset to the standing pose, level with the ground, the lowest foot just touching it."""
     mujoco.mj_resetData(model, data)
     data.qpos[3:7] = model.geom_quat[handles.ground_geom]
-    data.qpos[handles.motor_q] = robot.config.q_standing
+    data.qpos[handles.joint_q] = robot.config.q_standing
+    data.qpos[handles.motor_q] = robot.config.q_standing  # amid the play, if there is any
     mujoco.mj_kinematics(model, data)
     heights = data.xpos[handles.foot_bodies] @ handles.ground_normal
     gap = heights.min() - robot.config.foot_radius
