@@ -17,6 +17,8 @@ from surefoot.sim import Plant, PlantSettings, Push
         ("friction", -0.1),
         ("friction", float("nan")),
         ("friction", "high"),
+        ("soft_ground_sink", -0.01),
+        ("soft_ground_sink", 0.2),
         ("slope_deg", 60.0),
         ("slope_heading_deg", 1e6),
         ("payload_kg", -1.0),
