@@ -15,6 +15,7 @@ from surefoot.stand.geometry import feet_of, pose_from_feet
 from surefoot.stand.loop import is_torque_mode
 from surefoot.stand.metrics import plain
 from surefoot.stand.settling import settle_time, settled_ticks
+from surefoot.stand.text import push_line
 
 RATE, TICKS = 500, 2000
 ROBOT = surefoot.load_robot("go1")
@@ -270,6 +271,14 @@ def test_a_real_run_fills_every_row_and_says_how_it_was_commanded(damping):
     np.testing.assert_allclose(np.diff(log.time), 1 / 250.0)
     weight = log.forces[:, 2].sum(axis=1).mean()
     assert weight == pytest.approx(9.81 * ROBOT.mass, rel=0.03)
+
+
+def test_a_summary_says_at_what_height_each_push_acted():
+    low, high = Push("lateral", 5.0, 0.1, 1.0), Push("forward", 5.0, 0.1, 1.0, height=0.07)
+    s = summarise(still_log(pushes=(low, high), push_shares=(0.4, 0.3)))
+    assert [push["height_m"] for push in s["pushes"]] == [0.0, 0.07]
+    assert "centre of mass" not in push_line(s["pushes"][0])
+    assert "+0.07 m" in push_line(s["pushes"][1])
 
 
 def test_a_run_ends_when_the_robot_falls():

@@ -8,6 +8,7 @@ import pytest
 import surefoot
 from surefoot.cli import arguments, main
 from surefoot.cli.stand import choose_graphics, read_settings
+from surefoot.sim import PlantSettings
 
 BAD = {
     "no command": [],
@@ -33,6 +34,20 @@ BAD = {
     "negative payload": ["stand", "--payload", "-2"],
     "bad push": ["stand", "--push", "lateral:8:0.1"],
     "push after the end": ["stand", "--duration", "1", "--push", "lateral:8:0.1@2"],
+    "push at no height": ["stand", "--push", "lateral:8:0.1:high@1"],
+    "negative delay": ["stand", "--delay-ms", "-2"],
+    "endless delay": ["stand", "--delay-ms", "inf"],
+    "negative lag": ["stand", "--motor-lag-ms", "-1"],
+    "lag that is not a number": ["stand", "--motor-lag-ms", "nan"],
+    "negative armature": ["stand", "--armature-scale", "-1"],
+    "negative joint friction": ["stand", "--joint-friction-scale", "-0.5"],
+    "negative backlash": ["stand", "--backlash-deg", "-1"],
+    "too much backlash": ["stand", "--backlash-deg", "5.1"],
+    "backlash without rotors": ["stand", "--backlash-deg", "1", "--armature-scale", "0"],
+    "ground that rises": ["stand", "--soft-ground", "-0.01"],
+    "ground like water": ["stand", "--soft-ground", "0.11"],
+    "ground hardly soft": ["stand", "--soft-ground", "1e-6"],
+    "soft ground without number": ["stand", "--soft-ground", "mud"],
     "negative seed": ["stand", "--seed", "-1"],
     "fractional seed": ["stand", "--seed", "1.5"],
     "negative damping": ["stand", "--motor-damping", "-1"],
@@ -120,6 +135,37 @@ def test_json_in_a_file_leaves_stdout_to_the_readable_summary(capsys, tmp_path):
     assert summary["gains_changed"] == {"foot_kp": 90.0}
     out, err = capsys.readouterr()
     assert out.startswith("a1 stood 0.1 s") and err == ""
+
+
+def test_flaws_of_motors_and_ground_reach_the_plant_in_its_units():
+    words = "stand --delay-ms 3 --motor-lag-ms 5 --armature-scale 1.5 --joint-friction-scale 0.5"
+    words += " --backlash-deg 0.8 --soft-ground 0.01"
+    plant = read_settings(arguments.parse_arguments(words.split())).plant
+    assert (plant.extra_delay, plant.lag) == pytest.approx((0.003, 0.005))
+    assert (plant.armature_scale, plant.joint_friction_scale) == (1.5, 0.5)
+    assert (plant.backlash_deg, plant.soft_ground_sink) == (0.8, 0.01)
+
+
+def test_a_plant_that_nobody_changed_is_the_plain_one():
+    plant = read_settings(arguments.parse_arguments(["stand"])).plant
+    assert plant == PlantSettings(seed=1)
+
+
+def test_a_summary_says_under_which_flaws_a_robot_stood(capsys, tmp_path):
+    words = (
+        "stand --duration 0.1 --delay-ms 1 --motor-lag-ms 3 --armature-scale 1.2 --json out.json"
+    )
+    words += " --joint-friction-scale 2 --backlash-deg 0.5 --soft-ground 0.005"
+    words += " --push lateral:1:0.02:0.05@0.05"
+    assert main(words.split()) == 0
+    s = json.loads((tmp_path / "out.json").read_text())
+    assert (s["delay_ms"], s["motor_lag_ms"], s["backlash_deg"]) == (1.0, 3.0, 0.5)
+    assert (s["armature_scale"], s["joint_friction_scale"]) == (1.2, 2.0)
+    assert (s["soft_ground_sink"], s["pushes"][0]["height_m"]) == (0.005, 0.05)
+    out = capsys.readouterr().out
+    assert "ground soft by 5 mm, joint friction x 2, armature x 1.2, backlash 0.5 deg" in out
+    assert "motor lag 3 ms, delay 1 ms" in out
+    assert "+0.05 m above the centre of mass" in out
 
 
 def test_a_gains_file_changes_the_robots_own_gains_and_no_others(monkeypatch, tmp_path):

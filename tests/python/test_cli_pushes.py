@@ -8,6 +8,9 @@ READ = {
     "45:3.25:1@1.5": PushRequest(45.0, 3.25, False, 1.0, 1.5),
     "-90.5:1e1:0.1@2": PushRequest(-90.5, 10.0, False, 0.1, 2.0),
     "lateral:50%:0.1@2.0": PushRequest("lateral", 50.0, True, 0.1, 2.0),
+    "lateral:8.0:0.1:0.1@2.0": PushRequest("lateral", 8.0, False, 0.1, 2.0, 0.1),
+    "lateral:65%:0.1:-0.05@2.0": PushRequest("lateral", 65.0, True, 0.1, 2.0, -0.05),
+    "forward:8:0.1:0@2": PushRequest("forward", 8.0, False, 0.1, 2.0, 0.0),
 }
 BAD = [
     "",
@@ -26,6 +29,12 @@ BAD = [
     "lateral:8:0@2",
     "lateral:8:-0.1@2",
     "lateral:8:0.1@-2",
+    "lateral:8:0.1:@2",
+    "lateral:8:0.1:0.1:0.1@2",
+    "lateral:8:0.1:high@2",
+    "lateral:8:0.1:nan@2",
+    "lateral:8:0.1:11@2",
+    "lateral:8:0.1@2:0.1",
 ]
 
 
@@ -58,6 +67,12 @@ def test_percent_of_the_limit_becomes_newton_seconds_on_the_plant():
     push = parse_push("forward:25%:0.5@1").resolve(PlantWithLimit())
     assert push.impulse == pytest.approx(0.25 * 20.0 * 1.5)
     assert (push.direction, push.duration, push.time) == ("forward", 0.5, 1.0)
+
+
+@pytest.mark.parametrize(("text", "height"), [("8:0.1:0.1", 0.1), ("50%:0.1:-0.05", -0.05)])
+def test_a_push_acts_at_the_height_asked_for_and_at_the_centre_of_mass_else(text, height):
+    assert parse_push(f"lateral:{text}@1").resolve(PlantWithLimit()).height == height
+    assert parse_push("lateral:8:0.1@1").resolve(PlantWithLimit()).height == 0.0
 
 
 def test_newton_seconds_do_not_depend_on_the_plant():

@@ -13,9 +13,9 @@ from surefoot.cli.stand import stand
 from surefoot.cli.tables import list_gains, list_robots
 
 _PUSH_HELP = (
-    "DIRECTION:IMPULSE:LENGTH@TIME: lateral, forward or degrees from forward towards left; N.s, or "
-    "percent of what a linear inverted pendulum survives; s; s. Example: lateral:8.0:0.1@2.0, "
-    "lateral:50%%:0.1@2.0. Repeat for more"
+    "DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME: lateral, forward or degrees from forward towards "
+    "left; N.s, or percent of what a linear inverted pendulum survives; s; m above the centre of "
+    "mass (0); s. Example: lateral:8.0:0.1@2.0, lateral:50%%:0.1:-0.05@2.0. Repeat for more"
 )
 
 
@@ -62,6 +62,7 @@ def _build_parser() -> _Parser:
 
 def _add_stand_options(parser: _Parser) -> None:
     _add_plant_options(parser)
+    _add_flaw_options(parser)
     add = parser.add_argument_group("controller and results").add_argument
     add("--gains", metavar="FILE.toml", help="gains that differ from the robot's own")
     add(
@@ -91,6 +92,23 @@ def _add_plant_options(parser: _Parser) -> None:
     add("--payload", default="0", metavar="KG[:X:Y:Z]", help="unknown mass, at x, y, z in m (0)")
     add("--push", action="append", default=[], metavar="PUSH", help=_PUSH_HELP)
     add("--seed", type=int, default=1, metavar="N", help="of every random number (1)")
+
+
+def _add_flaw_options(parser: _Parser) -> None:
+    """Add what makes the simulated robot another than the controller believes."""
+    add = parser.add_argument_group("flaws of motors and ground").add_argument
+    add("--delay-ms", type=float, default=0.0, metavar="MS", help="further delay of commands (0)")
+    add("--motor-lag-ms", type=float, metavar="MS", help="time constant (real: 2, ideal: 0)")
+    add("--armature-scale", type=float, default=1.0, metavar="F", help="on rotor inertia (1)")
+    add(
+        "--joint-friction-scale",
+        type=float,
+        default=1.0,
+        metavar="F",
+        help="on friction and damping of the joints (1)",
+    )
+    add("--backlash-deg", type=float, default=0.0, metavar="DEG", help="play of every gear (0)")
+    add("--soft-ground", type=float, default=0.0, metavar="M", help="sink of standing feet [m] (0)")
 
 
 def _add_export_options(parser: _Parser) -> None:

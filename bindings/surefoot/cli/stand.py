@@ -65,11 +65,17 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
         sensors=arguments.sensors,
         foot_force=arguments.foot_force,
         friction=arguments.friction,
+        soft_ground_sink=arguments.soft_ground,
         slope_deg=slope,
         slope_heading_deg=heading,
         payload_kg=payload,
         payload_position=(position[0], position[1], position[2]),
         control_rate=arguments.rate,
+        joint_friction_scale=arguments.joint_friction_scale,
+        armature_scale=arguments.armature_scale,
+        backlash_deg=arguments.backlash_deg,
+        motor_lag=None if arguments.motor_lag_ms is None else arguments.motor_lag_ms / 1000.0,
+        extra_delay=arguments.delay_ms / 1000.0,
         seed=arguments.seed,
     )
     return StandSettings(

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import Robot
+from surefoot.sim.backlash import rotor_name
 from surefoot.sim.model import IMU
 from surefoot.sim.rotations import Array, matrix_from_wxyz
 from surefoot.sim.scene import GROUND
@@ -22,8 +23,10 @@ class Handles:
 
     Attributes:
         root: Body of the base.
-        motor_q: (12,) in qpos.
+        motor_q: (12,) in qpos: the rotor's side of the gear, where torque and encoder are.
         motor_v: (12,) in qvel.
+        joint_q: (12,) in qpos: the link's side; the motor's own entry if the gear has no play.
+        joint_v: (12,) in qvel.
         foot_bodies: (4,) bodies.
         foot_geoms: (4,) spheres.
         ground_geom: The plane.
@@ -37,6 +40,8 @@ class Handles:
     root: int
     motor_q: Indices
     motor_v: Indices
+    joint_q: Indices
+    joint_v: Indices
     foot_bodies: Indices
     foot_geoms: Indices
     ground_geom: int
@@ -50,6 +55,9 @@ class Handles:
 def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
     """Look every part up by its name."""
     joints, feet = robot.config.joint_names, robot.config.foot_frames
+    rotors = [rotor_name(name) for name in joints]
+    has_rotors = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, rotors[0]) >= 0
+    motors = rotors if has_rotors else joints
 
     def sensor(name: str) -> slice:
         start, size = model.sensor(name).adr[0], model.sensor(name).dim[0]
@@ -57,8 +65,10 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
 
     return Handles(
         root=int(model.site(IMU).bodyid[0]),
-        motor_q=np.array([model.joint(name).qposadr[0] for name in joints]),
-        motor_v=np.array([model.joint(name).dofadr[0] for name in joints]),
+        motor_q=np.array([model.joint(name).qposadr[0] for name in motors]),
+        motor_v=np.array([model.joint(name).dofadr[0] for name in motors]),
+        joint_q=np.array([model.joint(name).qposadr[0] for name in joints]),
+        joint_v=np.array([model.joint(name).dofadr[0] for name in joints]),
         foot_bodies=np.array([model.body(name).id for name in feet]),
         foot_geoms=np.array([model.geom(name).id for name in feet]),
         ground_geom=int(model.geom(GROUND).id),

@@ -8,18 +8,22 @@ import mujoco
 
 from surefoot._core import Error, Robot
 from surefoot.robots import RobotDescription, per_motor
-from surefoot.sim.scene import BODY_FRICTION, GROUND, add_ground, add_light_and_sky, set_physics
+from surefoot.sim.backlash import add_backlash
+from surefoot.sim.scene import (
+    BODY_FRICTION,
+    FOOT_SOLIMP,
+    FOOT_SOLREF,
+    GROUND,
+    add_ground,
+    add_light_and_sky,
+    set_physics,
+)
 from surefoot.sim.settings import PlantSettings
+from surefoot.sim.soft_ground import add_soft_contacts, soften
 from surefoot.sim.urdf import load_urdf, root_body
 
 IMU = "surefoot_imu"
 PAYLOAD = "surefoot_payload"
-
-# A foot on the ground: critically damped with a time constant of 5 ms, ten default physics
-# steps, so the step does not show; with an impedance this near 1 a standing robot's feet sink
-# by 10 .. 20 um and creep by 20 .. 35 um in ten seconds.
-FOOT_SOLREF = [0.005, 1.0]
-FOOT_SOLIMP = [0.995, 0.999, 0.001, 0.5, 2.0]
 
 
 def build_model(
@@ -32,18 +36,20 @@ def build_model(
     Args:
         robot: The robot that the controller knows.
         description: Its files.
-        settings: Ground, payload, friction, armature, step.
+        settings: Ground, payload, friction, armature, backlash, step.
         visuals: Add the visual meshes, for pictures; collision geometry is then hidden.
 
     Raises:
-        Error: A joint, foot body or mesh that is not there.
+        Error: A joint, foot body or mesh that is not there; a gear with play but no rotor.
     """
     spec = load_urdf(description)
     set_physics(spec, settings)
     add_ground(spec, settings)
     add_light_and_sky(spec)
     set_joints(spec, robot, description, settings)
+    add_backlash(spec, robot, settings)
     set_contacts(spec, robot, settings)
+    add_soft_contacts(spec, robot, settings)
     exclude_pairs(spec, description)
     add_payload(spec, settings)
     add_sensors(spec, robot)
@@ -51,7 +57,9 @@ def build_model(
         from surefoot.sim.visuals import add_visuals
 
         add_visuals(spec, description)
-    return spec.compile()
+    model = spec.compile()
+    soften(model, robot, settings)
+    return model
 
 
 def set_joints(

@@ -102,7 +102,7 @@ class Plant:
         self._commands: deque[tuple[int, Law]] = deque()
         self._schedule = PushSchedule(self.handles.root, settings.physics_dt, ())
         self._step = 0
-        place(self.model, self.data, self.handles, self.robot)
+        place(self.model, self.data, self.handles, self.robot, settings.soft_ground_sink)
         mujoco.mj_step1(self.model, self.data)
         self._advance(round(SETTLE_TIME / settings.physics_dt))
         self._sensors.start()

@@ -58,7 +58,7 @@ class Sensors:
         self._imu.start()
 
     def step(self, dq: Array) -> None:
-        """Advance one physics step; dq (12,) are the true joint velocities [rad/s]."""
+        """Advance one physics step; dq (12,) are the true velocities at the motors [rad/s]."""
         self._imu.step()
         self._encoders.step(dq)
 

@@ -10,6 +10,7 @@ from surefoot.sim.checks import number, one_of
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
+LEAST_SINK, MOST_SINK = 1e-4, 0.1  # [m] of soft ground; rigid ground gives way by 20 um
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,8 @@ class PlantSettings:
         foot_force: "est" (newtons and raw counts), "raw" (raw counts alone), "dead" (zeros);
             None takes what the robot's TOML says of the real robot.
         friction: Coefficient between foot and ground.
+        soft_ground_sink: How far a foot sinks under a quarter of the robot's own weight [m]; 0 is
+            rigid ground, from 0.1 mm up a spring and a damper (see sim/soft_ground.py).
         slope_deg: Steepness of the ground [deg]; gravity stays on world z.
         slope_heading_deg: Direction of steepest ascent, from forward towards left [deg].
         payload_kg: Mass welded to the trunk, unknown to the controller [kg].
@@ -30,6 +33,8 @@ class PlantSettings:
         physics_dt: Physics step [s]; a control period is a whole number of them.
         joint_friction_scale: Factor on joint friction and joint damping.
         armature_scale: Factor on the reflected rotor inertia.
+        backlash_deg: Play of every gear at its joint, from end to end [deg]; the encoder is on
+            the rotor's side of it (see sim/backlash.py).
         motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
         seed: Of every random number; the same seed gives the same run.
@@ -38,6 +43,7 @@ class PlantSettings:
     sensors: str = "real"
     foot_force: str | None = None
     friction: float = 0.8
+    soft_ground_sink: float = 0.0
     slope_deg: float = 0.0
     slope_heading_deg: float = 0.0
     payload_kg: float = 0.0
@@ -46,6 +52,7 @@ class PlantSettings:
     physics_dt: float = 0.0005
     joint_friction_scale: float = 1.0
     armature_scale: float = 1.0
+    backlash_deg: float = 0.0
     motor_lag: float | None = None
     extra_delay: float = 0.0
     seed: int = 0
@@ -56,6 +63,7 @@ class PlantSettings:
             one_of("foot_force", self.foot_force, _FOOT_FORCE)
         for name, low, high in (
             ("friction", 0.0, 10.0),
+            ("soft_ground_sink", 0.0, MOST_SINK),
             ("slope_deg", -45.0, 45.0),
             ("slope_heading_deg", -360.0, 360.0),
             ("payload_kg", 0.0, 1000.0),
@@ -63,11 +71,17 @@ class PlantSettings:
             ("physics_dt", 1e-5, 0.002),
             ("joint_friction_scale", 0.0, 100.0),
             ("armature_scale", 0.0, 100.0),
+            ("backlash_deg", 0.0, 5.0),
             ("extra_delay", 0.0, 1.0),
         ):
             number(name, getattr(self, name), low, high)
         if self.motor_lag is not None:
             number("motor_lag", self.motor_lag, 0.0, 1.0)
+        if 0.0 < self.soft_ground_sink < LEAST_SINK:
+            raise Error(
+                f"soft_ground_sink: got {self.soft_ground_sink!r}, expected 0 (rigid ground) or a "
+                f"number from {LEAST_SINK:g} to {MOST_SINK:g}"
+            )
         self._check_position()
         self._check_clock()
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:

@@ -14,14 +14,17 @@ HOLD_KP = 25.0  # [N.m/rad] per kilogram of robot: calves sag by a degree or so
 HOLD_KD = 0.8  # [N.m.s/rad] per kilogram of robot
 
 
-def place(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles, robot: Robot) -> None:
-    """Reset to the standing pose, level with the ground, the lowest foot just touching it."""
+def place(
+    model: mujoco.MjModel, data: mujoco.MjData, handles: Handles, robot: Robot, sink: float
+) -> None:
+    """Reset to the standing pose, level with the ground, the lowest foot `sink` [m] deep in it."""
     mujoco.mj_resetData(model, data)
     data.qpos[3:7] = model.geom_quat[handles.ground_geom]
-    data.qpos[handles.motor_q] = robot.config.q_standing
+    data.qpos[handles.joint_q] = robot.config.q_standing
+    data.qpos[handles.motor_q] = robot.config.q_standing  # amid the play, if there is any
     mujoco.mj_kinematics(model, data)
     heights = data.xpos[handles.foot_bodies] @ handles.ground_normal
-    gap = heights.min() - robot.config.foot_radius
+    gap = heights.min() - robot.config.foot_radius + sink
     data.qpos[:3] -= gap * handles.ground_normal
 
 

@@ -29,7 +29,7 @@ class Truth:
         com: (3,) the whole robot's centre of mass, payload included [m].
         com_velocity: (3,) [m/s].
         tau: (12,) true motor torque, SDK order [N.m].
-        dq: (12,) true joint velocity, SDK order [rad/s].
+        dq: (12,) true joint velocity, on the link's side of the gear, SDK order [rad/s].
         fell: Something other than a foot touches the ground, or the tilt exceeds 60 deg.
     """
 
@@ -68,7 +68,7 @@ def measure_truth(
         com=data.subtree_com[handles.root].copy(),
         com_velocity=data.subtree_linvel[handles.root].copy(),
         tau=tau.copy(),
-        dq=qvel[handles.motor_v],
+        dq=qvel[handles.joint_v],
         fell=has_fallen(data, handles),
     )
 

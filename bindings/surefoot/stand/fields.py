@@ -32,10 +32,16 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ("rate", "Hz", "LowStates and LowCmds per second"),
         ("duration", "s", "simulated time; shorter than asked for if the robot fell"),
         ("friction", "", "coefficient between foot and ground"),
+        ("soft_ground_sink", "m", "of a foot under a quarter of the robot; 0 is rigid ground"),
         ("slope_deg", "deg", "steepness of the ground"),
         ("slope_heading_deg", "deg", "direction of steepest ascent, from forward towards left"),
         ("payload_kg", "kg", "mass on the trunk that the controller does not know of"),
         ("payload_position", "m", "its centre in the base frame"),
+        ("joint_friction_scale", "", "factor on friction and damping of the true joints"),
+        ("armature_scale", "", "factor on the inertia of the true rotors"),
+        ("backlash_deg", "deg", "play of every gear at its joint, from end to end"),
+        ("motor_lag_ms", "ms", "time constant of the motor torque"),
+        ("delay_ms", "ms", "of commands, on top of what real sensors and wires take"),
         ("motor_damping", "N.m.s/rad", "motor-side damping in every command"),
         ("gains_changed", "", "gains that differ from the robot's own"),
         (
@@ -44,7 +50,12 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
             "push of 0.1 s that a linear inverted pendulum of the robot's true mass, height and "
             "support survives",
         ),
-        ("pushes", "", "direction, impulse [N.s], share of the limit, duration [s], time [s]"),
+        (
+            "pushes",
+            "",
+            "direction, impulse [N.s], share of the limit, duration [s], time [s], height above "
+            "the centre of mass [m]",
+        ),
     ),
     "Outcome": (
         ("fell", "", "trunk or leg on the ground, or tilted by more than 60 deg"),

@@ -1,4 +1,4 @@
-"""Pushes as people write them: lateral:8.0:0.1@2.0, or lateral:50%:0.1@2.0."""
+"""Pushes as people write them: lateral:8.0:0.1@2.0, or lateral:50%:0.1:-0.05@2.0."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from surefoot._core import Error
 from surefoot.sim import Plant, Push
 
-FORM = "DIRECTION:IMPULSE:LENGTH@TIME"
+FORM = "DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME"
 EXAMPLE = "lateral:8.0:0.1@2.0"
 _NAMED = ("lateral", "forward")
 
@@ -24,6 +24,7 @@ class PushRequest:
         percent: Whether impulse is percent of the limit.
         duration: [s].
         time: When it begins [s].
+        height: Of its line of action above the centre of mass [m].
     """
 
     direction: str | float
@@ -31,43 +32,47 @@ class PushRequest:
     percent: bool
     duration: float
     time: float
+    height: float = 0.0
 
     def __str__(self) -> str:
         """Write the push in the form that parse_push() reads."""
         unit = "%" if self.percent else ""
-        return f"{self.direction}:{self.impulse}{unit}:{self.duration}@{self.time}"
+        height = f":{self.height}" if self.height else ""
+        return f"{self.direction}:{self.impulse}{unit}:{self.duration}{height}@{self.time}"
 
     def resolve(self, plant: Plant) -> Push:
         """Return the push in newton seconds for a plant as it stands now; raises Error."""
         impulse = self.impulse
         if self.percent:
             impulse *= plant.lip_limit(self.direction, self.duration) / 100.0
-        return Push(self.direction, impulse, self.duration, self.time)
+        return Push(self.direction, impulse, self.duration, self.time, self.height)
 
 
 def parse_push(text: str) -> PushRequest:
-    """Read DIRECTION:IMPULSE:LENGTH@TIME.
+    """Read DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME.
 
     Args:
         text: Direction lateral, forward or degrees from forward towards left; impulse in N.s, or
-            with a % sign in percent of the linear inverted pendulum's limit; length and time [s].
+            with a % sign in percent of the linear inverted pendulum's limit; length and time [s];
+            height of its line of action above the centre of mass [m], 0 if left out.
 
     Raises:
-        Error: Another form, a number that is none, a length or time that cannot be.
+        Error: Another form, a number that is none, a length, height or time that cannot be.
     """
-    match = re.fullmatch(r"([^:@]+):([^:@%]+)(%?):([^:@]+)@([^:@]+)", text.strip())
+    match = re.fullmatch(r"([^:@]+):([^:@%]+)(%?):([^:@]+)(?::([^:@]+))?@([^:@]+)", text.strip())
     if match is None:
         raise Error(f"push: got '{text}', expected {FORM}, such as {EXAMPLE}")
-    direction, impulse, percent, duration, time = match.groups()
+    direction, impulse, percent, duration, height, time = match.groups()
     request = PushRequest(
         direction if direction in _NAMED else _number(direction, "direction", text, _NAMED),
         _number(impulse, "impulse", text),
         bool(percent),
         _number(duration, "length", text),
         _number(time, "time", text),
+        0.0 if height is None else _number(height, "height", text),
     )
     # The plant checks the ranges in its own terms; percent stands in for an impulse here.
-    Push(request.direction, request.impulse, request.duration, request.time)
+    Push(request.direction, request.impulse, request.duration, request.time, request.height)
     return request
 
 

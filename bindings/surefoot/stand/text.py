@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from surefoot.sim import PlantSettings
+
 
 def verdict(s: dict[str, Any]) -> str:
     """Return in one sentence how a run went, from its summary."""
@@ -25,9 +27,24 @@ def conditions(s: dict[str, Any]) -> str:
         parts.append(f"slope {s['slope_deg']:g} deg towards {s['slope_heading_deg']:g} deg")
     if s["payload_kg"]:
         parts.append(f"payload {s['payload_kg']:g} kg")
+    parts += _flaws(s)
     if s["motor_damping"]:
         parts.append(f"motor damping {s['motor_damping']:g} N.m.s/rad")
     return ", ".join([*parts, f"seed {s['seed']}"])
+
+
+def _flaws(s: dict[str, Any]) -> list[str]:
+    """Return in words what sets motors and ground apart from the usual ones."""
+    usual_lag = 1000.0 * PlantSettings(sensors=s["sensors"]).lag
+    flaws = (
+        (s["soft_ground_sink"] > 0.0, f"ground soft by {1000.0 * s['soft_ground_sink']:g} mm"),
+        (s["joint_friction_scale"] != 1.0, f"joint friction x {s['joint_friction_scale']:g}"),
+        (s["armature_scale"] != 1.0, f"armature x {s['armature_scale']:g}"),
+        (s["backlash_deg"] > 0.0, f"backlash {s['backlash_deg']:g} deg"),
+        (s["motor_lag_ms"] != usual_lag, f"motor lag {s['motor_lag_ms']:g} ms"),
+        (s["delay_ms"] > 0.0, f"delay {s['delay_ms']:g} ms"),
+    )
+    return [words for present, words in flaws if present]
 
 
 def push_line(push: dict[str, Any]) -> str:
@@ -36,9 +53,10 @@ def push_line(push: dict[str, Any]) -> str:
     name = direction if isinstance(direction, str) else f"at {direction:g} deg"
     share = push["lip_share"]
     of_limit = "" if share is None else f", {100 * share:.0f} % of the pendulum's limit"
+    height = f", {push['height_m']:+g} m above the centre of mass" if push["height_m"] else ""
     return (
         f"{name} {push['impulse_ns']:.2f} N.s in {push['duration_s']:g} s "
-        f"at {push['time_s']:g} s{of_limit}"
+        f"at {push['time_s']:g} s{height}{of_limit}"
     )
 
 

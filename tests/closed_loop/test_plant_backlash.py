@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import mujoco
+import numpy as np
+import pytest
+import surefoot
+from plant_helpers import ROBOTS, hover, pd_command
+from surefoot.robots import describe_robot
+from surefoot.sim import Plant, PlantSettings, Push
+from surefoot.sim.stance import HOLD_KD, HOLD_KP
+
+PLAY = 1.0  # [deg]
+# No friction, no lag, no delay: what is left can be worked out by hand.
+BARE = PlantSettings(sensors="ideal", backlash_deg=PLAY, joint_friction_scale=0.0)
+
+
+def floating(settings: PlantSettings = BARE) -> Plant:
+    """Return go1 in the air, without gravity, at rest, every rotor amid its play."""
+    plant = Plant("go1", settings)
+    plant.data.qpos[plant.handles.motor_q] = plant.data.qpos[plant.handles.joint_q]
+    hover(plant)
+    return plant
+
+
+def torque_command(tau: float) -> surefoot.LowCmd:
+    cmd = surefoot.LowCmd()
+    for i in range(12):
+        cmd.motorCmd[i].tau = tau
+    return cmd
+
+
+def gap(plant: Plant) -> np.ndarray:
+    """Return how far each rotor is ahead of its joint [deg]."""
+    qpos, handles = plant.data.qpos, plant.handles
+    return np.degrees(qpos[handles.motor_q] - qpos[handles.joint_q])
+
+
+def test_gears_without_play_have_no_coordinate_more() -> None:
+    plant = Plant("go1", PlantSettings(backlash_deg=0.0))
+    assert (plant.model.nq, plant.model.nv, plant.model.ntendon) == (19, 18, 0)
+    np.testing.assert_array_equal(plant.handles.motor_q, plant.handles.joint_q)
+    np.testing.assert_array_equal(plant.handles.motor_v, plant.handles.joint_v)
+
+
+def test_armature_friction_and_damping_sit_on_the_rotors_side() -> None:
+    plain, loose = Plant("go1"), Plant("go1", PlantSettings(backlash_deg=PLAY))
+    for name in ("dof_armature", "dof_frictionloss", "dof_damping"):
+        values = getattr(loose.model, name)
+        expected = getattr(plain.model, name)[plain.handles.joint_v]
+        np.testing.assert_array_equal(values[loose.handles.motor_v], expected)
+        np.testing.assert_array_equal(values[loose.handles.joint_v], 0.0)
+
+
+@pytest.mark.parametrize("tau", [-0.1, 0.1])
+def test_within_the_play_a_torque_turns_the_rotor_alone(tau: float) -> None:
+    plant = floating()
+    armature = plant.model.dof_armature[plant.handles.motor_v]
+    plant.step(torque_command(tau))  # by a thousandth of the way: half a step matters little
+    plant.step(torque_command(tau))
+    np.testing.assert_allclose(plant.data.qvel[plant.handles.motor_v], tau * 0.004 / armature)
+    np.testing.assert_array_equal(plant.truth.dq, 0.0)
+    assert np.abs(gap(plant)).max() < PLAY / 2
+
+
+def test_the_way_to_the_end_of_the_play_takes_the_time_that_inertia_says() -> None:
+    plant, tau = floating(), 0.05
+    times = np.zeros(12)
+    for _ in range(60):
+        still = np.abs(plant.truth.dq) < 1e-3  # a blow of another leg moves a loose one later
+        plant.step(torque_command(tau))
+        times[still & (np.abs(plant.truth.dq) >= 1e-3) & (times == 0.0)] = plant.time
+    armature = plant.model.dof_armature[plant.handles.motor_v]
+    expected = np.sqrt(2.0 * math.radians(PLAY / 2.0) * armature / tau)
+    first = np.argsort(expected)[:8]  # hips and thighs; the calves are moved by the thighs
+    np.testing.assert_allclose(times[first], expected[first] - plant.time + 0.12, atol=0.004)
+
+
+def test_teeth_that_meet_hardly_bounce_and_pass_their_momentum_on() -> None:
+    plant = floating()
+    model, data, handles = plant.model, plant.data, plant.handles
+    rotor, knee = handles.motor_v[2], handles.joint_v[2]
+    data.qvel[rotor] = 3.0
+    mujoco.mj_step1(model, data)
+    before, mass = data.qvel.copy(), np.zeros((model.nv, model.nv))
+    mujoco.mj_fullM(model, data, mass)
+    for _ in range(6):  # 3 ms to the end of the play, the rest to part again
+        plant.step(torque_command(0.0))
+    assert 0.0 <= data.qvel[knee] - data.qvel[rotor] < 0.15 * 3.0
+    # The blow's impulse acts on those two alone, and on both alike.
+    impulse = mass @ (data.qvel - before)
+    assert impulse[knee] > 1e-3
+    assert impulse[rotor] == pytest.approx(-impulse[knee], rel=0.02)
+    others = np.delete(impulse, [rotor, knee])
+    assert np.abs(others).max() < 0.1 * impulse[knee]
+
+
+def test_energy_never_grows_from_blow_to_blow() -> None:
+    plant = floating()
+    model, data = plant.model, plant.data
+    data.qvel[plant.handles.motor_v] = np.random.default_rng(0).normal(0.0, 5.0, 12)
+    mujoco.mj_step1(model, data)
+    energies = []
+    for _ in range(200):
+        mass = np.zeros((model.nv, model.nv))
+        mujoco.mj_fullM(model, data, mass)
+        energies.append(0.5 * data.qvel @ mass @ data.qvel)
+        plant.step(torque_command(0.0))
+    assert (np.diff(energies) < 1e-3 * energies[0]).all()
+    assert energies[-1] < 0.9 * energies[0]
+
+
+def test_the_encoders_are_on_the_rotors() -> None:
+    plant = Plant("go1", PlantSettings(sensors="ideal", backlash_deg=PLAY))
+    state = plant.step(pd_command(plant, HOLD_KP, HOLD_KD))
+    data, handles = plant.data, plant.handles
+    q = [state.motorState[i].q for i in range(12)]
+    dq = [state.motorState[i].dq for i in range(12)]
+    np.testing.assert_allclose(q, data.qpos[handles.motor_q], rtol=1e-6)
+    np.testing.assert_allclose(dq, data.qvel[handles.motor_v], atol=1e-6)
+    assert np.degrees(np.abs(q - data.qpos[handles.joint_q])).max() > 0.4 * PLAY
+    np.testing.assert_array_equal(plant.truth.dq, data.qvel[handles.joint_v])
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("play", [0.5, 5.0])
+def test_under_load_teeth_touch_and_torque_passes_them_in_full(name: str, play: float) -> None:
+    plant = Plant(name, PlantSettings(backlash_deg=play))
+    for _ in range(200):
+        plant.step(pd_command(plant, HOLD_KP, HOLD_KD))
+    calves = slice(2, None, 3)
+    np.testing.assert_allclose(gap(plant)[calves], play / 2.0, atol=0.01)
+    assert np.abs(gap(plant)).max() < play / 2.0 + 0.02
+    weight = plant.robot.mass * 9.81
+    assert plant.truth.foot_forces[2].sum() == pytest.approx(weight, rel=0.01)
+    assert not plant.truth.fell
+
+
+def test_hardly_any_play_is_as_good_as_none() -> None:
+    paths = []
+    for play in (0.0, 0.001):
+        plant = Plant("go1", dataclasses.replace(BARE, backlash_deg=play))
+        hover(plant)
+        for _ in range(50):
+            plant.step(torque_command(0.02))
+        paths.append(plant.data.qpos[plant.handles.joint_q].copy())
+    moved = np.abs(paths[0] - Plant("go1", BARE).robot.config.q_standing).max()
+    assert moved > 0.01
+    np.testing.assert_allclose(paths[1], paths[0], atol=0.02 * moved)
+
+
+def test_half_the_physics_step_changes_no_result_with_play_either() -> None:
+    peaks = []
+    for physics_dt in (0.0005, 0.00025):
+        plant = Plant("go1", PlantSettings(physics_dt=physics_dt, backlash_deg=PLAY))
+        plant.add_push(Push("lateral", 0.5 * plant.lip_limit("lateral"), 0.1, 0.1))
+        cmd, start, path = pd_command(plant), plant.truth.com, []
+        for _ in range(200):
+            plant.step(cmd)
+            path.append(plant.truth.com - start)
+        peaks.append(np.linalg.norm(path, axis=1).max())
+    assert peaks[0] > 0.02
+    assert peaks[0] == pytest.approx(peaks[1], rel=0.03)
+
+
+def test_a_rotor_without_inertia_is_refused() -> None:
+    with pytest.raises(surefoot.Error, match=r"backlash_deg: got 1 .* rotor inertia of 0 .*hip"):
+        Plant("go1", PlantSettings(backlash_deg=1.0, armature_scale=0.0))
+    go1 = describe_robot("go1")
+    assert Plant(go1, PlantSettings(armature_scale=0.0)).model.dof_armature.max() == 0.0
