@@ -19,6 +19,8 @@ constexpr double kAccept = 5.0;     // the same, ours: residuals computed by us
 constexpr double kResidue = 1e-12;
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
 constexpr int kAttempts = 6;      // nothing, and on from there
+constexpr double kTight = 1e-8;   // below this tolerance time is no object: offline checks
+constexpr int kTightFactor = 10;
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -92,12 +94,13 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
   // leaves rounding residues of 1e-24 on nearly all of them, and inserting those costs 15 us.
   auto& z = workspace_->qp.results.z;
   z = (z.array().abs() < kResidue).select(0.0, z);
+  const int patience = tolerance_ < kTight ? kTightFactor : 1;
   int spent = 0;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    if (attempt == kWarmAttempts || !x().allFinite()) forget();
+  for (int attempt = 0; attempt < patience * kAttempts; ++attempt) {
+    if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) forget();
     result = run(problem);
     spent += result.iterations;
-    if (result.status == Status::kOk || spent >= budget) break;
+    if (result.status == Status::kOk || spent >= patience * budget) break;
     drop_slack_multipliers();
   }
   result.iterations = spent;
