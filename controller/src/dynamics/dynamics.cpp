@@ -144,9 +144,11 @@ void Dynamics::write_full(FullDynamics& out) const noexcept {
       out.M.transpose().triangularView<Eigen::StrictlyLower>();
   out.h = data.nle;
   out.J.setZero();
+  // Pinocchio's Jacobian is about the origin of update()'s frame, the points have been shifted.
+  const Vector3 shift = p_world_base_ - data.oMi[1].translation();
   for (int leg = 0; leg < kLegs; ++leg) {
     const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;
-    const Vector3& p = legs_[leg].p_world_contact;
+    const Vector3 p = legs_[leg].p_world_contact - shift;
     for (const auto joint : model.supports[calf]) {
       for (int k = 0; k < model.nvs[joint]; ++k) {
         const int column = model.idx_vs[joint] + k;
