@@ -11,6 +11,7 @@ namespace {
 constexpr double kGroundTime = 0.5;  // [s] how slowly the ground's normal follows the feet
 constexpr double kPlaceTime = 0.5;   // [s] how slowly a place follows a foot that has moved
 constexpr double kStiff = 1e-4;      // [m^2] keeps the normal where the feet in contact do not say
+constexpr double kUntilted = 1e-6;   // [m^2] the same, where only what is left over counts
 
 // Heading of the line from the rear feet's middle to the front's, about z.
 double heading(const FeetMatrix& p) noexcept {
@@ -20,6 +21,19 @@ double heading(const FeetMatrix& p) noexcept {
 
 Matrix3 about_z(double angle) noexcept {
   return exp_so3(angle * Vector3::UnitZ()).toRotationMatrix();
+}
+
+// Least squares for the two slopes of heights over d's x and y, both about their weighted mean.
+Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
+                      const Eigen::Vector4d& weight, double stiff) noexcept {
+  Eigen::Matrix2d S = stiff * Eigen::Matrix2d::Identity();
+  Eigen::Vector2d r = Eigen::Vector2d::Zero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Eigen::Vector2d xy = d.col(leg).head<2>();
+    S += weight[leg] * xy * xy.transpose();
+    r += weight[leg] * heights[leg] * xy;
+  }
+  return S.inverse() * r;
 }
 
 // Shortest rotation that brings R's third axis to `normal`.
@@ -51,22 +65,15 @@ void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, d
   tilt(from_mean, places, weight, dt / (dt + kGroundTime));
   turn(from_mean, places, weight);
   origin_ = mean - R_ * mean_place;
-  follow_moved_feet(p, contact, dt);
+  follow_moved_feet(p, contact, weight, dt);
 }
 
-// Least squares for the two slopes that bring the places' heights to the feet's.
+// Towards the two slopes that bring the places' heights to the feet's.
 void SupportFrame::tilt(const FeetMatrix& from_mean, const FeetMatrix& places,
                         const Eigen::Vector4d& weight, double blend) noexcept {
   const FeetMatrix d = R_.transpose() * from_mean;
-  Eigen::Matrix2d S = kStiff * Eigen::Matrix2d::Identity();
-  Eigen::Vector2d r = Eigen::Vector2d::Zero();
-  for (int leg = 0; leg < kLegs; ++leg) {
-    const Eigen::Vector2d xy = d.col(leg).head<2>();
-    S += weight[leg] * xy * xy.transpose();
-    r += weight[leg] * (d(2, leg) - places(2, leg)) * xy;
-  }
-  const Eigen::Vector2d slope = S.inverse() * r;
-  const Vector3 normal(-slope.x(), -slope.y(), 1.0);
+  const Eigen::Vector2d tilt = slope(d, d.row(2) - places.row(2), weight, kStiff);
+  const Vector3 normal(-tilt.x(), -tilt.y(), 1.0);
   R_ = aligned(R_, R_ * (Vector3::UnitZ() + blend * (normal - Vector3::UnitZ())).normalized());
 }
 
@@ -82,12 +89,17 @@ void SupportFrame::turn(const FeetMatrix& from_mean, const FeetMatrix& places,
   R_ = R_ * about_z(std::atan2(sine, cosine));
 }
 
-// Then the frame moves so that the places keep their centroid at its origin and their heading.
+// A foot's place follows it, and the frame moves so that the places keep their centroid at its
+// origin and their heading. What tilts all feet alike is the IMU's or the ground's: it belongs to
+// tilt(), and places that took it in would keep a share of it for good.
 void SupportFrame::follow_moved_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
-                                     double dt) noexcept {
+                                     const Eigen::Vector4d& weight, double dt) noexcept {
   const FeetMatrix now = R_.transpose() * (p.colwise() - origin_);
+  const FeetMatrix d = now.colwise() - now * weight;
+  FeetMatrix moved = now - places_;
+  moved.row(2) -= slope(d, moved.row(2), weight, kUntilted).transpose() * d.topRows<2>();
   for (int leg = 0; leg < kLegs; ++leg) {
-    places_.col(leg) += contact[leg] * dt / (dt + kPlaceTime) * (now.col(leg) - places_.col(leg));
+    places_.col(leg) += contact[leg] * dt / (dt + kPlaceTime) * moved.col(leg);
   }
   const Vector3 shift = places_.rowwise().mean();
   const Matrix3 turn = about_z(heading(places_));

@@ -31,7 +31,8 @@ class SupportFrame {
             double blend) noexcept;
   void turn(const FeetMatrix& from_mean, const FeetMatrix& places,
             const Eigen::Vector4d& weight) noexcept;
-  void follow_moved_feet(const FeetMatrix& p, const Eigen::Vector4d& contact, double dt) noexcept;
+  void follow_moved_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
+                         const Eigen::Vector4d& weight, double dt) noexcept;
 
   Vector3 origin_ = Vector3::Zero();
   Matrix3 R_ = Matrix3::Identity();
