@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "quadruped.hpp"
+#include "scenes.hpp"
 #include "surefoot/stand_controller.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "dynamics/dynamics.hpp"
-#include "quadruped.hpp"
+#include "scenes.hpp"
 
 using namespace surefoot;
 

@@ -5,7 +5,7 @@
 #include "estimator/attitude.hpp"
 #include "estimator/base_filter.hpp"
 #include "estimator/contact_estimator.hpp"
-#include "quadruped.hpp"
+#include "scenes.hpp"
 #include "surefoot/state_estimator.hpp"
 
 using namespace surefoot;

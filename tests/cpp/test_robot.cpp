@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "quadruped.hpp"
+#include "scenes.hpp"
 #include "surefoot/error.hpp"
 
 using namespace surefoot;

@@ -2,9 +2,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "low_state_check.hpp"
-#include "quadruped.hpp"
 #include "safety/command_keeper.hpp"
 #include "safety/tick_clock.hpp"
+#include "scenes.hpp"
 
 using namespace surefoot;
 

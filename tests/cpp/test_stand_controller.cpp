@@ -3,7 +3,7 @@
 #include <cstring>
 #include <random>
 
-#include "quadruped.hpp"
+#include "scenes.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
 
