@@ -60,7 +60,9 @@ double StanceKinematics::step(const FeetMatrix& centres) noexcept {
       J.col(k) = column.head<3>() - p.cross(column.tail<3>());
     }
     const Vector3 error = centres.col(leg) - p;
-    if (std::abs(J.determinant()) < kSingular) return std::numeric_limits<double>::infinity();
+    if (!error.allFinite() || std::abs(J.determinant()) < kSingular) {
+      return std::numeric_limits<double>::infinity();
+    }
     const Vector3 step = J.inverse() * error;
     for (int k = 0; k < kLegJoints; ++k) {
       trial_[robot_.motor_to_q()[3 * leg + k]] +=
