@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "reference/body_motion.hpp"
+#include "reference/support_polygon.hpp"
+#include "scenes.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kDt = 0.002;
+
+Vector6 vector_of(const BodyReference& r) {
+  Vector6 v;
+  v << r.x, r.y, r.height, r.roll, r.pitch, r.yaw;
+  return v;
+}
+
+// The support frame of a robot that stands level is below its base.
+struct Level {
+  Robot robot = quadruped();
+  Gains gains;
+  RobotState state = standing_state(robot);
+  FeetMatrix feet = contact_points(robot, state.q);
+  BodyMotion motion{robot};
+  StanceKinematics legs{robot};
+  Vector6 fastest = Vector6::Zero();  // of what was seen
+  Level() {
+    legs.start_from(state.q);
+    motion.latch({state.q.head<3>(), Quaternion::Identity()}, center_of_mass(robot, state.q),
+                 state.q);
+  }
+  void run(double seconds) {
+    for (int k = 0; k < seconds / kDt; ++k) {
+      const Vector6 before = vector_of(motion.position());
+      motion.step(gains, feet, -Vector3::UnitZ(), kDt);
+      BOOST_REQUIRE(legs.solve(motion.p_base(), motion.R_base(), feet, Vector3::UnitZ()));
+      fastest = fastest.cwiseMax((vector_of(motion.position()) - before).cwiseAbs() / kDt);
+    }
+  }
+  // Least distance of a joint from its limits in the pose that is asked for now.
+  double joint_room() const {
+    double room = 1e9;
+    for (int i = 0; i < kMotors; ++i) {
+      const double q = legs.q()[robot.motor_to_q()[i]];
+      room = std::min({room, q - robot.config().q_lower[i], robot.config().q_upper[i] - q});
+    }
+    return room;
+  }
+  double support_room() const {
+    return SupportPolygon(feet, {true, true, true, true}).margin(motion.p_com().head<2>());
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(body_motion)
+
+BOOST_FIXTURE_TEST_CASE(a_target_within_reach_is_reached_no_faster_than_the_gains_say, Level) {
+  const BodyReference target{0.03, -0.02, -0.04, 0.1, -0.08, 0.15};
+  motion.set_target(target);
+  run(3.0);
+  BOOST_TEST((vector_of(motion.position()) - vector_of(target)).norm() < 1e-4);
+  BOOST_TEST((motion.status().limit == ReachLimit::kNone));
+  BOOST_TEST(fastest.head<3>().maxCoeff() <= gains.reference_speed + 1e-9);
+  BOOST_TEST(fastest.tail<3>().maxCoeff() <= gains.reference_turn_speed + 1e-9);
+  BOOST_TEST(fastest.head<3>().maxCoeff() > 0.8 * gains.reference_speed);
+  BOOST_TEST(motion.v_com().norm() == 0.0);
+  BOOST_TEST(motion.w_base().norm() == 0.0);
+}
+
+// Sixty seconds of random requests, most of them beyond what a leg or the balance can do.
+BOOST_FIXTURE_TEST_CASE(whatever_is_asked_speed_joints_and_support_stay_inside_their_limits,
+                        Level) {
+  std::srand(11);
+  double joint = 1e9, support = 1e9;
+  for (int request = 0; request < 60; ++request) {
+    const Vector6 r = Vector6::Random();
+    motion.set_target({0.15 * r[0], 0.15 * r[1], 0.12 * r[2], 0.5 * r[3], 0.5 * r[4], r[5]});
+    for (int k = 0; k < 500; ++k) {
+      run(kDt);
+      joint = std::min(joint, joint_room());
+      support = std::min(support, support_room());
+    }
+  }
+  BOOST_TEST(fastest.head<3>().maxCoeff() <= gains.reference_speed + 1e-9);
+  BOOST_TEST(fastest.tail<3>().maxCoeff() <= gains.reference_turn_speed + 1e-9);
+  BOOST_TEST(joint >= gains.reach_joint_margin - 1e-9);
+  BOOST_TEST(joint < gains.reach_joint_margin + 0.01);
+  BOOST_TEST(support >= gains.reach_support_margin - 1e-9);
+  BOOST_TEST(support < gains.reach_support_margin + 0.01);
+}
+
+BOOST_FIXTURE_TEST_CASE(too_low_stops_at_a_knee_and_says_which, Level) {
+  motion.set_target({0.0, 0.0, -0.25, 0.0, 0.0, 0.0});
+  run(4.0);
+  BOOST_TEST((motion.status().limit == ReachLimit::kJoint));
+  BOOST_TEST(motion.status().motor % 3 != 0);
+  BOOST_TEST(motion.position().height < -0.05);
+  BOOST_TEST(motion.position().height > -0.25);
+  BOOST_TEST(joint_room() >= gains.reach_joint_margin - 1e-9);
+  BOOST_TEST(joint_room() < gains.reach_joint_margin + 2e-3);
+  BOOST_TEST(motion.v_com().norm() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(too_far_aside_stops_before_the_edge_of_the_support, Level) {
+  gains.reach_joint_margin = 0.0;
+  motion.set_target({0.0, 0.13, 0.0, 0.0, 0.0, 0.0});
+  run(4.0);
+  BOOST_TEST((motion.status().limit == ReachLimit::kSupport));
+  BOOST_TEST(support_room() >= gains.reach_support_margin - 1e-9);
+  BOOST_TEST(support_room() < gains.reach_support_margin + 2e-3);
+}
+
+BOOST_FIXTURE_TEST_CASE(it_returns_from_a_limit_to_where_it_was_latched, Level) {
+  motion.set_target({0.1, 0.1, -0.3, 0.5, 0.5, 0.5});
+  run(4.0);
+  BOOST_TEST((motion.status().limit != ReachLimit::kNone));
+  motion.set_target({});
+  run(4.0);
+  BOOST_TEST((motion.status().limit == ReachLimit::kNone));
+  BOOST_TEST(vector_of(motion.position()).norm() < 1e-4);
+  BOOST_TEST((motion.p_com() - center_of_mass(robot, state.q)).norm() < 1e-4);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_target_that_is_not_a_number_leaves_the_last_one_standing, Level) {
+  motion.set_target({0.0, 0.0, -0.03, 0.0, 0.0, 0.0});
+  run(0.1);
+  motion.set_target({0.0, 0.0, std::nan(""), 0.0, 0.0, 0.0});
+  BOOST_TEST((motion.status().limit == ReachLimit::kNotFinite));
+  motion.set_target({0.0, 0.0, 0.0, std::numeric_limits<double>::infinity(), 0.0, 0.0});
+  BOOST_TEST((motion.status().limit == ReachLimit::kNotFinite));
+  run(3.0);
+  BOOST_TEST(std::abs(motion.position().height + 0.03) < 1e-4);
+  BOOST_TEST(vector_of(motion.position()).allFinite());
+}
+
+BOOST_FIXTURE_TEST_CASE(velocities_are_those_of_the_pose_it_asks_for, Level) {
+  motion.set_target({0.03, -0.02, -0.04, 0.2, -0.15, 0.3});
+  run(0.1);
+  const Quaternion R = motion.R_base();
+  const Vector3 p_com = motion.p_com();
+  run(kDt);
+  const Vector3 turned = log_so3(motion.R_base() * R.conjugate()) / kDt;
+  BOOST_TEST(turned.norm() > 0.5);
+  BOOST_TEST((turned - motion.w_base()).norm() < 0.01 * turned.norm());
+  BOOST_TEST(((motion.p_com() - p_com) / kDt - motion.v_com()).norm() < 1e-9);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

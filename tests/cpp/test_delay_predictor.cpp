@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "estimator/delay_predictor.hpp"
+#include "scenes.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kDelay = 0.012, kDt = 0.002;
+
+struct Predicting {
+  Robot robot = quadruped();
+  RobotState state = standing_state(robot);
+  Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
+  DelayPredictor predictor{18, kDelay};
+  Predicting() { state.contact << 0.1, 0.2, 0.3, 0.4; }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(delay_predictor)
+
+BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly, Predicting) {
+  a.segment<3>(3).setZero();  // turning has a test of its own
+  state.v = Eigen::VectorXd::LinSpaced(18, 1.0, -1.0);
+  state.v.segment<3>(3).setZero();
+  for (int k = 0; k < 10; ++k) predictor.remember(a, kDt);
+  const RobotState& then = predictor.predict(state);
+  const Eigen::VectorXd step = kDelay * state.v + 0.5 * kDelay * kDelay * a;
+  BOOST_TEST((then.v - state.v - kDelay * a).norm() < 1e-12);
+  BOOST_TEST((then.q.tail(12) - state.q.tail(12) - step.tail(12)).norm() < 1e-12);
+  BOOST_TEST((then.q.head<3>() - state.q.head<3>() - step.head<3>()).norm() < 1e-12);
+  BOOST_TEST((then.contact - state.contact).norm() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_base_that_turns_steadily_ends_where_it_turns_to, Predicting) {
+  const Quaternion tilted = exp_so3(Vector3(0.3, -0.2, 1.0));
+  const Vector3 w(1.0, -2.0, 0.5);
+  state.q.segment<4>(3) = tilted.coeffs();
+  state.v.segment<3>(3) = w;
+  const RobotState& then = predictor.predict(state);
+  const Quaternion R(then.q[6], then.q[3], then.q[4], then.q[5]);
+  BOOST_TEST(R.angularDistance(tilted * exp_so3(kDelay * w)) < 1e-7);
+  BOOST_TEST(std::abs(R.norm() - 1.0) < 1e-12);
+}
+
+// Against an integration of the same accelerations, command by command.
+BOOST_FIXTURE_TEST_CASE(commands_on_their_way_act_one_after_the_other_the_oldest_first,
+                        Predicting) {
+  Eigen::VectorXd v = state.v, q = state.q.tail(12);
+  for (int k = 0; k < 9; ++k) {
+    const Eigen::VectorXd sent = (k - 2.0) * a;
+    predictor.remember(sent, kDt);
+    if (k < 3) continue;  // acts before the measurement: six of 2 ms fill the delay
+    q += kDt * v.tail(12) + 0.5 * kDt * kDt * sent.tail(12);
+    v += kDt * sent;
+  }
+  const RobotState& then = predictor.predict(state);
+  BOOST_TEST((then.v - v).norm() < 1e-12);
+  BOOST_TEST((then.q.tail(12) - q).norm() < 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_command_that_lasts_beyond_the_delay_counts_for_its_share, Predicting) {
+  predictor.remember(100.0 * a, 0.010);
+  predictor.remember(a, 0.008);  // the last 8 of the 12 ms; the one before it the first 4
+  const RobotState& then = predictor.predict(state);
+  BOOST_TEST((then.v - state.v - (0.004 * 100.0 + 0.008) * a).norm() < 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(its_ring_wraps_and_the_oldest_are_forgotten, Predicting) {
+  DelayPredictor fresh(18, kDelay);
+  for (int k = 0; k < 200; ++k) predictor.remember((k % 7) * a, kDt);
+  for (int k = 190; k < 200; ++k) fresh.remember((k % 7) * a, kDt);
+  BOOST_TEST((predictor.predict(state).v - fresh.predict(state).v).norm() == 0.0);
+  BOOST_TEST((predictor.predict(state).q - fresh.predict(state).q).norm() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(after_a_reset_nothing_is_on_its_way, Predicting) {
+  for (int k = 0; k < 10; ++k) predictor.remember(a, kDt);
+  predictor.reset();
+  BOOST_TEST((predictor.predict(state).v - state.v).norm() == 0.0);
+  BOOST_TEST(predictor.active());
+  BOOST_TEST(!DelayPredictor(18, 0.0).active());
+}
+
+// Far from standing: what Pinocchio's integration says of the same motion, to second order.
+BOOST_FIXTURE_TEST_CASE(a_random_motion_is_predicted_to_the_order_of_the_delay_squared,
+                        Predicting) {
+  for (int seed = 0; seed < 20; ++seed) {
+    const RobotState random = random_state(robot, seed, 1.0);
+    for (int k = 0; k < 10; ++k) predictor.remember(a, kDt);
+    Eigen::VectorXd q = random.q, v = random.v;
+    const int steps = 1000;
+    for (int k = 0; k < steps; ++k) {
+      const double h = kDelay / steps;
+      q = integrate(robot, q, h * v + 0.5 * h * h * a);
+      v += h * a;
+    }
+    const RobotState& then = predictor.predict(random);
+    BOOST_TEST((then.v - v).norm() < 1e-9);
+    BOOST_TEST((then.q - q).norm() < 4.0 * kDelay * kDelay);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
