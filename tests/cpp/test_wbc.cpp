@@ -50,6 +50,34 @@ BOOST_AUTO_TEST_CASE(the_same_inputs_give_the_same_bits) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(smoothness_keeps_the_forces_nearer_to_those_of_the_tick_before) {
+  const Robot robot = quadruped();
+  Gains smooth;
+  smooth.weight_smooth = 0.2;
+  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+    WholeBodyController rough(robot, Gains(), {form}), calm(robot, smooth, {form});
+    const RobotState state = standing_state(robot);
+    Reference reference = reference_at(robot, state);
+    reference.use_forces = true;
+    const auto pull = [&](double lateral) {
+      for (int leg = 0; leg < kLegs; ++leg) {
+        reference.feet[leg].f_world = {0.0, leg % 2 ? -lateral : lateral, 30.0};
+      }
+    };
+    pull(5.0);
+    for (int k = 0; k < 100; ++k) calm.update(state, reference);
+    const FeetMatrix before = rough.update(state, reference).forces;
+    BOOST_TEST((calm.solution().forces - before).norm() < 0.01);
+    pull(-5.0);
+    const double jump = (rough.update(state, reference).forces - before).norm();
+    const double step = (calm.update(state, reference).forces - before).norm();
+    BOOST_TEST(jump > 5.0);
+    BOOST_TEST(step < 0.2 * jump);
+    for (int k = 0; k < 100; ++k) calm.update(state, reference);
+    BOOST_TEST((calm.solution().forces - rough.solution().forces).norm() < 0.01);
+  }
+}
+
 // The equations of motion and the feet's accelerations, with Pinocchio's own functions.
 BOOST_AUTO_TEST_CASE(a_solution_satisfies_the_full_equations_of_motion_in_either_form) {
   const Robot robot = quadruped();

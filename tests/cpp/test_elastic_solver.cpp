@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Against the elastic program written out whole from its definition, and solved to a certificate.
+#include <boost/test/unit_test.hpp>
+
+#include "kkt.hpp"
+#include "wbc/elastic_solver.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr int kN = 12, kRows = 60, kHard = 20, kGroups = 5;
+constexpr double kCurvature = 0.5;
+
+ElasticRows elastic_rows() {
+  ElasticRows rows;
+  rows.groups = kGroups;
+  for (int row = 0; row < kRows; ++row) rows.group.push_back(row < kHard ? -1 : row % kGroups);
+  return rows;
+}
+
+// Every other one has a pair of elastic rows that contradict each other.
+QpProblem program(int seed, int n_eq = 0) {
+  RandomProgram random(seed, kN, n_eq, kRows);
+  if (seed % 2 != 0) {
+    QpProblem& p = random.problem;
+    const int row = kHard + seed % (kRows - kHard - 1);
+    p.C.row(row + 1) = p.C.row(row);
+    p.l[row + 1] = p.u[row] + 0.2;
+    p.u[row + 1] = p.l[row + 1] + 0.5;
+  }
+  return random.problem;
+}
+
+// x, s with  C x - s <= u,  C x + s >= l,  s >= 0: every elastic row twice, nothing clever.
+QpProblem whole(const QpProblem& p, const ElasticRows& rows, const Eigen::VectorXd& price) {
+  const int n = static_cast<int>(p.g.size()), n_in = static_cast<int>(rows.group.size());
+  QpProblem e(n + rows.groups, static_cast<int>(p.b.size()), 2 * n_in + rows.groups);
+  e.H.topLeftCorner(n, n) = p.H;
+  e.H.diagonal().tail(rows.groups).setConstant(kCurvature);
+  e.g << p.g, price;
+  e.A.leftCols(n) = p.A;
+  e.b = p.b;
+  e.C.topLeftCorner(n_in, n) = e.C.middleRows(n_in, n_in).leftCols(n) = p.C;
+  e.C.bottomRightCorner(rows.groups, rows.groups).setIdentity();
+  e.l << Eigen::VectorXd::Constant(n_in, -kNoBound), p.l, Eigen::VectorXd::Zero(rows.groups);
+  e.u << p.u, Eigen::VectorXd::Constant(n_in + rows.groups, kNoBound);
+  for (int row = 0; row < n_in; ++row) {
+    if (rows.group[row] < 0) continue;
+    e.C(row, n + rows.group[row]) = -1.0;
+    e.C(n_in + row, n + rows.group[row]) = 1.0;
+  }
+  return e;
+}
+
+// The whole program's answer as tight as it comes, certified; it is strictly convex, so there is
+// one.
+Eigen::VectorXd certified(const QpProblem& e) {
+  for (const double tolerance : {1e-9, 1e-8, 1e-7, 1e-6}) {
+    QpSolver solver(static_cast<int>(e.g.size()), static_cast<int>(e.b.size()),
+                    static_cast<int>(e.u.size()), tolerance);
+    if (solver.solve(e).status != Status::kOk) continue;
+    BOOST_REQUIRE(kkt_residual(e, solver.x(), solver.y(), solver.z()) < 10.0 * tolerance);
+    return solver.x();
+  }
+  BOOST_FAIL("no certificate");
+  return {};
+}
+
+double violation(const QpProblem& p, const Eigen::VectorXd& x, int row) {
+  const double value = p.C.row(row).dot(x);
+  return std::max({0.0, value - p.u[row], p.l[row] - value});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(elastic_solver)
+
+BOOST_AUTO_TEST_CASE(its_answer_is_the_whole_elastic_programs_feasible_or_not) {
+  const ElasticRows rows = elastic_rows();
+  const Eigen::VectorXd price = Eigen::VectorXd::LinSpaced(kGroups, 1.0, 10.0);
+  for (const int n_eq : {0, 4}) {
+    ElasticSolver solver(kN, n_eq, rows, 1e-6);
+    int yielding = 0, firm = 0;
+    for (int seed = 0; seed < 200; ++seed) {
+      const QpProblem p = program(seed, n_eq);
+      BOOST_REQUIRE((solver.solve(p, price, kCurvature).status == Status::kOk));
+      const Eigen::VectorXd best = certified(whole(p, rows, price));
+      BOOST_TEST((solver.x() - best.head(kN)).norm() < 1e-3);
+      BOOST_TEST((solver.slack() - best.tail(kGroups)).norm() < 1e-3);
+      (best.tail(kGroups).maxCoeff() > 1e-4 ? yielding : firm) += 1;
+      if (seed % 10 == 0) solver.reset();
+    }
+    BOOST_TEST(yielding >= 100);
+    BOOST_TEST(firm >= 20);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(at_a_tight_tolerance_the_answers_agree_to_six_digits) {
+  const ElasticRows rows = elastic_rows();
+  const Eigen::VectorXd price = Eigen::VectorXd::Constant(kGroups, 1.0);
+  ElasticSolver solver(kN, 0, rows, 1e-9);
+  for (int seed = 0; seed < 100; ++seed) {
+    const QpProblem p = program(seed);
+    BOOST_REQUIRE((solver.solve(p, price, kCurvature).status == Status::kOk));
+    const Eigen::VectorXd best = certified(whole(p, rows, price));
+    BOOST_TEST((solver.x() - best.head(kN)).norm() < 1e-6);
+    BOOST_TEST((solver.slack() - best.tail(kGroups)).norm() < 1e-6);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_groups_slack_is_its_worst_rows_and_hard_rows_never_give_way) {
+  const ElasticRows rows = elastic_rows();
+  ElasticSolver solver(kN, 0, rows, 1e-10);
+  for (int seed = 1; seed < 100; seed += 2) {
+    const QpProblem p = program(seed);
+    BOOST_REQUIRE(
+        (solver.solve(p, Eigen::VectorXd::Ones(kGroups), kCurvature).status == Status::kOk));
+    Eigen::VectorXd worst = Eigen::VectorXd::Zero(kGroups);
+    for (int row = 0; row < kHard; ++row) BOOST_TEST(violation(p, solver.x(), row) < 1e-8);
+    for (int row = kHard; row < kRows; ++row) {
+      double& group = worst[rows.group[row]];
+      group = std::max(group, violation(p, solver.x(), row));
+    }
+    BOOST_TEST((worst - solver.slack()).cwiseAbs().maxCoeff() < 1e-7);
+  }
+}
+
+// A price above the sum of a group's multipliers buys the hard answer exactly; below, the rows
+// give.
+BOOST_AUTO_TEST_CASE(the_penalty_is_exact_from_the_multipliers_sum_on) {
+  const ElasticRows rows = elastic_rows();
+  int tried = 0;
+  for (int seed = 0; seed < 60; seed += 2) {
+    const QpProblem p = program(seed);
+    QpSolver hard(kN, 0, kRows, 1e-10);
+    BOOST_REQUIRE((hard.solve(p).status == Status::kOk));
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(kGroups);
+    for (int row = kHard; row < kRows; ++row) sum[rows.group[row]] += std::abs(hard.z()[row]);
+    int group = 0;
+    if (sum.maxCoeff(&group) < 0.1) continue;
+    ++tried;
+    Eigen::VectorXd price = 1.01 * sum.array() + 0.01;
+    ElasticSolver dear(kN, 0, rows, 1e-10), cheap(kN, 0, rows, 1e-10);
+    BOOST_REQUIRE((dear.solve(p, price, kCurvature).status == Status::kOk));
+    BOOST_TEST((dear.x() - hard.x()).norm() < 1e-7);
+    BOOST_TEST(dear.slack().maxCoeff() < 1e-8);
+    BOOST_TEST(!dear.yielding());
+    price[group] = 0.9 * sum[group];
+    BOOST_REQUIRE((cheap.solve(p, price, kCurvature).status == Status::kOk));
+    BOOST_TEST(cheap.slack()[group] > 1e-4);
+    BOOST_TEST(cheap.yielding());
+  }
+  BOOST_TEST(tried >= 20);
+}
+
+BOOST_AUTO_TEST_CASE(it_returns_to_the_hard_program_when_nothing_gives_any_more) {
+  ElasticSolver solver(kN, 0, elastic_rows(), 1e-6);
+  const Eigen::VectorXd price = Eigen::VectorXd::Constant(kGroups, 100.0);
+  solver.solve(program(1), price, kCurvature);
+  BOOST_TEST(solver.yielding());
+  for (int k = 0; k < 30; ++k) solver.solve(program(0), price, kCurvature);
+  BOOST_TEST(!solver.yielding());
+  BOOST_TEST(solver.slack().maxCoeff() == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_program_that_is_not_finite_is_refused_in_either_state) {
+  ElasticSolver solver(kN, 0, elastic_rows(), 1e-6);
+  const Eigen::VectorXd price = Eigen::VectorXd::Ones(kGroups);
+  for (const int before : {0, 1}) {
+    BOOST_TEST((solver.solve(program(before), price, kCurvature).status == Status::kOk));
+    QpProblem bad = program(before);
+    bad.g[2] = std::nan("");
+    BOOST_TEST((solver.solve(bad, price, kCurvature).status == Status::kNonFinite));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

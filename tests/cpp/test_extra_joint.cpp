@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A robot with an arm on its trunk: the general form takes it, the others say why not.
+#include <boost/test/unit_test.hpp>
+
+#include "motion.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/stand_controller.hpp"
+#include "surefoot/whole_body_controller.hpp"
+#include "wbc/joint_table.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+template <typename Action>
+std::string error_of(Action&& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct WithArm {
+  Robot robot = quadruped_with_arm();
+  int arm_v = 0, arm_q = 0;
+  RobotState state = standing_state(robot);
+  WithArm() {
+    const JointRow& arm = make_joint_table(robot).back();
+    arm_v = arm.v;
+    arm_q = arm.q;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(extra_joint)
+
+BOOST_FIXTURE_TEST_CASE(its_row_comes_from_the_model, WithArm) {
+  const JointTable joints = make_joint_table(robot);
+  BOOST_REQUIRE(joints.size() == 13U);
+  const JointRow& arm = joints.back();
+  BOOST_TEST(arm.motor == -1);
+  BOOST_TEST(arm.group == kLegs);
+  BOOST_TEST(arm.tau_max == 5.0);
+  BOOST_TEST(arm.dq_max == 4.0);
+  BOOST_TEST(arm.q_lower == -1.0);
+  BOOST_TEST(arm.q_upper == 1.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_full_equations_of_motion_hold_with_it, WithArm) {
+  WholeBodyController controller(robot, Gains(), {Form::kAuto, 1e-10});
+  for (int seed = 0; seed < 20; ++seed) {
+    state = random_state(robot, seed, 1.0);
+    const Solution& s = controller.update(state, reference_at(robot, state));
+    BOOST_REQUIRE(is_usable(s.status));
+    BOOST_TEST((s.form == Form::kGeneral));
+    Eigen::VectorXd left = inverse_dynamics(robot, state, s.accelerations);
+    left.tail(robot.nv() - 6) -= s.torques;
+    const Dynamics dynamics = dynamics_at(robot, state);
+    FullDynamics full(robot.nv());
+    dynamics.write_full(full);
+    BOOST_TEST((full.M - mass_matrix(robot, state.q)).norm() < 1e-9);
+    left -= full.J.transpose() * s.forces.reshaped();
+    BOOST_TEST(left.cwiseAbs().maxCoeff() < 1e-6);
+    for (int leg = 0; leg < kLegs; ++leg) {
+      const Vector3 v = full.J.middleRows<3>(3 * leg) * state.v;
+      BOOST_TEST((v - dynamics.legs()[leg].v_world_contact).norm() < 1e-9);
+    }
+  }
+}
+
+// An ideal robot for three seconds: it stands, and the arm goes to its posture and stays inside.
+BOOST_FIXTURE_TEST_CASE(the_robot_stands_and_the_arm_follows_its_posture_to_its_limit, WithArm) {
+  WholeBodyController controller(robot);
+  Reference reference = controller.hold(state);
+  reference.posture[arm_v - 6] = 3.0;  // beyond its limit
+  const Vector3 p_com = reference.p_com;
+  const double dt = 0.002;
+  double fastest = 0.0;
+  for (int k = 0; k < 1500; ++k) {
+    const Solution& s = controller.update(state, reference);
+    BOOST_REQUIRE(is_usable(s.status));
+    BOOST_REQUIRE(std::abs(s.torques[arm_v - 6]) <= 5.0 + 1e-9);
+    state.q = integrate(robot, state.q, dt * state.v + 0.5 * dt * dt * s.accelerations);
+    state.v += dt * s.accelerations;
+    BOOST_REQUIRE(state.q[arm_q] <= 1.0);
+    fastest = std::max(fastest, state.v[arm_v]);
+  }
+  BOOST_TEST(state.q[arm_q] > 1.0 - 2.0 * Gains().joint_limit_margin);
+  BOOST_TEST(fastest <= 4.0 + 1e-6);
+  BOOST_TEST((center_of_mass(robot, state.q) - p_com).norm() < 2e-3);
+  BOOST_TEST(state.v.norm() < 0.05);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_condensed_form_and_the_stand_controller_refuse_it_by_name, WithArm) {
+  const std::string condensed =
+      error_of([&] { WholeBodyController(robot, Gains(), {Form::kCondensed}); });
+  BOOST_TEST(condensed.find("testdog") != std::string::npos);
+  BOOST_TEST(condensed.find("condensed") != std::string::npos);
+  BOOST_TEST(condensed.find("nv = 19") != std::string::npos);
+  const std::string stand = error_of([&] { StandController{robot}; });
+  BOOST_TEST(stand.find("testdog") != std::string::npos);
+  BOOST_TEST(stand.find("StandController") != std::string::npos);
+  BOOST_TEST(stand.find("nv = 19") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "motion.hpp"
+#include "surefoot/whole_body_controller.hpp"
+#include "wbc/hold_down.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+// Stands level; the capture point is moved by the body's speed alone.
+struct Leaning {
+  Robot robot = quadruped();
+  Gains gains;
+  double weight = robot.mass() * kGravity;
+  RobotState state = standing_state(robot);
+  Reference reference = reference_at(robot, state);
+  Dynamics dynamics = dynamics_at(robot, state);
+
+  // All mass moves alike when the whole robot does: v_com is the base's.
+  void lean(const Vector3& speed) {
+    state.v.head<3>() =
+        Quaternion(state.q[6], state.q[3], state.q[4], state.q[5]).conjugate() * speed;
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+  }
+  double omega() const { return std::sqrt(kGravity / dynamics.p_world_com().z()); }
+  Eigen::Vector4d forces() const {
+    return hold_down_forces(gains, weight, dynamics, state.contact, reference);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(hold_down)
+
+BOOST_FIXTURE_TEST_CASE(it_fades_to_nothing_as_the_capture_point_reaches_the_edge, Leaning) {
+  const double edge = contact_points(robot, state.q)(1, FL_);
+  for (double y = 0.0; y < edge + 0.05; y += 0.002) {
+    lean(Vector3(0.0, (y - dynamics.p_world_com().y()) * omega(), 0.0));
+    const double margin = edge - y;
+    BOOST_TEST(std::abs(capture_margin(dynamics, reference) - margin) < 1e-9);
+    const double fade = std::min(std::max(margin / gains.hold_down_margin, 0.0), 1.0);
+    BOOST_TEST((forces().array() - gains.hold_down * weight * fade).abs().maxCoeff() < 1e-9);
+  }
+  BOOST_TEST(forces().maxCoeff() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_edge_is_the_same_whichever_way_the_robot_faces, Leaning) {
+  lean(Vector3(0.1, 0.15, 0.0));
+  const double margin = capture_margin(dynamics, reference);
+  BOOST_TEST(margin > 0.0);
+  for (double yaw = 0.0; yaw < 6.3; yaw += 0.3) {
+    const Quaternion R = exp_so3(Vector3(0.0, 0.0, yaw));
+    state.q.segment<4>(3) = R.coeffs();
+    lean(R * Vector3(0.1, 0.15, 0.0));
+    BOOST_TEST(std::abs(capture_margin(dynamics, reference) - margin) < 1e-9);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Leaning) {
+  lean(Vector3(0.25, -0.2, 0.0));
+  reference.feet[RL_].stance = false;  // three stand; the capture point is on their side
+  reference.feet[FL_].load = 0.25;
+  state.contact[FR_] = 0.0;
+  const Eigen::Vector4d f = forces();
+  BOOST_TEST(capture_margin(dynamics, reference) > gains.hold_down_margin);
+  BOOST_TEST(f[RL_] == 0.0);
+  BOOST_TEST(f[FR_] == 0.0);
+  BOOST_TEST(std::abs(f[FL_] - 0.25 * gains.hold_down * weight) < 1e-9);
+  BOOST_TEST(std::abs(f[RR_] - gains.hold_down * weight) < 1e-9);
+  reference.feet[FR_].stance = false;  // two feet have no inside
+  BOOST_TEST(forces().maxCoeff() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Leaning) {
+  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+    for (const double share : {0.0, gains.hold_down}) {
+      Gains g = gains;
+      g.hold_down = share;
+      WholeBodyController controller(robot, g, {form});
+      Reference r = controller.hold(state);
+      r.alpha_world_base = Vector3(100.0, 0.0, 0.0);  // tips it onto its right feet
+      r.a_com.z() = -6.0;
+      const Solution& s = controller.update(state, r);
+      BOOST_REQUIRE(is_usable(s.status));
+      const double least = s.forces.row(2).minCoeff();
+      BOOST_TEST((share > 0.0 ? std::abs(least - share * weight) : least) < 0.05);
+      BOOST_TEST(s.hold_down_missing < 0.05);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
