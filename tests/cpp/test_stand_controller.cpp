@@ -4,7 +4,6 @@
 #include <random>
 
 #include "scenes.hpp"
-#include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
 
 using namespace surefoot;
@@ -109,19 +108,6 @@ BOOST_FIXTURE_TEST_CASE(a_rate_no_gyroscope_can_say_reaches_no_motor, Running) {
   report.imu.gyroscope = {0.0F, 3000.0F, 0.0F};
   BOOST_TEST(same(step(), last));
   BOOST_TEST((controller.status() == Status::kImplausible));
-}
-
-BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_asked_for) {
-  const Robot robot = quadruped();
-  StandOptions options;
-  options.motor_damping = 0.5;
-  StandController controller(robot, Gains(), options);
-  const LowCmd command = controller.update(resting_report(robot, 0));
-  BOOST_TEST(command.motorCmd[3].Kd == 0.5F);
-  BOOST_TEST(command.motorCmd[3].dq == 0.0F);
-  BOOST_TEST(command.motorCmd[3].Kp == 0.0F);
-  options.motor_damping = -1.0;
-  BOOST_CHECK_THROW(StandController(robot, Gains(), options), Error);
 }
 
 BOOST_FIXTURE_TEST_CASE(random_bytes_never_make_a_command_that_is_not_finite_and_inside_limits,

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a StandController can be told: options, body references.
+#include <boost/test/unit_test.hpp>
+
+#include "scenes.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/stand_controller.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+// A report of a robot that stands, shaken by a phase.
+LowState shaken(const Robot& robot, std::uint32_t tick) {
+  LowState report = resting_report(robot, tick);
+  const float wave = std::sin(0.03F * static_cast<float>(tick));
+  report.imu.gyroscope = {0.2F * wave, -0.1F * wave, 0.1F * wave};
+  report.imu.accelerometer[1] = 0.5F * wave;
+  for (int i = 0; i < kMotors; ++i) {
+    report.motorState[i].q += 0.02F * wave;
+    report.motorState[i].dq = 0.3F * wave * (i % 2 ? 1.0F : -1.0F);
+  }
+  return report;
+}
+
+double largest_difference(const LowCmd& a, const LowCmd& b) {
+  double worst = 0.0;
+  for (int i = 0; i < kMotors; ++i) {
+    const float one = a.motorCmd[i].tau, other = b.motorCmd[i].tau;
+    worst = std::max(worst, static_cast<double>(std::abs(one - other)));
+  }
+  return worst;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(stand_options)
+
+BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_asked_for) {
+  const Robot robot = quadruped();
+  StandOptions options;
+  options.motor_damping = 0.5;
+  StandController controller(robot, Gains(), options);
+  const LowCmd command = controller.update(resting_report(robot, 0));
+  BOOST_TEST(command.motorCmd[3].Kd == 0.5F);
+  BOOST_TEST(command.motorCmd[3].dq == 0.0F);
+  BOOST_TEST(command.motorCmd[3].Kp == 0.0F);
+  options.motor_damping = -1.0;
+  BOOST_CHECK_THROW(StandController(robot, Gains(), options), Error);
+}
+
+// The estimator hands over dynamics in a frame of its own: both forms have to know.
+BOOST_AUTO_TEST_CASE(either_form_sends_the_same_torques_to_a_robot_that_moves) {
+  const Robot robot = quadruped();
+  StandOptions general;
+  general.form = Form::kGeneral;
+  StandController a(robot), b(robot, Gains(), general);
+  for (std::uint32_t tick = 2; tick < 2000; tick += 2) {
+    const LowState report = shaken(robot, tick);
+    const LowCmd& one = a.update(report);
+    const LowCmd& other = b.update(report);
+    BOOST_REQUIRE((a.status() == Status::kOk && b.status() == Status::kOk));
+    BOOST_REQUIRE((a.solution().form == Form::kCondensed));
+    BOOST_REQUIRE((b.solution().form == Form::kGeneral));
+    BOOST_REQUIRE(largest_difference(one, other) < 0.02);
+  }
+  BOOST_TEST(a.state().v.norm() > 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_delay_is_bridged_by_prediction_and_absurd_ones_are_refused) {
+  const Robot robot = quadruped();
+  StandOptions late;
+  late.delay = 0.01;
+  StandController now(robot), then(robot, Gains(), late);
+  double apart = 0.0;
+  for (std::uint32_t tick = 2; tick < 400; tick += 2) {
+    const LowState report = shaken(robot, tick);
+    const LowCmd& one = now.update(report);
+    apart = std::max(apart, largest_difference(one, then.update(report)));
+    BOOST_REQUIRE(is_usable(then.status()));
+  }
+  BOOST_TEST(apart > 0.1);
+  StandController resting(robot, Gains(), late);
+  for (std::uint32_t tick = 2; tick < 400; tick += 2) resting.update(resting_report(robot, tick));
+  const LowState report = resting_report(robot, 400);
+  BOOST_TEST(largest_difference(resting.update(report), StandController(robot).update(report)) <
+             0.3);
+  for (const double delay : {-0.001, 0.051, std::nan("")}) {
+    late.delay = delay;
+    BOOST_CHECK_THROW(StandController(robot, Gains(), late), Error);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_body_reference_moves_what_is_asked_and_says_what_stops_it) {
+  const Robot robot = quadruped();
+  StandController controller(robot);
+  std::uint32_t tick = 0;
+  const auto run = [&](int ticks) {
+    for (int k = 0; k < ticks; ++k) controller.update(resting_report(robot, tick += 2));
+  };
+  run(10);
+  const double height = controller.reference().p_com.z();
+  controller.set_body_reference({0.0, 0.0, -0.03, 0.0, 0.0, 0.1});
+  run(1000);
+  BOOST_TEST(std::abs(controller.body_reference().height + 0.03) < 1e-3);
+  BOOST_TEST(std::abs(controller.body_reference().yaw - 0.1) < 1e-3);
+  BOOST_TEST((controller.reach().limit == ReachLimit::kNone));
+  BOOST_TEST(controller.reference().p_com.z() < height - 0.02);
+  controller.set_body_reference({0.0, 0.0, -1.0, 0.0, 0.0, 0.0});
+  run(1500);
+  BOOST_TEST((controller.reach().limit == ReachLimit::kJoint));
+  BOOST_TEST(controller.body_reference().height > -0.25);
+  controller.set_body_reference({0.0, 0.0, std::nan(""), 0.0, 0.0, 0.0});
+  BOOST_TEST((controller.reach().limit == ReachLimit::kNotFinite));
+  run(10);
+  BOOST_TEST(is_usable(controller.status()));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
