@@ -54,8 +54,9 @@ void CondensedProgram::add_body(const BodyRows& rows) noexcept {
 void CondensedProgram::add_posture(const ProgramTerms& terms) noexcept {
   const Matrix12 A = (units_.force / units_.angular) * joint_from_force_;
   const Vector12 b = (terms.posture - joint_bias_) / units_.angular;
-  problem_.H.noalias() += A.transpose() * terms.posture_weight.asDiagonal() * A;
-  problem_.g.noalias() -= A.transpose() * terms.posture_weight.cwiseProduct(b);
+  const Vector12 weight = terms.posture_weight;  // of fixed size, or the product goes to the heap
+  problem_.H.noalias() += A.transpose() * weight.asDiagonal() * A;
+  problem_.g.noalias() -= A.transpose() * weight.cwiseProduct(b);
 }
 
 void CondensedProgram::add_custom(const TaskRows& rows, const Eigen::VectorXd& wanted) noexcept {
