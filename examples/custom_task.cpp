@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A task of your own: a camera on the trunk, kept at a height. Any frame of Pinocchio's will do.
+//   surefoot export go1 go1.robot
+#include <cstdio>
+#include <pinocchio/algorithm/frames.hpp>
+#include <pinocchio/algorithm/joint-configuration.hpp>
+#include <surefoot/surefoot.hpp>
+
+struct CameraHeight : surefoot::Task {
+  explicit CameraHeight(const pinocchio::Model& robot) : model(robot), data(robot) {}
+  int rows() const override { return 1; }
+  // The camera accelerates by J a + drift; what is wanted of that pulls it to its height.
+  bool write(const surefoot::RobotState& state, surefoot::TaskRows& rows) noexcept override {
+    const auto axes = pinocchio::LOCAL_WORLD_ALIGNED;
+    pinocchio::forwardKinematics(model, data, state.q, state.v, Eigen::VectorXd::Zero(18));
+    pinocchio::computeJointJacobians(model, data, state.q);
+    pinocchio::getFrameJacobian(model, data, 1, camera, axes, J);
+    const double speed = getFrameVelocity(model, data, 1, camera, axes).linear()[2];
+    const double drift = getFrameClassicalAcceleration(model, data, 1, camera, axes).linear()[2];
+    height = data.oMi[1].act(camera).translation().z();
+    rows.A_a = J.row(2);  // weight 1 at m/s^2: dear beside the trunk's level, of which g counts 1
+    rows.b[0] = 100.0 * (wanted - height) - 20.0 * speed - drift;
+    return true;
+  }
+  const pinocchio::SE3 camera{surefoot::Matrix3::Identity(), surefoot::Vector3(0.3, 0.0, 0.05)};
+  const pinocchio::Model& model;
+  pinocchio::Data data;
+  pinocchio::Data::Matrix6x J = pinocchio::Data::Matrix6x::Zero(6, 18);
+  double wanted = 0.08, height = 0.0;  // [m] 3 cm above where it is
+};
+
+int main(int argc, char** argv) {
+  const surefoot::Robot robot = surefoot::Robot::load(argc > 1 ? argv[1] : "go1.robot");
+  surefoot::WholeBodyController controller(robot);
+  const auto task = std::make_shared<CameraHeight>(robot.model());
+  controller.add_task(task);
+  surefoot::RobotState state;
+  state.q = robot.q_standing();
+  const surefoot::Reference reference = controller.hold(state);
+  for (int tick = 0; tick < 1000; ++tick) {  // 2 s of a robot that does as it is told
+    state.v += 0.002 * controller.update(state, reference).accelerations;
+    state.q = pinocchio::integrate(robot.model(), state.q, 0.002 * state.v);
+  }
+  std::printf("camera at %.3f m, wanted at %.3f m\n", task->height, task->wanted);
+}

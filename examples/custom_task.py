@@ -1,0 +1,57 @@
+"""A task of your own: a camera on the trunk, kept at a height. Any frame of Pinocchio's will do."""
+
+from __future__ import annotations
+
+import numpy as np
+import pinocchio as pin
+import surefoot
+
+CAMERA = pin.SE3(np.eye(3), np.array([0.3, 0.0, 0.05]))  # on joint 1, the trunk
+AXES = pin.LOCAL_WORLD_ALIGNED
+
+
+class CameraHeight(surefoot.Task):
+    """The camera accelerates by J a + drift; what is wanted of that pulls it to its height."""
+
+    def __init__(self, model: pin.Model, wanted: float) -> None:
+        super().__init__()
+        self.model, self.data = model, model.createData()
+        self.wanted, self.height = wanted, 0.0
+
+    def rows(self) -> int:
+        """One: upwards."""
+        return 1
+
+    def write(self, state: surefoot.RobotState, rows: surefoot.TaskRows) -> bool:
+        """Write J and what is wanted; False or an exception would stop the tick."""
+        model, data = self.model, self.data
+        pin.forwardKinematics(model, data, state.q, state.v, np.zeros(model.nv))
+        pin.computeJointJacobians(model, data, state.q)
+        speed = pin.getFrameVelocity(model, data, 1, CAMERA, AXES).linear[2]
+        drift = pin.getFrameClassicalAcceleration(model, data, 1, CAMERA, AXES).linear[2]
+        self.height = data.oMi[1].act(CAMERA).translation[2]
+        # Weight 1 at m/s^2: dear beside the trunk's level, of which g counts 1.
+        rows.A_a[:] = pin.getFrameJacobian(model, data, 1, CAMERA, AXES)[2]
+        rows.b[:] = 100.0 * (self.wanted - self.height) - 20.0 * speed - drift
+        return True
+
+
+def main() -> None:
+    """Nod until the camera is 3 cm higher, on a robot that does as it is told."""
+    robot = surefoot.load_robot("go1")
+    model = pin.Model()
+    model.loadFromString(robot.serialized_model())
+    controller = surefoot.WholeBodyController(robot)
+    task = CameraHeight(model, 0.08)
+    controller.add_task(task)
+    state = surefoot.RobotState()
+    state.q = robot.q_standing()
+    reference = controller.hold(state)
+    for _ in range(1000):  # 2 s
+        state.v = state.v + 0.002 * controller.update(state, reference).accelerations
+        state.q = pin.integrate(model, state.q, 0.002 * state.v)
+    print(f"camera at {task.height:.3f} m, wanted at {task.wanted:.3f} m")
+
+
+if __name__ == "__main__":
+    main()
