@@ -1,7 +1,8 @@
-"""A C++ user's project against the installed package: what the README and examples/ promise."""
+"""A C++ user's project against an installed package: what the README and examples/ promise."""
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import surefoot
 
 ROOT = Path(__file__).parents[2]
 CMAKE = Path(sys.executable).with_name("cmake")
+CAMERA_IS_THERE = "camera at 0.080 m, wanted at 0.080 m\n"
 
 
 def _readme_blocks(language: str) -> list[str]:
@@ -24,23 +26,72 @@ def _readme_block(language: str) -> str:
     return str(block)
 
 
-def _build(folder: Path, source: str) -> Path:
+def _example(name: str) -> str:
+    return (ROOT / "examples" / name).read_text(encoding="utf-8")
+
+
+def _cmake(folder: Path, *arguments: str) -> None:
+    """Run cmake as on an activated shell: its Python is the one that knows where Pinocchio is."""
+    environment = {"CMAKE_BUILD_PARALLEL_LEVEL": "2", **os.environ}
+    environment["PATH"] = f"{CMAKE.parent}:{environment['PATH']}"
+    done = subprocess.run(
+        [CMAKE, *arguments],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=900,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def _cmake_install(folder: Path) -> str:
+    """Configure, build and install without Python; what was built stays for the next time."""
+    build = str(ROOT / "build" / f"install-{sys.implementation.cache_tag}")
+    _cmake(ROOT, "-S", ".", "-B", build, "-DSUREFOOT_PYTHON=OFF")
+    _cmake(ROOT, "--build", build)
+    _cmake(ROOT, "--install", build, "--prefix", str(folder / "prefix"))
+    return str(folder / "prefix")
+
+
+def _build(folder: Path, source: str, prefix: str) -> Path:
     (folder / "stand.cpp").write_text(source, encoding="utf-8")
     (folder / "CMakeLists.txt").write_text(_readme_block("cmake"), encoding="utf-8")
-    prefix = f"-DCMAKE_PREFIX_PATH={surefoot.__path__[0]}"
-    for step in (["-S", ".", "-B", "build", prefix], ["--build", "build"]):
-        subprocess.run([CMAKE, *step], cwd=folder, check=True, capture_output=True, timeout=600)
+    _cmake(folder, "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    _cmake(folder, "--build", "build")
     surefoot.load_robot("go1").save(str(folder / "go1.robot"))
     return folder / "build" / "stand"
 
 
-@pytest.mark.parametrize("source", ["readme", "example"])
-def test_a_cpp_project_finds_builds_and_runs_the_installed_package(
-    source: str, tmp_path: Path
-) -> None:
-    example = (ROOT / "examples" / "stand.cpp").read_text(encoding="utf-8")
-    program = _build(tmp_path, _readme_block("cpp") if source == "readme" else example)
-    subprocess.run([program], cwd=tmp_path, check=True, timeout=60)
+def _run(command: list[str | Path], folder: Path) -> str:
+    done = subprocess.run(
+        command, cwd=folder, check=True, capture_output=True, text=True, timeout=120
+    )
+    return done.stdout
+
+
+@pytest.mark.parametrize("source", ["readme", "stand", "custom_task"])
+def test_a_cpp_project_finds_builds_and_runs_the_wheel(source: str, tmp_path: Path) -> None:
+    text = _readme_block("cpp") if source == "readme" else _example(f"{source}.cpp")
+    said = _run([_build(tmp_path, text, surefoot.__path__[0])], tmp_path)
+    assert source != "custom_task" or said == CAMERA_IS_THERE
+
+
+def test_a_cpp_project_finds_builds_and_runs_a_plain_cmake_install(tmp_path: Path) -> None:
+    program = _build(tmp_path, _readme_block("cpp"), _cmake_install(tmp_path))
+    _run([program], tmp_path)
+    linked = _run(["ldd", program], tmp_path)
+    assert str(tmp_path / "prefix" / "lib" / "libsurefoot.so") in linked
+
+
+def test_a_task_of_the_users_own_runs_in_python(tmp_path: Path) -> None:
+    assert _run([sys.executable, ROOT / "examples" / "custom_task.py"], tmp_path) == CAMERA_IS_THERE
+
+
+@pytest.mark.parametrize("example", ["custom_task.cpp", "custom_task.py"])
+def test_a_task_takes_less_than_forty_lines(example: str) -> None:
+    lines = [line.strip() for line in _example(example).splitlines()]
+    assert len([line for line in lines if line and not line.startswith(("//", "#", '"""'))]) < 40
 
 
 @pytest.mark.parametrize("number", [0, 1])
