@@ -27,7 +27,7 @@ struct WithArm {
   int arm_v = 0, arm_q = 0;
   RobotState state = standing_state(robot);
   WithArm() {
-    const JointRow& arm = make_joint_table(robot).back();
+    const JointRow arm = make_joint_table(robot).back();
     arm_v = arm.v;
     arm_q = arm.q;
   }
