@@ -73,6 +73,9 @@ struct Gains {
   double contact_force_on = 0.04;
   double contact_force_off = 0.02;
   double contact_dwell = 0.02;
+  double push_time = 0.015;
+  double push_dead_band = 0.5;
+  double push_max = 8.0;
   // Command.
   double fall_tilt = 1.0;
   double damping_kd = 3.0;

@@ -14,6 +14,15 @@ namespace surefoot {
 
 namespace {
 
+// Of a force through the centre of mass, about the base's origin.
+Vector6 outside_wrench(const Dynamics& dynamics, const Vector3& f_world) noexcept {
+  const Matrix3 R = dynamics.R_world_base().transpose();
+  const Vector3 arm = dynamics.p_world_com() - dynamics.p_world_base();
+  Vector6 wrench;
+  wrench << R * f_world, R * arm.cross(f_world);
+  return wrench;
+}
+
 bool sound(const TaskRows& rows, Eigen::Index count, int nv) noexcept {
   return rows.A_a.rows() == count && rows.A_a.cols() == nv && rows.A_f.rows() == count &&
          rows.A_f.cols() == ProgramLayout::kForces && rows.b.size() == count &&
@@ -42,6 +51,7 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
                           const FeetMatrix& previous) noexcept {
   const double weight = robot_.mass() * kGravity;
   terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
+  terms_.outside = outside_wrench(dynamics, state.f_outside);
   terms_.soft_foot = singular;
   terms_.weight_foot_soft = gains.weight_foot_soft;
   terms_.ground_normal = reference.ground_normal;
@@ -61,7 +71,8 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
                          : com_acceleration(gains, reference, dynamics);
   const Vector3 alpha = base_angular_acceleration(gains, reference, dynamics);
   auto& [position, orientation, momentum] = terms_.body;
-  position = base ? base_position_task(gains, a, dynamics) : com_task(gains, a, robot_.mass());
+  position = base ? base_position_task(gains, a, dynamics)
+                  : com_task(gains, a, state.f_outside, robot_.mass());
   position.scale = base ? units_.scale_base : units_.scale_com;
   orientation = base_orientation_task(gains, alpha, dynamics);
   orientation.scale = units_.scale_angular;
@@ -72,7 +83,7 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
     terms_.body_tasks = 3;
   }
   even_ =
-      even_forces(dynamics, robot_.mass() * (a + kGravity * Vector3::UnitZ()),
+      even_forces(dynamics, robot_.mass() * (a + kGravity * Vector3::UnitZ()) - state.f_outside,
                   turning_moment(dynamics, alpha), load_shares(gains, state.contact, reference));
 }
 
