@@ -52,7 +52,8 @@ struct Gains {
   double penalty_joint_limit = 30.0;
   double penalty_hold_down = 2.0;
   double hold_down = 0.03;
-  double hold_down_margin = 0.03;
+  double edge_margin = 0.03;
+  double edge_tilt = 1.0;
   double force_max_contact = 3.0;
   double force_lost_contact = 0.3;
   double share_lost_contact = 0.3;
@@ -76,6 +77,7 @@ struct Gains {
   double push_time = 0.015;
   double push_dead_band = 0.5;
   double push_max = 8.0;
+  double push_resist = 1.0;
   // Command.
   double fall_tilt = 1.0;
   double damping_kd = 3.0;

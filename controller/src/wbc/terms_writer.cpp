@@ -56,19 +56,22 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
   terms_.weight_foot_soft = gains.weight_foot_soft;
   terms_.ground_normal = reference.ground_normal;
   terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
-  terms_.hold_down = hold_down_forces(gains, weight, dynamics, state.contact, reference);
+  const double fade = edge_fade(gains, dynamics, reference);
+  terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);
   joint_limits(robot_.config(), joints_, gains, state, terms_.limits);
-  write_body(gains, dynamics, state, reference);
+  write_body(gains, dynamics, state, reference, fade);
   write_forces(gains, reference, even_, previous);
   write_posture(gains, state, reference);
   return write_custom(dynamics, state);
 }
 
 void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
-                             const Reference& reference) noexcept {
+                             const Reference& reference, double fade) noexcept {
   const bool base = reference.body_point == BodyPoint::kBase;
-  const Vector3 a = base ? base_acceleration(gains, reference, dynamics)
-                         : com_acceleration(gains, reference, dynamics);
+  // What of a push is not leant against moves the body, and is no error of the tasks.
+  const Vector3 yielded = (1.0 - gains.push_resist) / robot_.mass() * state.f_outside;
+  const Vector3 a = yielded + (base ? base_acceleration(gains, reference, dynamics)
+                                    : com_acceleration(gains, reference, dynamics));
   const Vector3 alpha = base_angular_acceleration(gains, reference, dynamics);
   auto& [position, orientation, momentum] = terms_.body;
   position = base ? base_position_task(gains, a, dynamics)
@@ -76,6 +79,7 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
   position.scale = base ? units_.scale_base : units_.scale_com;
   orientation = base_orientation_task(gains, alpha, dynamics);
   orientation.scale = units_.scale_angular;
+  orientation.weight.head<2>() *= fade + (1.0 - fade) * gains.edge_tilt;
   terms_.body_tasks = 2;
   if (gains.weight_momentum > 0.0) {
     momentum = momentum_task(gains, reference, dynamics);
