@@ -179,9 +179,9 @@ def test_a_gains_file_changes_the_robots_own_gains_and_no_others(monkeypatch, tm
     assert own.foot_kp == surefoot.Gains().foot_kp
 
 
-def test_a_robot_that_falls_is_a_result_and_no_error(capsys):
+def test_a_robot_that_falls_is_a_result_with_status_3(capsys):
     words = "stand --duration 2 --sensors ideal --push lateral:1000%:0.1@0.1 --json -"
-    assert main(words.split()) == 0
+    assert main(words.split()) == 3
     summary = json.loads(capsys.readouterr().out)
     assert summary["fell"] and not summary["settled"]
     assert summary["fall_time_s"] == summary["duration"] < 2.0
