@@ -15,7 +15,7 @@ from surefoot.cli.simulation import (
     missing_module,
     write_json,
 )
-from surefoot.robot_files import suggest
+from surefoot.robot_table import suggest
 from surefoot.robots import RobotDescription, build_robot, load_gains
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from surefoot._core import BodyReference, Error
-from surefoot.robot_files import suggest
+from surefoot.robot_table import suggest
 from surefoot.sim.checks import number
 
 FORM = "NAME=VALUE[,NAME=VALUE ...]@TIME"
