@@ -8,10 +8,11 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NoReturn
 
+from surefoot.cli.bench import bench
 from surefoot.cli.export import export
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
 from surefoot.cli.stand import stand
-from surefoot.cli.stand_options import add_stand_options
+from surefoot.cli.stand_options import add_form_option, add_stand_options
 from surefoot.cli.tables import list_gains, list_robots
 
 
@@ -50,10 +51,18 @@ def _build_parser() -> _Parser:
 
     add_stand_options(add("stand", stand, "let a robot stand on torques in simulation"))
     _add_export_options(add("export", export, "write the one file that a robot computer needs"))
+    _add_bench_options(add("bench", bench, "time the controller on a recorded run"))
     add("robots", list_robots, "list the robots known by name")
     gains = add("gains", list_gains, "list what can be tuned: value, unit, range, meaning")
     add_robot_options(gains, "the library's own values")
     return parser
+
+
+def _add_bench_options(parser: _Parser) -> None:
+    add_robot_options(parser, "go1")
+    parser.add_argument("--ticks", type=int, default=5000, metavar="N", help="of the run (5000)")
+    add_form_option(parser)
+    parser.add_argument("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
 
 
 def _add_export_options(parser: _Parser) -> None:
