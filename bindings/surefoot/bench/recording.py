@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from surefoot._core import Error, LowState, Robot, StandController, StandOptions
+from surefoot._core import Error, LowState, Robot, StandController
 from surefoot.bench.settings import PUSH_LENGTH, PUSH_SHARE, BenchSettings
 from surefoot.sim import Plant, PlantSettings, Push
 
@@ -29,14 +29,17 @@ class Recording:
 
 
 def record(settings: BenchSettings) -> Recording:
-    """Let the robot stand and be pushed, and keep every report; raises Error if it falls."""
+    """Let the robot stand and be pushed, and keep every report; raises Error if it falls.
+
+    The controller chooses its form as it does by itself, whatever form is timed later: every form
+    is timed on the same reports.
+    """
     plant = Plant(settings.robot, PlantSettings(control_rate=settings.rate, seed=settings.seed))
     duration = settings.ticks / settings.rate
     impulse = PUSH_SHARE * plant.lip_limit("lateral", PUSH_LENGTH)
     push = Push("lateral", impulse, PUSH_LENGTH, PUSH_AT * duration)
     plant.add_push(push)
-    options = StandOptions(form=settings.form)
-    controller = StandController(plant.robot, plant.robot.config.gains, options)
+    controller = StandController(plant.robot)
     report = plant.reset()
     reports = []
     for _ in range(settings.ticks):

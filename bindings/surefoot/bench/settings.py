@@ -20,7 +20,7 @@ class BenchSettings:
     Attributes:
         robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
         ticks: Of the recorded run.
-        form: Of the program.
+        form: Of the program that is timed.
         rate: Reports per second of the recorded run [Hz].
         seed: Of its sensors' noise.
     """

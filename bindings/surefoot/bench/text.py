@@ -19,6 +19,7 @@ NOTE = (
     "alone, so they\nneed not add up to a tick. Where other programs share the processor, the "
     "tail is theirs."
 )
+FAILED = "SOME CALLS FAILED: what they took is not the time of a tick that was solved."
 
 
 def bench_text(b: dict[str, Any]) -> str:
@@ -37,7 +38,8 @@ def bench_text(b: dict[str, Any]) -> str:
         f"{b['robot']}, {b['form']} form: {b['ticks']} reports at {b['rate']:g} Hz, real sensors, "
         f"half-way a push of {b['push_ns']:.2f} N.s ({100 * PUSH_SHARE:.0f} %)"
     )
-    return "\n".join([title, machine_line(b["machine"]), "", *lines, "", NOTE])
+    notes = [FAILED, NOTE] if any(b["failures"].values()) else [NOTE]
+    return "\n".join([title, machine_line(b["machine"]), "", *lines, "", *notes])
 
 
 def machine_line(m: dict[str, Any]) -> str:
