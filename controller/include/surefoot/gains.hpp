@@ -30,7 +30,7 @@ struct Gains {
   double integral_speed = 0.03;
   // Feet: how a stance foot is kept where it stands.
   double foot_kp = 2500.0;
-  double foot_kd = 100.0;
+  double foot_kd = 50.0;
   // Joints: those that nothing else decides, and how softly their limits are met.
   double posture_kp = 100.0;
   double posture_kd = 20.0;
