@@ -55,7 +55,9 @@ void bind_structs(nb::module_& m) {
       .def(nb::init<int, int>(), "nq"_a = 19, "nv"_a = 18)
       .def_rw("q", &RobotState::q, "Position, quaternion x y z w, joints; shape (nq,).")
       .def_rw("v", &RobotState::v, "Base twist in base axes, joint velocities; shape (nv,).")
-      .def_rw("contact", &RobotState::contact, "Probability of load per foot, FR FL RR RL.");
+      .def_rw("contact", &RobotState::contact, "Probability of load per foot, FR FL RR RL.")
+      .def_rw("f_outside", &RobotState::f_outside,
+              "Force from outside through the CoM [N], world.");
 }
 
 void bind_reference(nb::module_& m) {

@@ -1,73 +1,14 @@
-"""Find a robot's files, and read its TOML strictly."""
+"""Find a robot's files, by its name or from where one has them."""
 
 from __future__ import annotations
 
 import importlib.metadata
-import tomllib
-from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
-
-_Check = Callable[[Any], bool]
-
-
-def _number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
-
-
-def _numbers(*sizes: int) -> _Check:
-    return lambda value: (
-        isinstance(value, list) and len(value) in sizes and all(map(_number, value))
-    )
-
-
-def _word(value: Any) -> bool:
-    return isinstance(value, str)
-
-
-def _words(size: int) -> _Check:
-    def check(value: Any) -> bool:
-        return isinstance(value, list) and len(value) == size and all(map(_word, value))
-
-    return check
-
-
-_LIMITS = (_numbers(2), "[lower, upper] in rad")
-_MOTORS = (_numbers(3, 12), "3 numbers (hip, thigh, calf) or 12")
-# What each key must be, and how to say so. The names of gains are the core's to check.
-_KEYS: dict[str, dict[str, tuple[_Check, str]]] = {
-    "robot": {
-        "name": (_word, "a word"),
-        "urdf": (_word, "a path"),
-        "srdf": (_word, "a path"),
-        "joints": (_words(12), "12 joint names, FR FL RR RL"),
-        "standing": _MOTORS,
-        "friction": (_number, "a number"),
-    },
-    "feet": {"frames": (_words(4), "4 frame names, FR FL RR RL"), "radius": (_number, "metres")},
-    "imu": {
-        "frame": (_word, "a frame name"),
-        "position": (_numbers(3), "3 numbers in metres"),
-        "quaternion": (_numbers(4), "4 numbers, w x y z"),
-    },
-    "limits": {"hip": _LIMITS, "thigh": _LIMITS, "calf": _LIMITS},
-    "motors": {"armature": _MOTORS, "corner_fraction": (_number, "a number")},
-    "simulation": {
-        "joint_friction": _MOTORS,
-        "joint_damping": _MOTORS,
-        "foot_force_est": (lambda value: isinstance(value, bool), "true or false"),
-    },
-    "gains": {},
-}
-_REQUIRED = {
-    "robot": {"name", "joints", "standing"},
-    "feet": {"frames", "radius"},
-    "motors": {"armature", "corner_fraction"},
-}
+from surefoot.robot_table import read_table, suggest
 
 
 @dataclass(frozen=True)
@@ -98,24 +39,13 @@ def describe_robot(
     name: str | None = None, *, urdf: str | Path | None = None, config: str | Path | None = None
 ) -> RobotDescription:
     """Find a robot's files and check its TOML, without building the model; raises Error."""
+    if name is not None and (urdf is not None or config is not None):
+        raise Error(f"robot: got name '{name}' and files, expected a name, or urdf= and config=")
     if name is not None:
-        toml = _models_folder() / f"{name}.toml"
-        if name not in available_robots():
-            raise Error(
-                f"unknown robot: got '{name}'{suggest(name, available_robots())}; "
-                f"valid names: {', '.join(available_robots())}"
-            )
-        table = read_toml(toml)
-        _check_table(table, str(toml))
-        root = _robot_data_folder()
-        robot = table["robot"]
-        return RobotDescription(
-            name, root / "robots" / robot["urdf"], root / "robots" / robot["srdf"], root, table
-        )
+        return _describe_known(name)
     if urdf is None or config is None:
-        raise Error("load_robot: give a name, or both urdf= and config=")
-    table = read_toml(Path(config))
-    _check_table(table, str(config))
+        raise Error("robot: give a name, or both urdf= and config=")
+    table = read_table(config)
     path = Path(urdf)
     if not path.is_file():
         raise Error(f"URDF not found: got '{path}', expected a file")
@@ -125,40 +55,18 @@ def describe_robot(
     )
 
 
-def read_toml(path: Path) -> dict[str, Any]:
-    """Read a TOML file; raises Error."""
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as problem:
-        raise Error(f"cannot read '{path}': {problem.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
-        raise Error(f"'{path}' is not valid TOML: {problem}") from None
-
-
-def _check_table(table: dict[str, Any], source: str) -> None:
-    for section, rows in table.items():
-        if section in _KEYS and not isinstance(rows, dict):
-            raise Error(f"{source}: '{section}' is {rows!r}, expected a table [{section}]")
-        if section not in _KEYS:
-            raise Error(
-                f"{source}: unknown section [{section}]{suggest(section, _KEYS)}; "
-                f"valid sections: {', '.join(_KEYS)}"
-            )
-        if section == "gains":
-            continue
-        for key in rows:
-            if key not in _KEYS[section]:
-                raise Error(
-                    f"{source}: unknown key '{section}.{key}'{suggest(key, _KEYS[section])}; "
-                    f"valid keys: {', '.join(sorted(_KEYS[section]))}"
-                )
-            check, expected = _KEYS[section][key]
-            if not check(rows[key]):
-                raise Error(f"{source}: {section}.{key}: got {rows[key]!r}, expected {expected}")
-    for section, keys in _REQUIRED.items():
-        for key in sorted(keys):
-            if key not in table.get(section, {}):
-                raise Error(f"{source}: missing key '{section}.{key}'")
+def _describe_known(name: str) -> RobotDescription:
+    if name not in available_robots():
+        raise Error(
+            f"unknown robot: got '{name}'{suggest(name, available_robots())}; "
+            f"valid names: {', '.join(available_robots())}"
+        )
+    table = read_table(_models_folder() / f"{name}.toml")
+    root = _robot_data_folder()
+    robot = table["robot"]
+    return RobotDescription(
+        name, root / "robots" / robot["urdf"], root / "robots" / robot["srdf"], root, table
+    )
 
 
 def _models_folder() -> Path:
@@ -181,9 +89,3 @@ def _robot_data_folder() -> Path:
             start = text.index(marker) + len(marker) - len("robots/")
             return Path(str(file.locate())[: len(str(file.locate())) - len(text) + start])
     raise Error("the example-robot-data package holds no share/example-robot-data/robots folder")
-
-
-def suggest(wrong: str, valid: Iterable[str]) -> str:
-    """Return " (did you mean 'x'?)" where a valid name is close, else ""."""
-    close = get_close_matches(wrong, list(valid), n=1)
-    return f" (did you mean '{close[0]}'?)" if close else ""

@@ -7,16 +7,17 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Error, Gains, RobotConfig, set_gain
-from surefoot.robot_files import suggest
+from surefoot.robot_table import suggest
 
 _KINDS = ("hip", "thigh", "calf")
 
 
 def build_config(model: Any, table: dict[str, Any]) -> RobotConfig:
-    """Build the configuration; the table has passed describe_robot(); raises Error."""
+    """Build the configuration; the table has passed read_table(); raises Error."""
     config = RobotConfig()
     robot, feet, motors = table["robot"], table["feet"], table["motors"]
     config.name = robot["name"]
+    _check_root(config, model)
     config.joint_names = robot["joints"]
     config.foot_frames = feet["frames"]
     config.foot_radius = float(feet["radius"])
@@ -29,6 +30,17 @@ def build_config(model: Any, table: dict[str, Any]) -> RobotConfig:
     apply_gains(gains, table.get("gains", {}), config.name)
     config.gains = gains
     return config
+
+
+def _check_root(config: RobotConfig, model: Any) -> None:
+    """Raise Error unless the base is free: joints 0 and 1 are the world's and the base's."""
+    root = model.joints[1] if model.njoints > 1 else None
+    if root is None or (root.nq, root.nv) != (7, 6):
+        got = "no joint" if root is None else f"'{model.names[1]}' ({root.shortname()})"
+        raise Error(
+            f"robot '{config.name}': the model's first joint: got {got}, expected a free-flyer; "
+            "build the model with a JointModelFreeFlyer root"
+        )
 
 
 def _set_imu(config: RobotConfig, model: Any, imu: dict[str, Any]) -> None:

@@ -1,4 +1,4 @@
-"""Robots by name, or from a URDF and a TOML of your own."""
+"""Robots by name, or from a URDF or a model and a TOML of your own."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error, Gains, Robot
-from surefoot.robot_files import RobotDescription, available_robots, describe_robot, read_toml
+from surefoot.robot_files import RobotDescription, available_robots, describe_robot
 from surefoot.robot_settings import apply_gains, build_config, per_motor
+from surefoot.robot_table import read_table, read_toml
 
 __all__ = [
     "RobotDescription",
@@ -22,22 +23,41 @@ __all__ = [
 
 
 def load_robot(
-    name: str | None = None, *, urdf: str | Path | None = None, config: str | Path | None = None
+    name: str | None = None,
+    *,
+    urdf: str | Path | None = None,
+    model: Any = None,
+    config: str | Path | None = None,
 ) -> Robot:
-    """Load a robot.
+    """Load a robot by its name, or from a URDF or a model with a TOML.
 
     Args:
         name: One of available_robots(); needs the example-robot-data package (extra ``sim``).
         urdf: Or: the path of a URDF ...
-        config: ... with the path of a TOML that says what the URDF does not (see models/).
+        model: ... or: a pinocchio.Model whose root is a free-flyer ...
+        config: ... either with the path of a TOML that says what it does not (see models/).
 
     Returns:
         The robot; armature, limits and IMU mount are in it.
 
     Raises:
-        Error: Unknown name, missing file, joint or frame, a key that does not exist.
+        Error: Two sources at once, unknown name, missing file, joint or frame, a key that does
+            not exist.
     """
-    return build_robot(describe_robot(name, urdf=urdf, config=config))
+    sources = {"a name": name, "urdf=": urdf, "model=": model}
+    given = [source for source, value in sources.items() if value is not None]
+    if len(given) != 1 or (name is None) == (config is None):
+        got = " and ".join(given + ["config="] * (config is not None)) or "nothing"
+        raise Error(
+            f"load_robot: got {got}, expected a name, or urdf= and config=, or model= and config="
+        )
+    if model is None or config is None:
+        return build_robot(describe_robot(name, urdf=urdf, config=config))
+    import pinocchio
+
+    if not isinstance(model, pinocchio.Model):
+        raise Error(f"model: got {type(model).__name__}, expected a pinocchio.Model")
+    return _robot_of(model, read_table(config))
 
 
 def load_gains(path: str | Path, start: Gains | None = None) -> Gains:
@@ -73,5 +93,8 @@ def load_pinocchio_model(description: RobotDescription) -> Any:
 
 def build_robot(description: RobotDescription) -> Robot:
     """Build the Robot that a description describes; raises Error."""
-    model = load_pinocchio_model(description)
-    return Robot.from_serialized_model(model.saveToString(), build_config(model, description.table))
+    return _robot_of(load_pinocchio_model(description), description.table)
+
+
+def _robot_of(model: Any, table: dict[str, Any]) -> Robot:
+    return Robot.from_serialized_model(model.saveToString(), build_config(model, table))

@@ -89,6 +89,9 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
 
 // Estimate, refer, solve: each stage hands one struct to the next.
 Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
+  if (is_usable(controller.solution().status)) {
+    estimator.set_planned_acceleration(controller.solution().accelerations.head<6>());
+  }
   const Status estimated = estimator.update(low_state, dt);
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;

@@ -1,4 +1,4 @@
-"""Logs whose numbers are known by construction."""
+"""Numbers of logs that are known by construction."""
 
 import dataclasses
 import json
@@ -8,44 +8,15 @@ import numpy as np
 import pinocchio
 import pytest
 import surefoot
+from log_helpers import RATE, ROBOT, TICKS, still_log, turned
 from surefoot import LowCmd, Status
 from surefoot.sim import PlantSettings, Push
-from surefoot.stand import FIELDS, StandLog, StandSettings, parse_push, run_stand, summarise
+from surefoot.stand import FIELDS, StandSettings, parse_push, run_stand, summarise
 from surefoot.stand.geometry import feet_of, pose_from_feet
 from surefoot.stand.loop import is_torque_mode
 from surefoot.stand.metrics import plain
 from surefoot.stand.settling import settle_time, settled_ticks
 from surefoot.stand.text import push_line
-
-RATE, TICKS = 500, 2000
-ROBOT = surefoot.load_robot("go1")
-
-
-def still_log(**changes):
-    """Return a log of four seconds in which nothing happens."""
-    q = np.tile(ROBOT.q_standing(), (TICKS, 1))
-    q[:, 2] = 0.3
-    rows, motors = np.zeros((TICKS, ROBOT.nv)), np.zeros((TICKS, 12))
-    fields = {
-        **{"settings": StandSettings(duration=TICKS / RATE), "robot": ROBOT, "foot_force": "dead"},
-        **{"pushes": (), "push_shares": (), "fell": False},
-        **{"lip_limit": {"lateral": 12.0, "forward": 19.0}, "time": np.arange(TICKS) / RATE},
-        **{"q_true": q, "v_true": rows, "q_estimated": q.copy(), "v_estimated": rows.copy()},
-        **{"feet": feet_of(ROBOT, q), "forces": np.zeros((TICKS, 3, 4))},
-        **{"com": np.zeros((TICKS, 3)), "tau": motors, "dq": motors.copy()},
-        **{"contact": np.ones((TICKS, 4)), "status": np.zeros(TICKS, dtype=np.int64)},
-        **{"torque_mode": np.ones(TICKS, dtype=bool), "iterations": np.ones(TICKS, dtype=np.int64)},
-        **{"tick_us": np.linspace(0.0, 100.0, TICKS), "commands": np.zeros((TICKS, 734), np.uint8)},
-    }
-    return StandLog(**{**fields, **changes})
-
-
-def turned(q, axis, degrees):
-    """Return q with the base turned about one of its own axes, from level."""
-    q = q.copy()
-    q[3:7] = 0.0
-    q[3 + axis], q[6] = math.sin(math.radians(degrees / 2)), math.cos(math.radians(degrees / 2))
-    return q
 
 
 def with_push(log, time=1.0):
@@ -211,6 +182,13 @@ def test_the_estimator_is_judged_by_velocity_and_by_gravity_alone():
     log.q_true[:] = turned(log.q_true[0], 1, 0.0)
     log.q_estimated[:] = turned(log.q_estimated[0], 1, 0.01)
     assert summarise(log)["estimator_tilt_rmse_deg"] == pytest.approx(0.01, rel=1e-4)
+
+
+def test_a_saturated_tick_is_usable_and_counted_by_itself():
+    log = still_log()
+    log.status[[7, 8, 9]] = Status.SATURATED.value
+    s = summarise(log)
+    assert (s["saturated_ticks"], s["qp_failures"], s["first_failure"]) == (3, 0, None)
 
 
 def test_bad_ticks_are_counted_and_the_first_is_named():

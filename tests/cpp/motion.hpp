@@ -21,16 +21,28 @@ struct Pushed {
   surefoot::Dynamics now = dynamics_at(robot, state);
   surefoot::Vector12 f;
   Eigen::VectorXd a;
+  /// A push that feet and joints know nothing of, through the centre of mass, world axes [N].
+  surefoot::Vector3 f_outside = surefoot::Vector3(20.0, -35.0, 8.0);
 
   Pushed() : a(robot.nv()) {
     surefoot::Condensed condensed;
-    const bool regular = condense(now, surefoot::FeetMatrix::Zero(), 1e-6, condensed);
+    const surefoot::Vector6 outside = wrench_of_push();
+    const bool regular = condense(now, surefoot::FeetMatrix::Zero(), outside, 1e-6, condensed);
     if (!regular) throw std::runtime_error("the test's pose is singular");
     std::srand(4);
     f = 30.0 * surefoot::Vector12::Random();
     a.head<6>() = condensed.B * f + condensed.c;
     const surefoot::Vector12 legs = condensed.leg_accelerations(a.head<6>());
     for (int i = 0; i < surefoot::kMotors; ++i) a[robot.motor_to_v()[i]] = legs[i];
+  }
+
+  /// The push as it acts on the base, in its axes.
+  surefoot::Vector6 wrench_of_push() const {
+    const surefoot::Vector3 arm = now.p_world_com() - now.p_world_base();
+    surefoot::Vector6 wrench;
+    wrench << now.R_world_base().transpose() * f_outside,
+        now.R_world_base().transpose() * arm.cross(f_outside);
+    return wrench;
   }
 
   surefoot::Dynamics after(double dt) const {

@@ -53,6 +53,7 @@ class RandomDemand {
       foot.f_world = Vector3(0.0, 0.0, 30.0) + vector(20.0);
       state.contact[leg] = chance(0.2) ? std::abs(number(1.0)) : 1.0;
     }
+    if (chance(0.3)) state.f_outside = vector(60.0);
     return r;
   }
 

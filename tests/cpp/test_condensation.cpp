@@ -18,8 +18,9 @@ BOOST_AUTO_TEST_CASE(condensed_motion_satisfies_the_full_equations_for_any_force
     dynamics.update(state.q, state.v, Vector3::UnitZ());
     std::srand(static_cast<unsigned>(seed));
     const FeetMatrix wanted = FeetMatrix::Random();
+    const Vector6 outside = 20.0 * Vector6::Random();  // a wrench on the base
     Condensed condensed;
-    BOOST_REQUIRE(condense(dynamics, wanted, 1e-6, condensed));
+    BOOST_REQUIRE(condense(dynamics, wanted, outside, 1e-6, condensed));
     const Vector12 f = 50.0 * Vector12::Random();
     Eigen::VectorXd a(robot.nv());
     a.head<6>() = condensed.B * f + condensed.c;
@@ -28,6 +29,7 @@ BOOST_AUTO_TEST_CASE(condensed_motion_satisfies_the_full_equations_for_any_force
     for (int i = 0; i < kMotors; ++i) a[robot.motor_to_v()[i]] = legs[i];
 
     Eigen::VectorXd left = inverse_dynamics(robot, state, a);
+    left.head<6>() -= outside;
     for (int leg = 0; leg < kLegs; ++leg) {
       const LegDynamics& L = dynamics.legs()[leg];
       const int first = robot.motor_to_v()[3 * leg];

@@ -31,7 +31,8 @@ struct Active {
     const double weight = robot.mass() * kGravity;
     const ConeRows cone = friction_cone(r.ground_normal, robot.config().friction);
     const auto most = normal_force_limits(gains, weight, state.contact, r);
-    const auto least = hold_down_forces(gains, weight, dynamics, state.contact, r);
+    const auto least =
+        hold_down_forces(gains, weight, edge_fade(gains, dynamics, r), state.contact, r);
     for (int leg = 0; leg < kLegs; ++leg) {
       const Vector3 f = s.forces.col(leg);
       const double normal_force = r.ground_normal.dot(f);
@@ -72,7 +73,7 @@ BOOST_AUTO_TEST_SUITE(forms)
 BOOST_AUTO_TEST_CASE(both_forms_give_the_same_torques_whatever_limits_are_active) {
   Active active;
   double worst_tight = 0.0, worst_default = 0.0;
-  int capped = 0;
+  int capped = 0, without_certificate = 0;
   for (int variant = 0; variant < kRobots; ++variant) {
     RandomDemand demand(variant);
     Forms f{narrow_quadruped(variant % 2 ? 30.0 : 12.0, variant % 3 ? 0.5 : 0.2), demand.gains()};
@@ -80,10 +81,12 @@ BOOST_AUTO_TEST_CASE(both_forms_give_the_same_torques_whatever_limits_are_active
       RobotState state = random_state(f.robot, kStates * variant + k, k % 5 ? 0.5 : 4.0);
       const Reference reference = demand.reference(f.robot, state);
       const Solution& tight = f.condensed.update(state, reference);
-      BOOST_REQUIRE(is_usable(tight.status));
-      active.count(f.robot, f.gains, state, reference, tight);
       const Solution& other = f.general.update(state, reference);
-      BOOST_REQUIRE(is_usable(other.status));
+      if (!is_usable(tight.status) || !is_usable(other.status)) {
+        ++without_certificate;
+        continue;
+      }
+      active.count(f.robot, f.gains, state, reference, tight);
       worst_tight = std::max(worst_tight, (tight.torques - other.torques).cwiseAbs().maxCoeff());
       for (WholeBodyController* quick : {&f.quick_condensed, &f.quick_general}) {
         const Solution& solution = quick->update(state, reference);
@@ -101,6 +104,8 @@ BOOST_AUTO_TEST_CASE(both_forms_give_the_same_torques_whatever_limits_are_active
   // Time caps the iterations: at the most violent of demands a tick in hundreds may go unsolved.
   BOOST_TEST_MESSAGE("unsolved at the default tolerance: " << capped);
   BOOST_TEST(capped <= 2 * kRobots * kStates / 200);
+  BOOST_TEST_MESSAGE("unsolved at the tight tolerance: " << without_certificate);
+  BOOST_TEST(without_certificate <= kRobots * kStates / 200);
   BOOST_TEST(worst_tight < kSame);
   BOOST_TEST(worst_default < kDefault);
   for (const int count :

@@ -26,7 +26,8 @@ struct Leaning {
   }
   double omega() const { return std::sqrt(kGravity / dynamics.p_world_com().z()); }
   Eigen::Vector4d forces() const {
-    return hold_down_forces(gains, weight, dynamics, state.contact, reference);
+    return hold_down_forces(gains, weight, edge_fade(gains, dynamics, reference), state.contact,
+                            reference);
   }
 };
 
@@ -40,7 +41,7 @@ BOOST_FIXTURE_TEST_CASE(it_fades_to_nothing_as_the_capture_point_reaches_the_edg
     lean(Vector3(0.0, (y - dynamics.p_world_com().y()) * omega(), 0.0));
     const double margin = edge - y;
     BOOST_TEST(std::abs(capture_margin(dynamics, reference) - margin) < 1e-9);
-    const double fade = std::min(std::max(margin / gains.hold_down_margin, 0.0), 1.0);
+    const double fade = std::min(std::max(margin / gains.edge_margin, 0.0), 1.0);
     BOOST_TEST((forces().array() - gains.hold_down * weight * fade).abs().maxCoeff() < 1e-9);
   }
   BOOST_TEST(forces().maxCoeff() == 0.0);
@@ -60,11 +61,12 @@ BOOST_FIXTURE_TEST_CASE(the_edge_is_the_same_whichever_way_the_robot_faces, Lean
 
 BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Leaning) {
   lean(Vector3(0.25, -0.2, 0.0));
+  gains.edge_margin = 0.03;
   reference.feet[RL_].stance = false;  // three stand; the capture point is on their side
   reference.feet[FL_].load = 0.25;
   state.contact[FR_] = 0.0;
   const Eigen::Vector4d f = forces();
-  BOOST_TEST(capture_margin(dynamics, reference) > gains.hold_down_margin);
+  BOOST_TEST(capture_margin(dynamics, reference) > gains.edge_margin);
   BOOST_TEST(f[RL_] == 0.0);
   BOOST_TEST(f[FR_] == 0.0);
   BOOST_TEST(std::abs(f[FL_] - 0.25 * gains.hold_down * weight) < 1e-9);

@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_SUITE(tasks)
 BOOST_FIXTURE_TEST_CASE(centre_of_mass_rows_give_the_acceleration_that_happens, Pushed) {
   const Vector3 happens = rate([](const Dynamics& d) { return d.v_world_com(); });
   const Vector3 asked(0.3, -0.2, 0.1);
-  const BodyRows rows = com_task(Gains(), asked, robot.mass());
+  const BodyRows rows = com_task(Gains(), asked, f_outside, robot.mass());
   BOOST_TEST((said(rows, *this) - (happens - asked)).norm() < 1e-5);
 }
 

@@ -35,6 +35,12 @@ BAD = {
     "bad push": ["stand", "--push", "lateral:8:0.1"],
     "push after the end": ["stand", "--duration", "1", "--push", "lateral:8:0.1@2"],
     "push at no height": ["stand", "--push", "lateral:8:0.1:high@1"],
+    "reference without time": ["stand", "--reference", "roll=10"],
+    "reference of no axis": ["stand", "--reference", "lean=10@1"],
+    "reference after the end": ["stand", "--duration", "1", "--reference", "roll=10@2"],
+    "unknown form": ["stand", "--form", "dense"],
+    "prediction too long": ["stand", "--predict-ms", "51"],
+    "prediction that is not a number": ["stand", "--predict-ms", "nan"],
     "negative delay": ["stand", "--delay-ms", "-2"],
     "endless delay": ["stand", "--delay-ms", "inf"],
     "negative lag": ["stand", "--motor-lag-ms", "-1"],
@@ -55,6 +61,14 @@ BAD = {
     "json into no folder": ["stand", "--json", "no/such/folder/out.json"],
     "option without value": ["stand", "--json"],
     "report under a file": ["stand", "--report", f"{__file__}/report"],
+    "urdf without config": ["stand", "--urdf", "a.urdf"],
+    "config without urdf": ["gains", "--config", "b.toml"],
+    "name and files": ["stand", "--robot", "go1", "--urdf", "a.urdf", "--config", "b.toml"],
+    "missing files": ["stand", "--urdf", "a.urdf", "--config", "b.toml"],
+    "bench of unknown robot": ["bench", "--robot", "go7"],
+    "bench of hardly a tick": ["bench", "--ticks", "9"],
+    "bench of unknown form": ["bench", "--form", "dense"],
+    "bench into no folder": ["bench", "--json", "no/such/folder/out.json"],
     "export of nothing": ["export"],
     "export without robot": ["export", "out.robot"],
     "export of unknown robot": ["export", "go7", "out.robot"],
@@ -168,6 +182,29 @@ def test_a_summary_says_under_which_flaws_a_robot_stood(capsys, tmp_path):
     assert "+0.05 m above the centre of mass" in out
 
 
+def test_references_form_and_prediction_reach_the_settings_in_si_units():
+    words = "stand --reference roll=10@4 --reference height=-0.02@5 --form condensed --predict-ms 4"
+    settings = read_settings(arguments.parse_arguments(words.split()))
+    assert [str(request) for request in settings.references] == [
+        "roll=10.0@4.0",
+        "height=-0.02@5.0",
+    ]
+    assert (settings.form, settings.predict) == (surefoot.Form.CONDENSED, 0.004)
+    plain = read_settings(arguments.parse_arguments(["stand"]))
+    assert (plain.references, plain.form, plain.predict) == ((), surefoot.Form.AUTO, 0.0)
+
+
+def test_a_summary_says_what_the_controller_was_asked_to_be_and_to_do(capsys, tmp_path):
+    words = "stand --duration 0.2 --form condensed --predict-ms 4 --reference yaw=1,x=0.01@0.1"
+    assert main([*words.split(), "--json", "out.json"]) == 0
+    s = json.loads((tmp_path / "out.json").read_text())
+    assert (s["form"], s["predict_ms"], s["delay_ms"]) == ("condensed", 4.0, 0.0)
+    assert s["references"] == [{"time_s": 0.1, "yaw_deg": 1.0, "x_m": 0.01}]
+    out = capsys.readouterr().out
+    assert "condensed form, 4 ms predicted" in out
+    assert "x +0.01 m, yaw +1 deg at 0.1 s" in out
+
+
 def test_a_gains_file_changes_the_robots_own_gains_and_no_others(monkeypatch, tmp_path):
     own = surefoot.Gains()
     own.foot_kd = 33.0
@@ -179,9 +216,9 @@ def test_a_gains_file_changes_the_robots_own_gains_and_no_others(monkeypatch, tm
     assert own.foot_kp == surefoot.Gains().foot_kp
 
 
-def test_a_robot_that_falls_is_a_result_and_no_error(capsys):
+def test_a_robot_that_falls_is_a_result_with_status_3(capsys):
     words = "stand --duration 2 --sensors ideal --push lateral:1000%:0.1@0.1 --json -"
-    assert main(words.split()) == 0
+    assert main(words.split()) == 3
     summary = json.loads(capsys.readouterr().out)
     assert summary["fell"] and not summary["settled"]
     assert summary["fall_time_s"] == summary["duration"] < 2.0
@@ -195,14 +232,33 @@ def test_an_exported_robot_is_read_back_without_robot_data(capsys, tmp_path):
     assert "go1" in capsys.readouterr().out
 
 
-def test_a_robot_of_ones_own_is_exported_from_its_files(tmp_path):
+@pytest.fixture
+def own_files(tmp_path):
+    """A robot of one's own: a1's URDF with a TOML of another name and other gains."""
     known = surefoot.robots.describe_robot("a1")
     config = surefoot.robot_files._models_folder() / "a1.toml"
-    text = config.read_text().replace('srdf = "', '# srdf = "')
-    (tmp_path / "own.toml").write_text(text.replace('name = "a1"', 'name = "mine"'))
-    words = ["export", "--urdf", str(known.urdf), "--config", "own.toml", "mine.robot"]
-    assert main(words) == 0
-    assert surefoot.Robot.load(str(tmp_path / "mine.robot")).name == "mine"
+    text = (
+        config.read_text().replace('srdf = "', '# srdf = "').replace('name = "a1"', 'name = "my"')
+    )
+    (tmp_path / "own.toml").write_text(text + "\nfoot_kp = 77.0\n")
+    return ["--urdf", str(known.urdf), "--config", "own.toml"]
+
+
+def test_a_robot_of_ones_own_is_exported_from_its_files(own_files, tmp_path):
+    assert main(["export", *own_files, "mine.robot"]) == 0
+    assert surefoot.Robot.load(str(tmp_path / "mine.robot")).name == "my"
+
+
+def test_a_robot_of_ones_own_stands_from_its_files(own_files, capsys):
+    assert main(["stand", *own_files, "--duration", "0.3", "--json", "-"]) == 0
+    summary = json.loads(capsys.readouterr().out)
+    assert (summary["robot"], summary["ticks"], summary["gains_changed"]) == ("my", 150, {})
+
+
+def test_the_gains_of_a_robot_of_ones_own_are_listed_from_its_files(own_files, capsys):
+    assert main(["gains", *own_files]) == 0
+    rows = {line.split()[0]: line.split()[1] for line in capsys.readouterr().out.splitlines()}
+    assert rows["foot_kp"] == "77"
 
 
 def test_every_robot_has_a_row(capsys):
@@ -225,7 +281,8 @@ def test_version_and_help_end_well(capsys):
     assert main(["--version"]) == 0
     assert capsys.readouterr().out.startswith("surefoot ")
     assert main(["stand", "--help"]) == 0
-    assert "--push" in capsys.readouterr().out
+    text = " ".join(capsys.readouterr().out.split())
+    assert "--push" in text and "exit status: 0 the robot stood, 3 it fell" in text
 
 
 def test_an_interrupted_run_ends_with_status_130(monkeypatch, capsys):

@@ -8,15 +8,16 @@ import sys
 import numpy as np
 import pytest
 from PIL import Image
-from surefoot.stand import StandSettings, film, parse_push, run_stand, summarise
+from surefoot.stand import StandSettings, film, parse_push, parse_reference, run_stand, summarise
 from surefoot.stand.report import write_report
 
 PUSH = parse_push("lateral:20%:0.06@0.1")
+ASKED = parse_reference("x=0.001@0.2")
 
 
 @pytest.fixture(scope="module")
 def log():
-    return run_stand(StandSettings(duration=0.3, pushes=(PUSH,)))
+    return run_stand(StandSettings(duration=0.3, pushes=(PUSH,), references=(ASKED,)))
 
 
 def test_a_replay_is_the_run_again(log):
@@ -46,6 +47,7 @@ def test_a_report_holds_all_that_its_page_shows(log, tmp_path, monkeypatch):
     page = write_report(log, summary, tmp_path / "new" / "report", command).read_text()
     for file in re.findall(r'(?:src|href)="([^"]+)"', page):
         assert (tmp_path / "new" / "report" / file).stat().st_size > 0
+    assert "Asked: x +0.001 m at 0.2 s" in page and "Reached: " in page
     assert "film.webp" in page and "stand --gains &#x27;my gains.toml&#x27;" in page
     assert all(f"<code>{name}</code>" in page for name in summary)
     written = json.loads((tmp_path / "new" / "report" / "summary.json").read_text())

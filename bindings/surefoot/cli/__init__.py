@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from surefoot._core import Error
 from surefoot.cli.arguments import parse_arguments
 
+DONE = 0
 WRONG_ARGUMENT = 2
 INTERRUPTED = 130
 
@@ -20,14 +21,14 @@ def main(argv: Sequence[str] | None = None) -> int:
         argv: Arguments without the command's own name; those of the process if None.
 
     Returns:
-        Exit status: 0 done, 1 a file could not be written, 2 a wrong argument, 130 interrupted.
-        What was wrong is one line on stderr.
+        Exit status: 0 done, 1 a file could not be written, 2 a wrong argument, 3 the robot fell,
+        130 interrupted. What was wrong is one line on stderr.
     """
     words = list(sys.argv[1:] if argv is None else argv)
     try:
         arguments = parse_arguments(words)
         arguments.words = words
-        arguments.run(arguments)
+        status = arguments.run(arguments) or DONE
         sys.stdout.flush()
     except SystemExit as end:  # argparse, after --help, --version or its own error line
         return int(end.code or 0)
@@ -40,7 +41,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return _complain(str(problem), 1)
     except KeyboardInterrupt:
         return _complain("interrupted", INTERRUPTED)
-    return 0
+    return int(status)
 
 
 def _complain(text: str, status: int) -> int:

@@ -3,35 +3,47 @@
 from __future__ import annotations
 
 import argparse
-import ctypes.util
-import json
-import os
-import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from surefoot._core import Error, Gains
+from surefoot._core import Error, Form, Gains
 from surefoot.cli.progress import progress_bar
-from surefoot.robots import build_robot, describe_robot, load_gains
+from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.simulation import (
+    check_json_place,
+    choose_graphics,
+    missing_module,
+    write_json,
+)
+from surefoot.robot_table import suggest
+from surefoot.robots import RobotDescription, build_robot, load_gains
 
 if TYPE_CHECKING:
     from surefoot.stand import StandSettings
 
 
-def stand(arguments: argparse.Namespace) -> None:
-    """Run the robot and print, write and draw what was asked for; raises Error."""
+FELL = 3
+
+
+def stand(arguments: argparse.Namespace) -> int:
+    """Run the robot and print, write and draw what was asked for; raises Error.
+
+    Returns:
+        Exit status: 0 if it stood, 3 if it fell.
+    """
     choose_graphics()
     try:
         from surefoot.stand import run_stand, summarise
         from surefoot.stand.text import summary_text
     except ModuleNotFoundError as problem:
-        raise _missing(problem) from None
+        raise missing_module("stand", problem) from None
     settings = read_settings(arguments)
-    _check_places(arguments)
+    check_json_place(arguments.json)
+    _check_report(arguments.report)
     progress = progress_bar()
     log = run_stand(settings, progress)
     summary = summarise(log)
-    _write_json(arguments.json, summary)
+    write_json(arguments.json, summary)
     if arguments.report is not None:
         from surefoot.stand.report import write_report
 
@@ -41,24 +53,18 @@ def stand(arguments: argparse.Namespace) -> None:
         print(summary_text(summary))
         if arguments.report is not None:
             print(f"  report    {page}")
-
-
-def choose_graphics() -> None:
-    """Choose, before MuJoCo is imported, how it draws on a machine without a screen."""
-    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or sys.platform != "linux":
-        return
-    # Without the library MuJoCo would not even import; a run without a film needs no graphics.
-    library = ctypes.util.find_library("EGL")
-    os.environ.setdefault("MUJOCO_GL", "egl" if library else "disable")
+    return FELL if log.fell else 0
 
 
 def read_settings(arguments: argparse.Namespace) -> StandSettings:
     """Turn arguments into settings; raises Error."""
     from surefoot.sim import PlantSettings
-    from surefoot.stand import StandSettings, parse_push
+    from surefoot.stand import StandSettings, parse_push, parse_reference
     from surefoot.stand.settings import check_rate
 
     check_rate(arguments.rate)
+    robot = chosen_robot(arguments, default="go1")
+    assert robot is not None  # there is a default
     slope, heading = _numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
     payload, *position = _numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
     plant = PlantSettings(
@@ -79,20 +85,31 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
         seed=arguments.seed,
     )
     return StandSettings(
-        robot=arguments.robot,
+        robot=robot,
         duration=arguments.duration,
         plant=plant,
         pushes=tuple(parse_push(text) for text in arguments.push),
-        gains=_read_gains(arguments),
+        references=tuple(parse_reference(text) for text in arguments.reference),
+        gains=_read_gains(arguments.gains, robot),
         motor_damping=arguments.motor_damping,
+        form=read_form(arguments.form),
+        predict=arguments.predict_ms / 1000.0,
     )
 
 
-def _read_gains(arguments: argparse.Namespace) -> Gains | None:
-    if arguments.gains is None:
+def read_form(text: str) -> Form:
+    """Return the form of a name of --form; raises Error."""
+    names = {form.name.lower(): form for form in Form}
+    if text not in names:
+        valid = ", ".join(names)
+        raise Error(f"--form: got '{text}'{suggest(text, names)}; valid names: {valid}")
+    return names[text]
+
+
+def _read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
+    if file is None:
         return None
-    own = build_robot(describe_robot(arguments.robot)).config.gains
-    return load_gains(arguments.gains, own)
+    return load_gains(file, build_robot(robot).config.gains)
 
 
 def _numbers(
@@ -108,34 +125,14 @@ def _numbers(
     return values + (0.0,) * (size - len(values))
 
 
-def _check_places(arguments: argparse.Namespace) -> None:
-    """Find out before the run, not after it, that a result has no place to go; raises Error."""
-    if arguments.json not in (None, "-"):
-        path = Path(arguments.json)
-        if path.is_dir() or not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
-            raise Error(f"--json: got '{path}', expected a file in a folder that can be written")
-    if arguments.report is not None:
-        try:
-            Path(arguments.report).mkdir(parents=True, exist_ok=True)
-            import surefoot.stand.report  # noqa: F401
-        except OSError as problem:
-            raise Error(f"--report: cannot make the folder: {problem}") from None
-        except ModuleNotFoundError as problem:
-            raise _missing(problem) from None
-
-
-def _missing(problem: ModuleNotFoundError) -> Error:
-    return Error(
-        f"module '{problem.name}' not found: surefoot stand needs the extra 'sim'; "
-        "run: pip install 'surefoot[sim]'"
-    )
-
-
-def _write_json(place: str | None, summary: dict[str, Any]) -> None:
-    if place is None:
+def _check_report(folder: str | None) -> None:
+    """Find out before the run, not after it, that the report cannot be written; raises Error."""
+    if folder is None:
         return
-    text = json.dumps(summary, indent=2, allow_nan=False) + "\n"
-    if place == "-":
-        sys.stdout.write(text)
-    else:
-        Path(place).write_text(text, encoding="utf-8")
+    try:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        import surefoot.stand.report  # noqa: F401
+    except OSError as problem:
+        raise Error(f"--report: cannot make the folder: {problem}") from None
+    except ModuleNotFoundError as problem:
+        raise missing_module("stand", problem) from None

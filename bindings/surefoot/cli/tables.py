@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from surefoot._core import Gains, gain_table, get_gain
+from surefoot.cli.robot_choice import chosen_robot
 from surefoot.robots import available_robots, build_robot, describe_robot
 
 
@@ -34,8 +35,9 @@ def list_robots(arguments: argparse.Namespace) -> None:
 def list_gains(arguments: argparse.Namespace) -> None:
     """Print every gain, with a robot's values or the library's; raises Error."""
     gains = Gains()
-    if arguments.robot is not None:
-        gains = build_robot(describe_robot(arguments.robot)).config.gains
+    description = chosen_robot(arguments)
+    if description is not None:
+        gains = build_robot(description).config.gains
     rows = [
         (
             row.name,

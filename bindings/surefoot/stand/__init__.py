@@ -5,15 +5,18 @@ from surefoot.stand.log import StandLog
 from surefoot.stand.loop import run_stand
 from surefoot.stand.metrics import summarise
 from surefoot.stand.pushes import PushRequest, parse_push
+from surefoot.stand.references import ReferenceRequest, parse_reference
 from surefoot.stand.settings import StandSettings
 
 __all__ = [
     "FIELDS",
     "Field",
     "PushRequest",
+    "ReferenceRequest",
     "StandLog",
     "StandSettings",
     "parse_push",
+    "parse_reference",
     "run_stand",
     "summarise",
 ]

@@ -43,6 +43,8 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ("motor_lag_ms", "ms", "time constant of the motor torque"),
         ("delay_ms", "ms", "of commands, on top of what real sensors and wires take"),
         ("motor_damping", "N.m.s/rad", "motor-side damping in every command"),
+        ("form", "", "of the controller's program: auto, condensed or general"),
+        ("predict_ms", "ms", "delay that the controller predicts across"),
         ("gains_changed", "", "gains that differ from the robot's own"),
         (
             "lip_limit_ns",
@@ -56,6 +58,12 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
             "direction, impulse [N.s], share of the limit, duration [s], time [s], height above "
             "the centre of mass [m]",
         ),
+        (
+            "references",
+            "",
+            "as asked for: time [s] and offsets from the first pose, x, y, height [m], roll, "
+            "pitch, yaw [deg]; an axis that is not named stays where it was asked to be",
+        ),
     ),
     "Outcome": (
         ("fell", "", "trunk or leg on the ground, or tilted by more than 60 deg"),
@@ -63,21 +71,59 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         (
             "settled",
             "",
-            "at the end: base within 10 mm and 2 deg of its first pose relative to the mean and "
-            "the heading of the true feet, and slower than 0.05 m/s",
+            "at the end: base within 10 mm and 2 deg of its first pose (with references: of the "
+            "pose asked for) relative to the mean and the heading of the true feet, and slower "
+            "than 0.05 m/s",
         ),
         (
             "settle_time_s",
             "s",
-            "from the end of the last push until settled for good; null without a push or if not",
+            "from the end of the last push or the last reference, whichever is later, until "
+            "settled for good; null without either or if not",
         ),
     ),
     "Pose": (
-        ("height_error_mm", "mm", "at the end: change of the base's height above its true feet"),
-        ("tilt_error_deg", "deg", "at the end: angle between first and last direction of gravity"),
-        ("yaw_error_deg", "deg", "at the end: change of yaw relative to the true feet's heading"),
+        (
+            "height_error_mm",
+            "mm",
+            "at the end: change of the base's height above its true feet (with references: "
+            "distance from the height asked for)",
+        ),
+        (
+            "tilt_error_deg",
+            "deg",
+            "at the end: angle between first and last direction of gravity in the base (with "
+            "references: between the one asked for and the last)",
+        ),
+        (
+            "yaw_error_deg",
+            "deg",
+            "at the end: change of yaw relative to the true feet's heading (with references: "
+            "distance from the yaw asked for)",
+        ),
         ("max_tilt_deg", "deg", "greatest tilt away from the first attitude"),
         ("max_foot_travel_mm", "mm", "farthest that a foot ever was from its first place"),
+    ),
+    "References": (
+        (
+            "reference_error_mm",
+            "mm",
+            "at the end: distance of the true base from where it was asked to be, relative to the "
+            "mean, heading and plane of the true feet; null without references, like the next two",
+        ),
+        ("reference_error_deg", "deg", "at the end: angle between attitude asked for and true one"),
+        (
+            "reference_reached",
+            "",
+            "at the end: true offsets from the first pose, x, y, height [mm] along the heading "
+            "and out of the plane of the feet, roll, pitch, yaw [deg] about them",
+        ),
+        (
+            "reference_limit",
+            "",
+            "what kept the body, in the last 0.1 s, from where it was asked to be: none, joint and "
+            "its name, support (the centre of mass near the edge of the feet), unreachable",
+        ),
     ),
     "Stillness, last 2 s": (
         ("com_rms_mm", "mm", "RMS distance of the true centre of mass from its mean"),
@@ -102,8 +148,9 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
     ),
     "Loop": (
         ("ticks", "", "calls of the controller"),
-        ("qp_failures", "", "ticks without an accepted solution: status other than OK"),
+        ("qp_failures", "", "ticks without an accepted solution: status not usable"),
         ("first_failure", "", "status of the first of them; null if there was none"),
+        ("saturated_ticks", "", "ticks whose torques are usable but were clipped to the motors"),
         (
             "torque_mode_only",
             "",

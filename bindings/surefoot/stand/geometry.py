@@ -16,7 +16,8 @@ _FRONT = np.array([1.0, 1.0, -1.0, -1.0])  # FR FL against RR RL
 class FootFramePose:
     """The base as seen from its feet.
 
-    The frame sits at the mean of the four feet, z up as the world's, x along their heading.
+    The frame sits at the mean of the four feet, x along their heading, z up as the world's
+    (pose_from_feet) or out of the plane of the feet (pose_in_support).
 
     Attributes:
         position: (n, 3) of the base [m].
@@ -35,6 +36,11 @@ class FootFramePose:
         yaw = np.arctan2(R[:, 1, 0], R[:, 0, 0])
         return np.stack([roll, pitch, yaw], axis=1)
 
+    @property
+    def rows(self) -> Array:
+        """(n, 6) x, y, z [mm], roll, pitch, yaw [deg] without leaps."""
+        return np.hstack([1000.0 * self.position, np.degrees(np.unwrap(self.rpy, axis=0))])
+
 
 def matrices_from_xyzw(quaternions: Array) -> Array:
     """Return the (n, 3, 3) matrices of unit quaternions x y z w, (n, 4)."""
@@ -45,6 +51,19 @@ def matrices_from_xyzw(quaternions: Array) -> Array:
         [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
     ]
     return np.moveaxis(np.array(rows), 2, 0)
+
+
+def matrices_from_rpy(rpy: Array) -> Array:
+    """Return the (n, 3, 3) matrices Rz(yaw) Ry(pitch) Rx(roll) of angles (n, 3) [rad]."""
+    half = 0.5 * rpy
+    (cr, cp, cy), (sr, sp, sy) = np.cos(half).T, np.sin(half).T
+    quaternions = [
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    ]
+    return matrices_from_xyzw(np.stack(quaternions, axis=1))
 
 
 def up_in_base(q: Array) -> Array:
@@ -68,6 +87,29 @@ def pose_from_feet(q: Array, feet: Array) -> FootFramePose:
     heading = feet_heading(feet)
     c, s, o = np.cos(heading), np.sin(heading), np.zeros_like(heading)
     to_frame = np.moveaxis(np.array([[c, s, o], [-s, c, o], [o, o, o + 1.0]]), 2, 0)
+    offset = q[:, :3] - feet.mean(axis=2)
+    return FootFramePose(
+        np.einsum("nij,nj->ni", to_frame, offset),
+        to_frame @ matrices_from_xyzw(q[:, 3:7]),
+    )
+
+
+def pose_in_support(q: Array, feet: Array) -> FootFramePose:
+    """Return the base's pose in the frame that the controller's references are in.
+
+    Its z is normal to both diagonals of the feet, its x the heading of the feet in their plane.
+
+    Args:
+        q: (n, nq) Pinocchio's.
+        feet: (n, 3, 4) in the same world [m].
+    """
+    diagonals = feet[:, :, 1] - feet[:, :, 2], feet[:, :, 3] - feet[:, :, 0]
+    z = np.cross(*diagonals)
+    z /= np.linalg.norm(z, axis=1, keepdims=True)
+    ahead = feet @ _FRONT
+    y = np.cross(z, ahead)
+    y /= np.linalg.norm(y, axis=1, keepdims=True)
+    to_frame = np.stack([np.cross(y, z), y, z], axis=1)
     offset = q[:, :3] - feet.mean(axis=2)
     return FootFramePose(
         np.einsum("nij,nj->ni", to_frame, offset),

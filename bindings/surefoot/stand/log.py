@@ -46,6 +46,8 @@ class StandLog:
         status: (n,) surefoot.Status of the tick.
         torque_mode: (n,) whether all twelve motors were commanded in pure torque mode.
         iterations: (n,) of the quadratic program's solver.
+        reach: (n,) surefoot.ReachLimit: what kept the body from where it was asked to be.
+        reach_motor: (n,) SDK motor of that limit, or -1.
         tick_us: (n,) wall time of StandController.update() as called from Python [us].
         commands: (n, 734) bytes of the LowCmds.
     """
@@ -71,6 +73,8 @@ class StandLog:
     status: Integers
     torque_mode: npt.NDArray[np.bool_]
     iterations: Integers
+    reach: Integers
+    reach_motor: Integers
     tick_us: Array
     commands: npt.NDArray[np.uint8]
 

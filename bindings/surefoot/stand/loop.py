@@ -12,6 +12,7 @@ import numpy as np
 from surefoot._core import LowCmd, PosStopF, StandController, StandOptions, VelStopF
 from surefoot.sim import Plant, Push, Truth
 from surefoot.stand.log import StandLog
+from surefoot.stand.references import body_references
 from surefoot.stand.settings import StandSettings
 
 MOTORS = 12
@@ -31,13 +32,16 @@ def run_stand(settings: StandSettings, progress: Progress | None = None) -> Stan
     """
     plant = make_plant(settings)
     gains = settings.gains or plant.robot.config.gains
-    options = StandOptions(settings.motor_damping)
+    options = StandOptions(settings.motor_damping, settings.predict, settings.form)
     controller = StandController(plant.robot, gains, options)
+    references = body_references(settings.references, settings.plant.control_rate)
     head = _describe(settings, plant)
     recorder = _Recorder(settings.ticks, plant.robot.nq, plant.robot.nv)
     state = plant.reset()
     truth = plant.truth
     for k in range(settings.ticks):
+        if k in references:
+            controller.set_body_reference(references[k])
         start = perf_counter_ns()
         command = controller.update(state)
         elapsed = perf_counter_ns() - start
@@ -110,6 +114,8 @@ class _Recorder:
         self._rows: dict[str, np.ndarray] = {k: np.zeros((ticks, *s)) for k, s in shapes.items()}
         self._rows["status"] = np.zeros(ticks, dtype=np.int64)
         self._rows["iterations"] = np.zeros(ticks, dtype=np.int64)
+        self._rows["reach"] = np.zeros(ticks, dtype=np.int64)
+        self._rows["reach_motor"] = np.zeros(ticks, dtype=np.int64)
         self._rows["torque_mode"] = np.zeros(ticks, dtype=np.bool_)
         self._rows["commands"] = np.zeros((ticks, len(LowCmd().raw)), dtype=np.uint8)
         self._count = 0
@@ -119,7 +125,7 @@ class _Recorder:
     ) -> None:
         """Add a row."""
         rows, k = self._rows, self._count
-        estimate = controller.state
+        estimate, reach = controller.state, controller.reach
         rows["time"][k], rows["tick_us"][k] = truth.time, tick_us
         rows["q_true"][k], rows["v_true"][k] = truth.q, truth.v
         rows["feet"][k], rows["forces"][k] = truth.p_world_feet, truth.foot_forces
@@ -128,6 +134,7 @@ class _Recorder:
         rows["contact"][k] = estimate.contact
         rows["status"][k] = controller.status.value
         rows["iterations"][k] = controller.solution.iterations
+        rows["reach"][k], rows["reach_motor"][k] = reach.limit.value, reach.motor
         rows["torque_mode"][k] = is_torque_mode(command)
         rows["commands"][k] = command.raw
         self._count += 1

@@ -8,7 +8,7 @@ from typing import Any
 
 from surefoot.stand.fields import FIELDS, Field
 from surefoot.stand.plots import PLOTS
-from surefoot.stand.text import conditions, push_line, verdict
+from surefoot.stand.text import conditions, push_line, reached_line, reference_line, verdict
 
 _CSS = """
 :root { color-scheme: light; --ink: #1f252b; --soft: #5b6570; --line: #e1e5ea; --card: #fff; }
@@ -58,6 +58,9 @@ def render_page(
     """
     title = escape(verdict(summary))
     pushes = "".join(f"<p>Push: {escape(push_line(push))}</p>" for push in summary["pushes"])
+    asked = "".join(f"<p>Asked: {escape(reference_line(r))}</p>" for r in summary["references"])
+    if asked:
+        asked += f"<p>Reached: {escape(reached_line(summary))}</p>"
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -69,7 +72,7 @@ def render_page(
 <body><main>
 <h1>{_mark(summary)}{title}</h1>
 <p class="soft">{escape(conditions(summary))}</p>
-{pushes}
+{pushes}{asked}
 <pre>{escape(command)}</pre>
 <div class="top">
 {_film(film, trouble)}
@@ -100,7 +103,7 @@ def _tiles(s: dict[str, Any]) -> str:
     settle = s["settle_time_s"]
     failures = s["qp_failures"]
     tiles = (
-        ("settled after the push", "-" if settle is None else f"{settle:.2f} s"),
+        ("settled after the last event", "-" if settle is None else f"{settle:.2f} s"),
         ("greatest tilt", f"{s['max_tilt_deg']:.2f}&deg;"),
         ("height off at the end", f"{s['height_error_mm']:.2f} mm"),
         ("farthest foot", f"{s['max_foot_travel_mm']:.1f} mm"),

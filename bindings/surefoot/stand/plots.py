@@ -11,6 +11,7 @@ import numpy as np
 from matplotlib import style
 from matplotlib.figure import Figure
 
+from surefoot.stand.asked import asked_pose
 from surefoot.stand.axes import (
     BLUE,
     GREEN,
@@ -24,7 +25,7 @@ from surefoot.stand.axes import (
     shade_pushes,
 )
 from surefoot.stand.geometry import feet_of, pose_from_feet
-from surefoot.stand.log import Array, StandLog
+from surefoot.stand.log import StandLog
 
 LEGS = ("front right", "front left", "rear right", "rear left")
 JOINTS = ("hip", "thigh", "calf")
@@ -56,13 +57,17 @@ def draw_plots(log: StandLog, folder: Path) -> None:
 
 def draw_pose(log: StandLog) -> Figure:
     """Draw the base relative to its feet, change since the start, true and estimated."""
-    true = _pose_change(log.q_true, log.feet)
-    estimated = _pose_change(log.q_estimated, feet_of(log.robot, log.q_estimated))
+    true = pose_from_feet(log.q_true, log.feet).rows
+    estimated = pose_from_feet(log.q_estimated, feet_of(log.robot, log.q_estimated)).rows
+    asked = asked_pose(log).rows - true[0]
+    true, estimated = true - true[0], estimated - estimated[0]
     labels = ("x [mm]", "y [mm]", "z [mm]", "roll [deg]", "pitch [deg]", "yaw [deg]")
     figure, axes = grid(3, 2, 5.2)
     for k, label in enumerate(labels):
         ax = axes[k % 3][k // 3]
         shade_pushes(ax, log)
+        if log.settings.references:
+            ax.plot(log.time, asked[:, k], color=GREY, ls=":", label="asked for")
         ax.plot(log.time, true[:, k], color=BLUE, label="true")
         ax.plot(log.time, estimated[:, k], color=ORANGE, lw=0.9, ls="--", label="estimated")
         at_least(ax, 1.0 if k < 3 else 0.2)
@@ -170,10 +175,3 @@ PLOTS = (
         draw_ticks,
     ),
 )
-
-
-def _pose_change(q: Array, feet: Array) -> Array:
-    """Return x, y, z [mm] and roll, pitch, yaw [deg], (n, 6), less their first values."""
-    pose = pose_from_feet(q, feet)
-    rows = np.hstack([1000.0 * pose.position, np.degrees(np.unwrap(pose.rpy, axis=0))])
-    return np.asarray(rows - rows[0])

@@ -5,33 +5,42 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from surefoot._core import Error, Gains
+from surefoot._core import Error, Form, Gains
+from surefoot.robot_files import RobotDescription
 from surefoot.sim import PlantSettings
 from surefoot.stand.pushes import PushRequest
+from surefoot.stand.references import ReferenceRequest
 
 MAX_DURATION = 600.0  # [s]; a log of 500 Hz then takes about a gigabyte
 
 
 @dataclass(frozen=True)
 class StandSettings:
-    """Robot, plant, pushes and controller of one run; the same settings give the same run.
+    """Robot, plant, pushes, references and controller of one run; the same give the same run.
 
     Attributes:
-        robot: A name of surefoot.available_robots().
+        robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
         duration: Of the run, unless the robot falls [s].
         plant: Sensors, ground, payload, control rate and seed. The rate must make the control
             period a whole number of milliseconds, for that is what LowState.tick counts.
         pushes: In any order.
+        references: Where the body is asked to be; those of the same time in this order.
         gains: Of the controller; None for the robot's own.
         motor_damping: Motor-side damping in every command [N.m.s/rad]; 0 is pure torque mode.
+        form: Of the controller's program.
+        predict: Delay that the controller predicts across, from a measurement to its command's
+            action [s]; the plant's own delay is PlantSettings.extra_delay.
     """
 
-    robot: str = "go1"
+    robot: str | RobotDescription = "go1"
     duration: float = 10.0
     plant: PlantSettings = field(default_factory=lambda: PlantSettings(seed=1))
     pushes: tuple[PushRequest, ...] = ()
+    references: tuple[ReferenceRequest, ...] = ()
     gains: Gains | None = None
     motor_damping: float = 0.0
+    form: Form = Form.AUTO
+    predict: float = 0.0
 
     def __post_init__(self) -> None:
         if not 0.0 < self.duration <= MAX_DURATION:
@@ -40,11 +49,16 @@ class StandSettings:
             )
         check_rate(self.plant.control_rate)
         for push in self.pushes:
-            if push.time >= self.duration:
-                raise Error(
-                    f"push '{push}': got time {push.time} s, expected one before the end of the "
-                    f"run at {self.duration} s"
-                )
+            self._check_time(f"push '{push}'", push.time)
+        for request in self.references:
+            self._check_time(f"reference '{request}'", request.time)
+
+    def _check_time(self, what: str, time: float) -> None:
+        if time >= self.duration:
+            raise Error(
+                f"{what}: got time {time} s, expected one before the end of the run at "
+                f"{self.duration} s"
+            )
 
     @property
     def ticks(self) -> int:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from surefoot.stand.asked import asked_pose
 from surefoot.stand.geometry import pose_from_feet, rotation_angle
 from surefoot.stand.log import StandLog
 
@@ -15,14 +16,15 @@ SETTLED_SPEED = 0.05  # [m/s]
 
 
 def settled_ticks(log: StandLog) -> np.ndarray:
-    """Return (n,) whether the robot stands where, as and as still as it began.
+    """Return (n,) whether the robot stands where, as and as still as it began or was asked to.
 
     Place and attitude are relative to the true feet: a robot whose feet were shoved stands well
     if it stands over them.
     """
     pose = pose_from_feet(log.q_true, log.feet)
-    moved = np.linalg.norm(pose.position - pose.position[0], axis=1)
-    turned = rotation_angle(pose.rotation[0].T @ pose.rotation)
+    asked = asked_pose(log)
+    moved = np.linalg.norm(pose.position - asked.position, axis=1)
+    turned = rotation_angle(np.swapaxes(asked.rotation, 1, 2) @ pose.rotation)
     speed = np.linalg.norm(log.v_true[:, :3], axis=1)
     return np.asarray(
         (moved <= SETTLED_DISTANCE) & (turned <= SETTLED_ANGLE) & (speed < SETTLED_SPEED)
@@ -30,11 +32,16 @@ def settled_ticks(log: StandLog) -> np.ndarray:
 
 
 def settle_time(log: StandLog) -> float | None:
-    """Return the time from the end of the last push until the robot is settled for good [s]."""
-    if not log.pushes or log.fell:
+    """Return the time from the last event until the robot is settled for good [s].
+
+    The last event is the end of the last push or the last reference, whichever is later.
+    """
+    ends = [push.time + push.duration for push in log.pushes]
+    ends += [request.time for request in log.settings.references]
+    if not ends or log.fell:
         return None
     settled = settled_ticks(log)
-    end = max(push.time + push.duration for push in log.pushes)
+    end = max(ends)
     if log.time[-1] < end or not settled[-1]:
         return None
     unsettled = np.flatnonzero(~settled)

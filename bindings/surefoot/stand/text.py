@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from surefoot.sim import PlantSettings
+from surefoot.stand.references import AXES
 
 
 def verdict(s: dict[str, Any]) -> str:
@@ -28,6 +29,10 @@ def conditions(s: dict[str, Any]) -> str:
     if s["payload_kg"]:
         parts.append(f"payload {s['payload_kg']:g} kg")
     parts += _flaws(s)
+    if s["form"] != "auto":
+        parts.append(f"{s['form']} form")
+    if s["predict_ms"]:
+        parts.append(f"{s['predict_ms']:g} ms predicted")
     if s["motor_damping"]:
         parts.append(f"motor damping {s['motor_damping']:g} N.m.s/rad")
     return ", ".join([*parts, f"seed {s['seed']}"])
@@ -60,13 +65,34 @@ def push_line(push: dict[str, Any]) -> str:
     )
 
 
+def reference_line(reference: dict[str, Any]) -> str:
+    """Return a reference of a summary in words."""
+    offsets = []
+    for axis, unit in AXES.items():
+        if f"{axis}_{unit}" in reference:
+            offsets.append(f"{axis} {reference[f'{axis}_{unit}']:+g} {unit}")
+    return f"{', '.join(offsets)} at {reference['time_s']:g} s"
+
+
 def summary_text(s: dict[str, Any]) -> str:
     """Return a summary for people to read."""
     lines = [("run", conditions(s)), *(("push", push_line(push)) for push in s["pushes"])]
+    lines += [("asked", reference_line(reference)) for reference in s["references"]]
     if s["settle_time_s"] is not None:
-        lines.append(("settled", f"{s['settle_time_s']:.2f} s after the last push"))
+        events = ("push" if s["pushes"] else "", "reference" if s["references"] else "")
+        event = " or ".join(name for name in events if name)
+        lines.append(("settled", f"{s['settle_time_s']:.2f} s after the last {event}"))
+    if s["references"]:
+        lines.append(("reached", reached_line(s)))
     lines += _motion_lines(s) + _loop_lines(s)
     return "\n".join([f"{verdict(s)}.", *(f"  {name:<9} {text}" for name, text in lines)])
+
+
+def reached_line(s: dict[str, Any]) -> str:
+    """Return in words how near the body came to where it was asked to be."""
+    near = f"{s['reference_error_mm']:.2f} mm and {s['reference_error_deg']:.2f} deg from there"
+    limit = s["reference_limit"]
+    return near if limit == "none" else f"{near}, held back by: {limit}"
 
 
 def _motion_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
@@ -100,8 +126,9 @@ def _loop_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
     tick = s["tick_us"]
     first = f" (first: {s['first_failure']})" if s["qp_failures"] else ""
     mode = "torque mode only" if s["torque_mode_only"] else "NOT torque mode only"
+    saturated = f", {s['saturated_ticks']} saturated" if s["saturated_ticks"] else ""
     return [
-        ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}, {mode}"),
+        ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}{saturated}, {mode}"),
         (
             "tick",
             f"{tick['p50']:.0f} us median, {tick['p90']:.0f} p90, {tick['p99']:.0f} p99, "

@@ -29,30 +29,31 @@ struct Gains {
   double integral_base_error = 0.05;
   double integral_speed = 0.03;
   // Feet: how a stance foot is kept where it stands.
-  double foot_kp = 400.0;
-  double foot_kd = 35.0;
+  double foot_kp = 2500.0;
+  double foot_kd = 50.0;
   // Joints: those that nothing else decides, and how softly their limits are met.
   double posture_kp = 100.0;
   double posture_kd = 20.0;
   double joint_limit_rate = 30.0;
   double joint_limit_margin = 0.02;
   // Quadratic program: what gives way when not everything fits.
-  double weight_com_horizontal = 1.0;
+  double weight_com_horizontal = 6.0;
   double weight_com_vertical = 2.0;
-  double weight_base_tilt = 1.0;
-  double weight_base_yaw = 0.3;
+  double weight_base_tilt = 8.0;
+  double weight_base_yaw = 1.0;
   double weight_momentum = 0.0;
   double momentum_kd = 5.0;
   double weight_posture = 0.0;
   double weight_posture_free = 0.01;
   double weight_foot_soft = 10.0;
-  double weight_force = 0.02;
+  double weight_force = 0.1;
   double weight_smooth = 0.0;
   double penalty_torque = 100.0;
   double penalty_joint_limit = 30.0;
   double penalty_hold_down = 2.0;
-  double hold_down = 0.03;
-  double hold_down_margin = 0.03;
+  double hold_down = 0.04;
+  double edge_margin = 0.06;
+  double edge_tilt = 0.1;
   double force_max_contact = 3.0;
   double force_lost_contact = 0.3;
   double share_lost_contact = 0.3;
@@ -73,6 +74,10 @@ struct Gains {
   double contact_force_on = 0.04;
   double contact_force_off = 0.02;
   double contact_dwell = 0.02;
+  double push_time = 0.008;
+  double push_dead_band = 0.5;
+  double push_max = 20.0;
+  double push_resist = 1.0;
   // Command.
   double fall_tilt = 1.0;
   double damping_kd = 3.0;

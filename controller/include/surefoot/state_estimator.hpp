@@ -41,6 +41,9 @@ class StateEstimator {
   void set_gains(const Gains& gains);
   /// The ground's normal as the contacts know it; unit, world axes.
   void set_ground_normal(const Vector3& normal) noexcept;
+  /// What the motors were asked to make of the body, base acceleration in Pinocchio's axes: what
+  /// the accelerometer feels beyond it is laid to a force from outside. Zero if never told.
+  void set_planned_acceleration(const Vector6& a_base) noexcept;
   /// Begin anew with the next report.
   void reset() noexcept;
 

@@ -40,6 +40,8 @@ struct RobotState {
   Eigen::VectorXd v;  ///< Pinocchio's v: base twist in base axes, joint velocities
   /// Probability that each foot carries load, 0 .. 1, FR FL RR RL.
   Eigen::Vector4d contact = Eigen::Vector4d::Ones();
+  /// [N] force on the body from outside, through its centre of mass, world axes: a push, a payload.
+  Vector3 f_outside = Vector3::Zero();
 };
 
 /// What one foot is asked to do, in the world frame of RobotState.

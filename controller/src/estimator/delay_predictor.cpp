@@ -44,6 +44,7 @@ const RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   predicted_.q.tail(dq_.size() - 6) += dq_.tail(dq_.size() - 6);
   predicted_.v = state.v + dv_;
   predicted_.contact = state.contact;
+  predicted_.f_outside = state.f_outside;
   return predicted_;
 }
 

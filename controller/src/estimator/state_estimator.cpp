@@ -4,6 +4,7 @@
 #include "estimator/attitude.hpp"
 #include "estimator/base_filter.hpp"
 #include "estimator/contact_estimator.hpp"
+#include "estimator/push_observer.hpp"
 #include "low_state_check.hpp"
 
 namespace surefoot {
@@ -21,6 +22,7 @@ struct StateEstimator::Impl {
         state(r.nq(), r.nv()) {}
   void read_joints(const LowState& low_state) noexcept;
   void place_base(const Vector3& f_base, double dt) noexcept;
+  void observe_push(const Vector3& f_base, double dt) noexcept;
 
   Robot robot;
   Gains gains;
@@ -28,6 +30,9 @@ struct StateEstimator::Impl {
   AttitudeFilter attitude;
   ContactEstimator contact;
   BaseFilter filter;
+  PushObserver push;
+  Vector6 planned = Vector6::Zero();
+  bool has_plan = false;
   RobotState state;
   Vector12 dq_motor = Vector12::Zero();
   Vector12 tau_est = Vector12::Zero();
@@ -54,9 +59,16 @@ void StateEstimator::set_gains(const Gains& gains) {
 
 void StateEstimator::set_ground_normal(const Vector3& normal) noexcept { impl_->normal = normal; }
 
+void StateEstimator::set_planned_acceleration(const Vector6& a_base) noexcept {
+  impl_->planned = a_base;
+  impl_->has_plan = true;
+}
+
 void StateEstimator::reset() noexcept {
   impl_->started = false;
   impl_->contact.reset();
+  impl_->push.reset();
+  impl_->has_plan = false;
   impl_->normal = Vector3::UnitZ();
 }
 
@@ -84,6 +96,7 @@ Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   s.state.contact = s.contact.probability();
   s.attitude.learn_bias(s.gains, s.dynamics, s.state.contact, dt);
   s.place_base(imu.f_base, dt);
+  s.observe_push(imu.f_base, dt);
   return Status::kOk;
 }
 
@@ -116,6 +129,19 @@ void StateEstimator::Impl::place_base(const Vector3& f_base, double dt) noexcept
   state.q.head<3>() = p_base;
   state.v.head<3>() = R.transpose() * v_base;
   dynamics.shift(p_base, v_base);
+}
+
+// At the IMU's own point: a + alpha x r + w x (v + w x r) less gravity is what it should feel.
+void StateEstimator::Impl::observe_push(const Vector3& f_base, double dt) noexcept {
+  state.f_outside.setZero();
+  if (!has_plan) return;
+  const Vector3 w = dynamics.w_base();
+  const Vector3 r = robot.config().p_base_imu;
+  const Vector3 v = state.v.head<3>();
+  const Vector3 a = planned.head<3>() + planned.tail<3>().cross(r) + w.cross(v + w.cross(r));
+  const Vector3 gravity = -kGravity * Vector3::UnitZ();
+  push.update(gains, dynamics.R_world_base() * (f_base - a) + gravity, dt);
+  state.f_outside = robot.mass() * push.acceleration(gains);
 }
 
 }  // namespace surefoot

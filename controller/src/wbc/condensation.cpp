@@ -5,10 +5,10 @@
 
 namespace surefoot {
 
-bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
+bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration, const Vector6& outside,
               double smallest_determinant, Condensed& out) noexcept {
   Matrix6 A = dynamics.M_base();
-  Vector6 r = dynamics.h_base();
+  Vector6 r = dynamics.h_base() - outside;
   Matrix6x12 base_from_force;
 
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -18,7 +18,8 @@ CondensedProgram::CondensedProgram(const JointTable& joints, const ProgramUnits&
 }
 
 bool CondensedProgram::pose(const Dynamics& dynamics, const ProgramTerms& terms) noexcept {
-  if (!condense(dynamics, terms.feet_acceleration, units_.smallest_determinant, condensed_)) {
+  if (!condense(dynamics, terms.feet_acceleration, terms.outside, units_.smallest_determinant,
+                condensed_)) {
     return false;
   }
   joint_from_force_.noalias() = condensed_.W * condensed_.B;

@@ -27,6 +27,7 @@ GeneralProgram::GeneralProgram(int nv, const JointTable& joints, const ProgramUn
 
 void GeneralProgram::pose(const Dynamics& dynamics, const ProgramTerms& terms) noexcept {
   dynamics.write_full(full_);
+  full_.h.head<6>() -= terms.outside;
   write_equalities(dynamics, terms);
   write_force_rows(terms, nv_, units_.force, problem_);
   write_joint_rows(terms);

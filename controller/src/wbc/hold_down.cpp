@@ -20,11 +20,15 @@ double capture_margin(const Dynamics& dynamics, const Reference& reference) noex
   return SupportPolygon(feet, stance).margin(capture.head<2>());
 }
 
-Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, const Dynamics& dynamics,
+double edge_fade(const Gains& gains, const Dynamics& dynamics,
+                 const Reference& reference) noexcept {
+  const double margin = capture_margin(dynamics, reference) / gains.edge_margin;
+  return std::min(std::max(margin, 0.0), 1.0);
+}
+
+Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
                                  const Eigen::Vector4d& contact,
                                  const Reference& reference) noexcept {
-  const double margin = capture_margin(dynamics, reference) / gains.hold_down_margin;
-  const double fade = std::min(std::max(margin, 0.0), 1.0);
   Eigen::Vector4d forces;
   for (int leg = 0; leg < kLegs; ++leg) {
     const FootReference& foot = reference.feet[leg];

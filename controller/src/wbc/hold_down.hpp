@@ -12,11 +12,15 @@ namespace surefoot {
 /// Source: Pratt et al. 2006, eq. 4.
 double capture_margin(const Dynamics& dynamics, const Reference& reference) noexcept;
 
+/// 1 while the capture point is at least edge_margin inside the support, 0 at its edge.
+double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
+
 /// Least normal force wanted of each foot [N], FR FL RR RL. Real-time: yes.
 ///
 /// Feet that are pressed down do not slide or lift; but the last newtons of a foot are also the
 /// last millimetres of the support. So it fades as the capture point nears the edge.
-Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, const Dynamics& dynamics,
+/// @param fade as edge_fade() has it
+Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
                                  const Eigen::Vector4d& contact,
                                  const Reference& reference) noexcept;
 

@@ -24,7 +24,8 @@ bool finite(const Reference& r) noexcept {
 
 Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (state.q.size() != robot.nq() || state.v.size() != robot.nv()) return Status::kWrongSize;
-  if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite()) {
+  if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite() ||
+      !state.f_outside.allFinite()) {
     return Status::kNonFinite;
   }
   const double norm = state.q.segment<4>(3).norm();

@@ -26,6 +26,7 @@ struct ProgramTerms {
         posture_weight(Eigen::VectorXd::Zero(joints)) {}
 
   FeetMatrix feet_acceleration = FeetMatrix::Zero();  ///< met exactly, world axes [m/s^2] ...
+  Vector6 outside = Vector6::Zero();                  ///< wrench on the base, base axes [N], [N.m]
   std::array<bool, kLegs> soft_foot{};                ///< ... or, near singular, at a price
   double weight_foot_soft = 0.0;
   std::array<BodyRows, 3> body;  ///< position, orientation, angular momentum

@@ -14,6 +14,15 @@ namespace surefoot {
 
 namespace {
 
+// Of a force through the centre of mass, about the base's origin.
+Vector6 outside_wrench(const Dynamics& dynamics, const Vector3& f_world) noexcept {
+  const Matrix3 R = dynamics.R_world_base().transpose();
+  const Vector3 arm = dynamics.p_world_com() - dynamics.p_world_base();
+  Vector6 wrench;
+  wrench << R * f_world, R * arm.cross(f_world);
+  return wrench;
+}
+
 bool sound(const TaskRows& rows, Eigen::Index count, int nv) noexcept {
   return rows.A_a.rows() == count && rows.A_a.cols() == nv && rows.A_f.rows() == count &&
          rows.A_f.cols() == ProgramLayout::kForces && rows.b.size() == count &&
@@ -42,29 +51,35 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
                           const FeetMatrix& previous) noexcept {
   const double weight = robot_.mass() * kGravity;
   terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
+  terms_.outside = outside_wrench(dynamics, state.f_outside);
   terms_.soft_foot = singular;
   terms_.weight_foot_soft = gains.weight_foot_soft;
   terms_.ground_normal = reference.ground_normal;
   terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
-  terms_.hold_down = hold_down_forces(gains, weight, dynamics, state.contact, reference);
+  const double fade = edge_fade(gains, dynamics, reference);
+  terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);
   joint_limits(robot_.config(), joints_, gains, state, terms_.limits);
-  write_body(gains, dynamics, state, reference);
+  write_body(gains, dynamics, state, reference, fade);
   write_forces(gains, reference, even_, previous);
   write_posture(gains, state, reference);
   return write_custom(dynamics, state);
 }
 
 void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
-                             const Reference& reference) noexcept {
+                             const Reference& reference, double fade) noexcept {
   const bool base = reference.body_point == BodyPoint::kBase;
-  const Vector3 a = base ? base_acceleration(gains, reference, dynamics)
-                         : com_acceleration(gains, reference, dynamics);
+  // What of a push is not leant against moves the body, and is no error of the tasks.
+  const Vector3 yielded = (1.0 - gains.push_resist) / robot_.mass() * state.f_outside;
+  const Vector3 a = yielded + (base ? base_acceleration(gains, reference, dynamics)
+                                    : com_acceleration(gains, reference, dynamics));
   const Vector3 alpha = base_angular_acceleration(gains, reference, dynamics);
   auto& [position, orientation, momentum] = terms_.body;
-  position = base ? base_position_task(gains, a, dynamics) : com_task(gains, a, robot_.mass());
+  position = base ? base_position_task(gains, a, dynamics)
+                  : com_task(gains, a, state.f_outside, robot_.mass());
   position.scale = base ? units_.scale_base : units_.scale_com;
   orientation = base_orientation_task(gains, alpha, dynamics);
   orientation.scale = units_.scale_angular;
+  orientation.weight.head<2>() *= fade + (1.0 - fade) * gains.edge_tilt;
   terms_.body_tasks = 2;
   if (gains.weight_momentum > 0.0) {
     momentum = momentum_task(gains, reference, dynamics);
@@ -72,7 +87,7 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
     terms_.body_tasks = 3;
   }
   even_ =
-      even_forces(dynamics, robot_.mass() * (a + kGravity * Vector3::UnitZ()),
+      even_forces(dynamics, robot_.mass() * (a + kGravity * Vector3::UnitZ()) - state.f_outside,
                   turning_moment(dynamics, alpha), load_shares(gains, state.contact, reference));
 }
 

@@ -24,7 +24,7 @@ class TermsWriter {
 
  private:
   void write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
-                  const Reference& reference) noexcept;
+                  const Reference& reference, double fade) noexcept;
   void write_forces(const Gains& gains, const Reference& reference, const Vector12& even,
                     const FeetMatrix& previous) noexcept;
   void write_posture(const Gains& gains, const RobotState& state,

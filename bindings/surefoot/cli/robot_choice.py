@@ -1,0 +1,51 @@
+"""Which robot a command is about: one known by name, or one's own from files."""
+
+from __future__ import annotations
+
+import argparse
+
+from surefoot._core import Error
+from surefoot.robot_files import RobotDescription, describe_robot
+
+
+def add_robot_options(parser: argparse.ArgumentParser | argparse._ArgumentGroup, text: str) -> None:
+    """Add --robot, --urdf and --config; `text` says what is taken without any of them."""
+    parser.add_argument("--robot", metavar="NAME", help=f"see surefoot robots ({text})")
+    add_file_options(parser, "--robot")
+
+
+def add_file_options(
+    parser: argparse.ArgumentParser | argparse._ArgumentGroup, instead: str
+) -> None:
+    """Add --urdf and --config."""
+    text = f"instead of {instead}, a robot of your own"
+    parser.add_argument("--urdf", metavar="FILE.urdf", help=text)
+    parser.add_argument("--config", metavar="FILE.toml", help="what that URDF does not say")
+
+
+def chosen_robot(
+    arguments: argparse.Namespace, option: str = "--robot", default: str | None = None
+) -> RobotDescription | None:
+    """Return the robot that was asked for; None if there is neither one nor a default.
+
+    Args:
+        arguments: With robot, urdf and config, each None if not given.
+        option: How the robot's name is asked for.
+        default: Name of the robot if nothing was given.
+
+    Raises:
+        Error: A name and files at once, one file without the other, a robot that cannot be found.
+    """
+    files = {"--urdf": arguments.urdf, "--config": arguments.config}
+    given = [name for name, value in files.items() if value is not None]
+    if arguments.robot is not None and given:
+        raise Error(
+            f"got {option} '{arguments.robot}' and {' and '.join(given)}, expected {option} for a "
+            "known robot or both --urdf and --config for one of your own"
+        )
+    if len(given) == 1:
+        raise Error(f"got {given[0]} alone, expected both --urdf and --config")
+    name = None if given else arguments.robot or default
+    if name is None and not given:
+        return None
+    return describe_robot(name, urdf=arguments.urdf, config=arguments.config)

@@ -1,0 +1,49 @@
+"""What commands that simulate need of the machine: graphics, modules, a place for results."""
+
+from __future__ import annotations
+
+import ctypes.util
+import json
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from surefoot._core import Error
+
+
+def choose_graphics() -> None:
+    """Choose, before MuJoCo is imported, how it draws on a machine without a screen."""
+    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or sys.platform != "linux":
+        return
+    # Without the library MuJoCo would not even import; a run without a film needs no graphics.
+    library = ctypes.util.find_library("EGL")
+    os.environ.setdefault("MUJOCO_GL", "egl" if library else "disable")
+
+
+def missing_module(command: str, problem: ModuleNotFoundError) -> Error:
+    """Return the error that says how to get a module that a command needs."""
+    return Error(
+        f"module '{problem.name}' not found: surefoot {command} needs the extra 'sim'; "
+        "run: pip install 'surefoot[sim]'"
+    )
+
+
+def check_json_place(place: str | None) -> None:
+    """Find out before a run, not after it, that its result has no place to go; raises Error."""
+    if place in (None, "-"):
+        return
+    path = Path(str(place))
+    if path.is_dir() or not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
+        raise Error(f"--json: got '{path}', expected a file in a folder that can be written")
+
+
+def write_json(place: str | None, result: dict[str, Any]) -> None:
+    """Write a result as one JSON object to a file or, for "-", to stdout."""
+    if place is None:
+        return
+    text = json.dumps(result, indent=2, allow_nan=False) + "\n"
+    if place == "-":
+        sys.stdout.write(text)
+    else:
+        Path(place).write_text(text, encoding="utf-8")

@@ -1,0 +1,67 @@
+"""Under which conditions a run was made, as the summary says them."""
+
+from __future__ import annotations
+
+import importlib.metadata
+from typing import Any
+
+from surefoot._core import gain_table, get_gain
+from surefoot.stand.log import StandLog
+from surefoot.stand.references import AXES
+
+
+def describe_conditions(log: StandLog) -> dict[str, Any]:
+    """Return the summary's fields of the group Conditions."""
+    settings, plant = log.settings, log.settings.plant
+    return {
+        "version": importlib.metadata.version("surefoot"),
+        "robot": log.robot.name,
+        "seed": plant.seed,
+        "sensors": plant.sensors,
+        "foot_force": log.foot_force,
+        "rate": log.rate,
+        "duration": log.duration,
+        "friction": plant.friction,
+        "soft_ground_sink": plant.soft_ground_sink,
+        "slope_deg": plant.slope_deg,
+        "slope_heading_deg": plant.slope_heading_deg,
+        "payload_kg": plant.payload_kg,
+        "payload_position": list(plant.payload_position),
+        "joint_friction_scale": plant.joint_friction_scale,
+        "armature_scale": plant.armature_scale,
+        "backlash_deg": plant.backlash_deg,
+        "motor_lag_ms": 1000.0 * plant.lag,
+        "delay_ms": 1000.0 * plant.extra_delay,
+        "motor_damping": settings.motor_damping,
+        "form": settings.form.name.lower(),
+        "predict_ms": 1000.0 * settings.predict,
+        "gains_changed": _gains_changed(log),
+        "lip_limit_ns": log.lip_limit,
+        "pushes": [
+            {
+                "direction": push.direction,
+                "impulse_ns": push.impulse,
+                "lip_share": share,
+                "duration_s": push.duration,
+                "time_s": push.time,
+                "height_m": push.height,
+            }
+            for push, share in zip(log.pushes, log.push_shares, strict=True)
+        ],
+        "references": [
+            {
+                "time_s": request.time,
+                **{f"{axis}_{AXES[axis]}": value for axis, value in request.offsets.items()},
+            }
+            for request in settings.references
+        ],
+    }
+
+
+def _gains_changed(log: StandLog) -> dict[str, float]:
+    gains, own = log.settings.gains, log.robot.config.gains
+    if gains is None:
+        return {}
+    names = [row.name for row in gain_table()]
+    values = {name: get_gain(gains, name) for name in names}
+    return {name: value for name, value in values.items() if value != get_gain(own, name)}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/gains.hpp"
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Sees an outside force on the body by what the accelerometer feels and the commands do not
+/// explain: F = m (a_measured - a_planned), smoothed, with a dead band that keeps noise and small
+/// errors of the model out, and bounded. Real-time: update() yes.
+///
+/// Without it a push is felt only once it has moved the body, and the legs of unloaded feet, whose
+/// motion is planned for a body at rest, are dragged along.
+class PushObserver {
+ public:
+  /// @param unexplained acceleration of the base, measured less planned, world axes [m/s^2]
+  void update(const Gains& gains, const Vector3& unexplained, double dt) noexcept;
+
+  /// Outside acceleration that is believed, world axes [m/s^2].
+  Vector3 acceleration(const Gains& gains) const noexcept;
+
+  void reset() noexcept { smooth_.setZero(); }
+
+ private:
+  Vector3 smooth_ = Vector3::Zero();
+};
+
+}  // namespace surefoot
