@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <cmath>
 #include <limits>
 
 #include "dynamics/dynamics.hpp"
 #include "surefoot/error.hpp"
+#include "wbc/condensation.hpp"
 #include "wbc/program_layout.hpp"
 
 namespace surefoot {
@@ -15,13 +17,19 @@ namespace {
 // nearly straight or a foot near hip height, where accelerations run away.
 constexpr double kSmallestShare = 0.1;
 
-// Base acceleration per force with all joints locked: a rigid body's, m and I about the centre.
+// Angular acceleration of the base per force on the feet, per axis: with the feet in place, as the
+// program has it, or for robots that the condensed form does not know, of the locked robot.
 Vector3 angular_row_lengths(const Dynamics& dynamics) {
-  const Matrix3 inverse = dynamics.I_world_com().inverse();
   Eigen::Matrix<double, 3, 12> rows;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    const Vector3 arm = dynamics.legs()[leg].p_world_contact - dynamics.p_world_com();
-    rows.middleCols<3>(3 * leg) = inverse * skew(arm);
+  Condensed condensed;
+  if (dynamics.condensable() && condense(dynamics, FeetMatrix::Zero(), Vector6::Zero(), 0.0, condensed)) {
+    rows = condensed.B.bottomRows<3>();
+  } else {
+    const Matrix3 inverse = dynamics.I_world_com().inverse();
+    for (int leg = 0; leg < kLegs; ++leg) {
+      const Vector3 arm = dynamics.legs()[leg].p_world_contact - dynamics.p_world_com();
+      rows.middleCols<3>(3 * leg) = inverse * skew(arm);
+    }
   }
   return rows.rowwise().norm();
 }
@@ -49,7 +57,7 @@ ProgramUnits::ProgramUnits(const Robot& robot) {
   angular = kGravity / length;
   scale_com = robot.mass() / std::sqrt(double(kLegs)) / force;
   scale_base = scale_com;
-  scale_angular = 1.0 / angular_row_lengths(dynamics).mean() / force;
+  scale_angular = std::sqrt(3.0) / angular_row_lengths(dynamics).norm() / force;
   scale_momentum = 1.0 / std::sqrt(2.0 * kLegs * arm_squared / 3.0) / force;
   smallest_determinant = kSmallestShare * determinant;
 }
