@@ -172,6 +172,7 @@ void StandController::reset() noexcept {
   Impl& s = *impl_;
   s.clock.reset();
   s.estimator.reset();
+  s.reference.set_target({});
   s.controller.reset();
   s.predictor.reset();
   s.keeper.reset();

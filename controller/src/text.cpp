@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <numeric>
 
 namespace surefoot {
 
 std::string to_text(double value) {
   char buffer[40];
-  std::snprintf(buffer, sizeof(buffer), "%.17g", value);
+  // The fewest digits that say the number exactly.
+  for (int digits = 6; digits <= 17; ++digits) {
+    std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
+    if (std::strtod(buffer, nullptr) == value) break;
+  }
   return buffer;
 }
 

@@ -67,7 +67,8 @@ class StandController {
 
   /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
   void set_gains(const Gains& gains);
-  /// Leave damping and latch the pose anew with the next report. Not in the tick.
+  /// Leave damping, forget the body reference, latch the pose anew with the next report. Not in the
+  /// tick.
   void reset() noexcept;
 
  private:

@@ -7,7 +7,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kThere = 1e-5;  // [m], [rad] from the target counts as there
+constexpr double kFreeTime = 0.1;  // [s] without a limit in the way before it is forgotten
+constexpr double kThere = 1e-5;    // [m], [rad] from the target counts as there
 
 Vector6 to_vector(const BodyReference& r) noexcept {
   Vector6 v;
@@ -52,10 +53,14 @@ void BodyMotion::step(const Gains& gains, const FeetMatrix& feet, const Vector3&
   }
   const Vector3 before = p_com_;
   const Vector6 wanted = next(gains, dt);
+  const ReachStatus reason = status_;
   if (take(gains, wanted, feet, gravity)) {
-    status_ = {};
+    // Creeping along a limit gets through now and then: free is what has been free for a while.
+    free_time_ += dt;
+    status_ = free_time_ > kFreeTime ? ReachStatus{} : reason;
     v_com_ = (p_com_ - before) / dt;
   } else {
+    free_time_ = 0.0;
     creep(gains, wanted, feet, gravity);
     v_com_.setZero();
   }

@@ -54,6 +54,7 @@ class BodyMotion {
   Vector3 p_com_ = Vector3::Zero(), v_com_ = Vector3::Zero();
   ReachStatus status_;
   double violation_ = 0.0;
+  double free_time_ = 0.0;  // [s] since a limit was last in the way
   int axis_ = 0;
 };
 

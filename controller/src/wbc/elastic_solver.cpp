@@ -48,6 +48,7 @@ void ElasticSolver::reset() noexcept {
   hard_solver_.reset();
   elastic_solver_.reset();
   yielding_ = false;
+  quiet_ticks_ = 0;
 }
 
 QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& price,

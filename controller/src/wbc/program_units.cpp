@@ -22,7 +22,8 @@ constexpr double kSmallestShare = 0.1;
 Vector3 angular_row_lengths(const Dynamics& dynamics) {
   Eigen::Matrix<double, 3, 12> rows;
   Condensed condensed;
-  if (dynamics.condensable() && condense(dynamics, FeetMatrix::Zero(), Vector6::Zero(), 0.0, condensed)) {
+  if (dynamics.condensable() &&
+      condense(dynamics, FeetMatrix::Zero(), Vector6::Zero(), 0.0, condensed)) {
     rows = condensed.B.bottomRows<3>();
   } else {
     const Matrix3 inverse = dynamics.I_world_com().inverse();

@@ -128,7 +128,8 @@ double QpSolver::gap(Eigen::Index i) const noexcept {
   const double z = qp.results.z[i];
   const double bound = z > 0.0 ? qp.model.u[i] : qp.model.l[i];
   // A multiplier on a side that has no bound is wrong by its whole size.
-  return std::abs(z) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx[i]) : 1.0);
+  // Beyond one a multiplier says no more than that its row must lie on the bound.
+  return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx[i]) : 1.0);
 }
 
 void QpSolver::write(const QpProblem& problem) noexcept {

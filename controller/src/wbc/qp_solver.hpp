@@ -14,7 +14,7 @@ struct QpResult {
   int iterations = 0;            ///< inner iterations
   double primal_residual = 0.0;  ///< greatest violation of A x = b, l <= C x <= u
   double dual_residual = 0.0;    ///< greatest entry of H x + g + A'y + C'z
-  double gap = 0.0;              ///< greatest |z_i| times row i's distance from its bound
+  double gap = 0.0;              ///< greatest min(|z_i|, 1) times row i's distance from its bound
 };
 
 /// ProxQP behind a small interface: fixed size, warm start, our own residual check.

@@ -57,6 +57,7 @@ WholeBodySolver::WholeBodySolver(const Robot& robot, const WholeBodyOptions& opt
 void WholeBodySolver::reset() noexcept {
   condensed_solver_.reset();
   general_solver_.reset();
+  selector_ = FormSelector(units_.smallest_determinant);
 }
 
 const std::array<bool, kLegs>& WholeBodySolver::select(const Dynamics& dynamics,
