@@ -52,7 +52,8 @@ BOOST_AUTO_TEST_CASE(the_cost_is_scaled_and_well_conditioned_at_default_gains) {
     const Dynamics dynamics = dynamics_at(robot, state);
     BOOST_REQUIRE((writer.write(Gains(), dynamics, state, reference_at(robot, state), {},
                                 FeetMatrix::Zero()) == Status::kOk));
-    BOOST_REQUIRE(program.pose(dynamics, writer.terms()));
+    BOOST_REQUIRE(writer.terms().has_condensed);
+    program.pose(writer.terms());
     const Eigen::MatrixXd H = program.problem().H;
     BOOST_TEST(std::abs(H.trace() - 12.0) < 1e-9);
     const Eigen::VectorXd eigenvalues =

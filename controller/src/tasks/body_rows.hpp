@@ -8,6 +8,7 @@
 namespace surefoot {
 
 using Matrix3x12 = Eigen::Matrix<double, 3, 3 * kLegs>;
+using Matrix6x12 = Eigen::Matrix<double, 6, 3 * kLegs>;
 
 /// Three rows of the cost: A_base a_b + A_force f = b is wanted, and missed as cheaply as `weight`
 /// says. Every task of the body is of this kind, in either form of the program.

@@ -5,13 +5,16 @@
 
 namespace surefoot {
 
-/// Most even contact forces that make the wanted motion of the body:
-///   minimise sum |f_i|^2 / share_i   subject to   sum f_i = force,  sum (p_i - p_com) x f_i =
-///   moment
-/// The program is drawn towards them: they agree with its tasks (but for the legs' own inertia in
-/// `moment`), so that the weight of this pull is free to serve the program's conditioning.
+/// Most even contact forces that meet six rows, such as two tasks of the body:
+///   minimise sum |f_i|^2 / share_i   subject to   A f = b
+/// Drawn towards them the program meets these tasks exactly while no limit is active, so the weight
+/// of this pull is free to serve the program's conditioning.
 /// @param share how much of the load each foot may take, 0 .. 1, FR FL RR RL
 /// Real-time: yes.
+Vector12 even_forces(const Matrix6x12& A, const Vector6& b, const Eigen::Vector4d& share) noexcept;
+
+/// The same for a wrench about the centre of mass:
+///   sum f_i = force,  sum (p_i - p_com) x f_i = moment
 Vector12 even_forces(const Dynamics& dynamics, const Vector3& force, const Vector3& moment,
                      const Eigen::Vector4d& share) noexcept;
 

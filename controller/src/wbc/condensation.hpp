@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dynamics/dynamics.hpp"
+#include "tasks/body_rows.hpp"
 
 namespace surefoot {
 
-using Matrix6x12 = Eigen::Matrix<double, 6, 12>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
 /// The equations of motion with everything but the contact forces eliminated.

@@ -17,17 +17,13 @@ CondensedProgram::CondensedProgram(const JointTable& joints, const ProgramUnits&
   }
 }
 
-bool CondensedProgram::pose(const Dynamics& dynamics, const ProgramTerms& terms) noexcept {
-  if (!condense(dynamics, terms.feet_acceleration, terms.outside, units_.smallest_determinant,
-                condensed_)) {
-    return false;
-  }
+void CondensedProgram::pose(const ProgramTerms& terms) noexcept {
+  condensed_ = terms.condensed;
   joint_from_force_.noalias() = condensed_.W * condensed_.B;
   joint_bias_ = condensed_.leg_accelerations(condensed_.c);
   write_cost(terms);
   write_force_rows(terms, 0, units_.force, problem_);
   write_joint_rows(terms);
-  return true;
 }
 
 void CondensedProgram::write_cost(const ProgramTerms& terms) noexcept {

@@ -17,8 +17,8 @@ class CondensedProgram {
  public:
   CondensedProgram(const JointTable& joints, const ProgramUnits& units);
 
-  /// Write the program; false when a leg is too close to singular for this form.
-  bool pose(const Dynamics& dynamics, const ProgramTerms& terms) noexcept;
+  /// Write the program; terms.has_condensed must be true.
+  void pose(const ProgramTerms& terms) noexcept;
 
   const QpProblem& problem() const noexcept { return problem_; }
   /// Factor that brought the cost to trace(H) = n; prices of slacks go with it.

@@ -7,6 +7,7 @@
 
 #include "surefoot/task.hpp"
 #include "tasks/body_rows.hpp"
+#include "wbc/condensation.hpp"
 #include "wbc/limits.hpp"
 
 namespace surefoot {
@@ -27,7 +28,9 @@ struct ProgramTerms {
 
   FeetMatrix feet_acceleration = FeetMatrix::Zero();  ///< met exactly, world axes [m/s^2] ...
   Vector6 outside = Vector6::Zero();                  ///< wrench on the base, base axes [N], [N.m]
-  std::array<bool, kLegs> soft_foot{};                ///< ... or, near singular, at a price
+  Condensed condensed;                  ///< the equations of motion on the forces alone ...
+  bool has_condensed = false;           ///< ... where no leg is singular
+  std::array<bool, kLegs> soft_foot{};  ///< ... or, near singular, at a price
   double weight_foot_soft = 0.0;
   std::array<BodyRows, 3> body;  ///< position, orientation, angular momentum
   int body_tasks = 0;

@@ -59,6 +59,9 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
   const double fade = edge_fade(gains, dynamics, reference);
   terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);
   joint_limits(robot_.config(), joints_, gains, state, terms_.limits);
+  terms_.has_condensed =
+      dynamics.condensable() && condense(dynamics, terms_.feet_acceleration, terms_.outside,
+                                         units_.smallest_determinant, terms_.condensed);
   write_body(gains, dynamics, state, reference, fade);
   write_forces(gains, reference, even_, previous);
   write_posture(gains, state, reference);
@@ -86,9 +89,26 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
     momentum.scale = units_.scale_momentum;
     terms_.body_tasks = 3;
   }
-  even_ =
-      even_forces(dynamics, robot_.mass() * (a + kGravity * Vector3::UnitZ()) - state.f_outside,
-                  turning_moment(dynamics, alpha), load_shares(gains, state.contact, reference));
+  write_even(dynamics, a, alpha, state, load_shares(gains, state.contact, reference));
+}
+
+// By the very rows of both tasks; where a leg is singular, by the wrench on the locked robot, which
+// leaves out the legs' own inertia.
+void TermsWriter::write_even(const Dynamics& dynamics, const Vector3& a, const Vector3& alpha,
+                             const RobotState& state, const Eigen::Vector4d& share) noexcept {
+  if (!terms_.has_condensed) {
+    const Vector3 force = robot_.mass() * (a + kGravity * Vector3::UnitZ()) - state.f_outside;
+    even_ = even_forces(dynamics, force, turning_moment(dynamics, alpha), share);
+    return;
+  }
+  Matrix6x12 A;
+  Vector6 b;
+  for (int k = 0; k < 2; ++k) {
+    const BodyRows& rows = terms_.body[k];
+    A.middleRows<3>(3 * k) = rows.A_force + rows.A_base * terms_.condensed.B;
+    b.segment<3>(3 * k) = rows.b - rows.A_base * terms_.condensed.c;
+  }
+  even_ = even_forces(A, b, share);
 }
 
 // Two pulls on the forces, evenness and smoothness, are one pull to their weighted mean.

@@ -25,6 +25,8 @@ class TermsWriter {
  private:
   void write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                   const Reference& reference, double fade) noexcept;
+  void write_even(const Dynamics& dynamics, const Vector3& a, const Vector3& alpha,
+                  const RobotState& state, const Eigen::Vector4d& share) noexcept;
   void write_forces(const Gains& gains, const Reference& reference, const Vector12& even,
                     const FeetMatrix& previous) noexcept;
   void write_posture(const Gains& gains, const RobotState& state,

@@ -77,11 +77,15 @@ const ElasticSolver& WholeBodySolver::elastic() const noexcept {
 void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
                             Solution& out) noexcept {
   const bool condensed = form_ == Form::kCondensed;
-  if (condensed && !condensed_.pose(dynamics, terms)) {
+  if (condensed && !terms.has_condensed) {
     out.status = Status::kSingular;
     return;
   }
-  if (!condensed) general_.pose(dynamics, terms);
+  if (condensed) {
+    condensed_.pose(terms);
+  } else {
+    general_.pose(dynamics, terms);
+  }
   const double scale = condensed ? condensed_.cost_scale() : general_.cost_scale();
   price_.head<kLegs>().setConstant(scale * gains.penalty_hold_down);
   price_.segment<ProgramLayout::kLegGroups>(kLegs).setConstant(scale * gains.penalty_torque);
