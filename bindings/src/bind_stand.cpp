@@ -25,12 +25,12 @@ void bind_body_reference(nb::module_& m) {
              double yaw) { new (r) BodyReference{x, y, height, roll, pitch, yaw}; },
           "x"_a = 0.0, "y"_a = 0.0, "height"_a = 0.0, "roll"_a = 0.0, "pitch"_a = 0.0,
           "yaw"_a = 0.0)
-      .def_rw("x", &BodyReference::x, "[m]")
-      .def_rw("y", &BodyReference::y, "[m]")
-      .def_rw("height", &BodyReference::height, "[m]")
-      .def_rw("roll", &BodyReference::roll, "[rad]")
-      .def_rw("pitch", &BodyReference::pitch, "[rad]")
-      .def_rw("yaw", &BodyReference::yaw, "[rad]");
+      .def_rw("x", &BodyReference::x, "Forward [m].")
+      .def_rw("y", &BodyReference::y, "To the left [m].")
+      .def_rw("height", &BodyReference::height, "Out of the ground [m].")
+      .def_rw("roll", &BodyReference::roll, "About forward [rad].")
+      .def_rw("pitch", &BodyReference::pitch, "About left [rad].")
+      .def_rw("yaw", &BodyReference::yaw, "About up [rad].");
   nb::enum_<ReachLimit>(m, "ReachLimit", "What keeps the body from going where it is asked to.")
       .value("NONE", ReachLimit::kNone, "Nothing: it is there, or on its way.")
       .value("JOINT", ReachLimit::kJoint, "A joint would come too near its limit.")

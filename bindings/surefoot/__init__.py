@@ -2,12 +2,14 @@
 
 from surefoot import _core
 from surefoot._core import *  # noqa: F403
+from surefoot.delay import identify_delay
 from surefoot.robots import available_robots, load_gains, load_robot
 
 __version__ = "0.1.0"
 __all__ = [
     *(name for name in dir(_core) if not name.startswith("_")),
     "available_robots",
+    "identify_delay",
     "load_gains",
     "load_robot",
 ]

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The delay is found in the log of a body that wiggles, and predicted away."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from surefoot import BodyReference, Error, StandController, StandOptions, identify_delay
+from surefoot.sim import Plant, PlantSettings
+
+
+def wiggle(settings: PlantSettings, seconds: float = 2.5) -> tuple[np.ndarray, np.ndarray]:
+    """Torques sent and reported while the body moves a little, the first half second left out."""
+    plant = Plant("go1", settings)
+    controller = StandController(plant.robot)
+    state = plant.reset()
+    sent, reported = [], []
+    for k in range(int(seconds * settings.control_rate)):
+        t = k / settings.control_rate
+        if t > 0.5:
+            target = BodyReference(height=0.01 * math.sin(20 * t), roll=0.03 * math.sin(31 * t))
+            controller.set_body_reference(target)
+        reported.append([state.motorState[i].tauEst for i in range(12)])
+        command = controller.update(state)
+        sent.append([command.motorCmd[i].tau for i in range(12)])
+        state = plant.step(command)
+    start = int(0.5 * settings.control_rate)
+    return np.array(sent[start:]), np.array(reported[start:])
+
+
+@pytest.mark.parametrize("rate", [500.0, 1000.0])
+@pytest.mark.parametrize("lag", [0.002, 0.005])
+def test_a_delay_added_to_the_plant_is_found_to_a_millisecond(rate: float, lag: float) -> None:
+    found = [
+        identify_delay(
+            *wiggle(PlantSettings(extra_delay=extra, motor_lag=lag, control_rate=rate, seed=1)),
+            1.0 / rate,
+        )
+        for extra in (0.0, 0.01)
+    ]
+    # A period each way, the motor's lag, and the hold between two commands.
+    assert 2.0 / rate < found[0] < 4.0 / rate + lag
+    assert abs(found[1] - found[0] - 0.01) <= 0.001 + 1e-9
+
+
+def test_a_synthetic_delay_between_two_ticks_is_found() -> None:
+    t = np.arange(0.0, 2.0, 0.002)
+    phase = np.arange(12)[None, :]
+    sent = np.sin(37.0 * t[:, None] + phase)
+    reported = 0.95 * np.sin(37.0 * (t[:, None] - 0.0107) + phase)
+    assert abs(identify_delay(sent, reported, 0.002) - 0.0107) < 0.0003
+
+
+@pytest.mark.parametrize(
+    ("sent", "reported", "said"),
+    [
+        (np.zeros((500, 12)), np.zeros((400, 12)), "shapes"),
+        (np.zeros((500, 12)), np.zeros((500, 12)), "move the body"),
+        (np.full((500, 12), np.nan), np.zeros((500, 12)), "not finite"),
+        (np.zeros((10, 12)), np.zeros((10, 12)), "ticks"),
+        (
+            np.random.default_rng(0).normal(size=(500, 12)),
+            np.random.default_rng(1).normal(size=(500, 12)),
+            "explain",
+        ),
+    ],
+)
+def test_a_log_that_says_nothing_is_refused(
+    sent: np.ndarray, reported: np.ndarray, said: str
+) -> None:
+    with pytest.raises(Error, match=said):
+        identify_delay(sent, reported, 0.002)
+
+
+def test_a_delay_that_is_predicted_leaves_the_robot_standing() -> None:
+    plant = Plant("go1", PlantSettings(extra_delay=0.01, seed=1))
+    options = StandOptions(delay=0.016)
+    controller = StandController(plant.robot, plant.robot.config.gains, options)
+    state = plant.reset()
+    start = plant.truth
+    for _ in range(1500):
+        state = plant.step(controller.update(state))
+    assert not plant.truth.fell
+    assert np.abs(plant.truth.q[:3] - start.q[:3]).max() < 0.003
