@@ -66,7 +66,7 @@ BOOST_FIXTURE_TEST_CASE(the_legs_tell_the_gyroscopes_bias, Standing) {
   AttitudeFilter filter;
   filter.reset(imu);
   for (int tick = 0; tick < 6000; ++tick) {
-    filter.update(gains, imu, kPeriod);
+    filter.update(gains, imu, 0.0, kPeriod);
     Eigen::VectorXd v = Eigen::VectorXd::Zero(robot.nv());
     v.segment<3>(3) = filter.w_base();
     dynamics.update(robot.q_standing(), v, Vector3::UnitZ());
@@ -82,7 +82,7 @@ BOOST_FIXTURE_TEST_CASE(tilt_comes_back_to_the_accelerometers_plumb_line, Standi
   imu.R_world_base = Quaternion(Eigen::AngleAxisd(0.1, Vector3::UnitX()));
   AttitudeFilter filter;
   filter.reset(imu);
-  for (int tick = 0; tick < 10000; ++tick) filter.update(gains, imu, kPeriod);
+  for (int tick = 0; tick < 10000; ++tick) filter.update(gains, imu, 0.0, kPeriod);
   const Vector3 up = filter.R_world_base() * Vector3::UnitZ();
   BOOST_TEST(up.z() > std::cos(2e-3));
 }

@@ -13,6 +13,8 @@ constexpr double kAlignTime = 1.0;    // [s] and kAlignGain: follow faster at fi
 constexpr double kAlignGain = 2.0;    // [1/s] the vendor's filter may start far off
 constexpr double kBelievableG = 1.0;  // [m/s^2] |f| further from g than this is no plumb line
 
+constexpr double kMovingG = 1.0;  // [m/s^2] asked of the base at which trust has halved
+
 }  // namespace
 
 Status read_imu(const IMU& imu, const RobotConfig& config, ImuReading& out) noexcept {
@@ -42,14 +44,16 @@ void AttitudeFilter::reset(const ImuReading& imu) noexcept {
   w_base_ = imu.w_base;
 }
 
-void AttitudeFilter::update(const Gains& gains, const ImuReading& imu, double dt) noexcept {
+void AttitudeFilter::update(const Gains& gains, const ImuReading& imu, double acceleration,
+                            double dt) noexcept {
   w_base_ = imu.w_base - bias_;
   Vector3 turn = w_base_;
   const double magnitude = imu.f_base.norm();
   if (std::abs(magnitude - kGravity) < kBelievableG) {
     const Vector3 up_base = R_world_base_.conjugate() * Vector3::UnitZ();
     const double gain = gains.attitude_gain + kAlignGain * std::exp(-age_ / kAlignTime);
-    turn += gain * (imu.f_base / magnitude).cross(up_base);
+    const double moved = acceleration / kMovingG;
+    turn += gain / (1.0 + moved * moved) * (imu.f_base / magnitude).cross(up_base);
   }
   age_ += dt;
   R_world_base_ = (R_world_base_ * exp_so3(dt * turn)).normalized();

@@ -30,8 +30,9 @@ class AttitudeFilter {
  public:
   void reset(const ImuReading& imu) noexcept;
 
-  /// Integrate one reading.
-  void update(const Gains& gains, const ImuReading& imu, double dt) noexcept;
+  /// Integrate one reading. @param acceleration [m/s^2] that the commands are to make of the base:
+  /// the more of it, the less the accelerometer is a plumb line
+  void update(const Gains& gains, const ImuReading& imu, double acceleration, double dt) noexcept;
 
   /// Learn the gyroscope's bias. @param dynamics updated with w_base() and no linear velocity
   void learn_bias(const Gains& gains, const Dynamics& dynamics, const Eigen::Vector4d& contact,

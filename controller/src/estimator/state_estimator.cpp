@@ -81,7 +81,8 @@ Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   status = read_imu(low_state.imu, s.robot.config(), imu);
   if (status != Status::kOk) return status;
   if (!s.started) s.attitude.reset(imu);
-  s.attitude.update(s.gains, imu, dt);
+  const double asked = s.has_plan ? s.planned.head<3>().norm() : 0.0;
+  s.attitude.update(s.gains, imu, asked, dt);
 
   // Kinematics and dynamics as if the base were at the origin and at rest; moved below.
   s.read_joints(low_state);
