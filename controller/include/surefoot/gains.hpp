@@ -74,7 +74,7 @@ struct Gains {
   double contact_force_on = 0.04;
   double contact_force_off = 0.02;
   double contact_dwell = 0.02;
-  double push_time = 0.008;
+  double push_time = 0.016;
   double push_dead_band = 0.5;
   double push_max = 20.0;
   double push_resist = 1.0;

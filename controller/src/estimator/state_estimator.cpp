@@ -134,6 +134,8 @@ void StateEstimator::Impl::place_base(const Vector3& f_base, double dt) noexcept
 
 // At the IMU's own point: a + alpha x r + w x (v + w x r) less gravity is what it should feel.
 void StateEstimator::Impl::observe_push(const Vector3& f_base, double dt) noexcept {
+  // The plan already counts with what was believed of the push; that share is explained by it.
+  const Vector3 believed = state.f_outside / robot.mass();
   state.f_outside.setZero();
   if (!has_plan) return;
   const Vector3 w = dynamics.w_base();
@@ -141,7 +143,7 @@ void StateEstimator::Impl::observe_push(const Vector3& f_base, double dt) noexce
   const Vector3 v = state.v.head<3>();
   const Vector3 a = planned.head<3>() + planned.tail<3>().cross(r) + w.cross(v + w.cross(r));
   const Vector3 gravity = -kGravity * Vector3::UnitZ();
-  push.update(gains, dynamics.R_world_base() * (f_base - a) + gravity, dt);
+  push.update(gains, dynamics.R_world_base() * (f_base - a) + gravity + believed, dt);
   state.f_outside = robot.mass() * push.acceleration(gains);
 }
 
