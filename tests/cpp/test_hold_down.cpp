@@ -81,6 +81,7 @@ BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Leani
       Gains g = gains;
       g.hold_down = share;
       g.penalty_hold_down = 5.0;  // dear enough to be met
+      g.edge_margin = 0.02;       // and far from the edge
       WholeBodyController controller(robot, g, {form});
       Reference r = controller.hold(state);
       r.alpha_world_base = Vector3(100.0, 0.0, 0.0);  // tips it onto its right feet
