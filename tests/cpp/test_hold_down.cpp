@@ -80,11 +80,9 @@ BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Leani
     for (const double share : {0.0, gains.hold_down}) {
       Gains g = gains;
       g.hold_down = share;
-      g.penalty_hold_down = 5.0;  // dear enough to be met
-      g.edge_margin = 0.02;       // and far from the edge
       WholeBodyController controller(robot, g, {form});
       Reference r = controller.hold(state);
-      r.alpha_world_base = Vector3(100.0, 0.0, 0.0);  // tips it onto its right feet
+      r.alpha_world_base = Vector3(120.0, 0.0, 0.0);  // tips it onto its right feet
       r.a_com.z() = -6.0;
       const Solution& s = controller.update(state, r);
       BOOST_REQUIRE(is_usable(s.status));
