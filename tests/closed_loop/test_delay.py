@@ -32,7 +32,7 @@ def wiggle(settings: PlantSettings, seconds: float = 2.5) -> tuple[np.ndarray, n
 
 @pytest.mark.parametrize("rate", [500.0, 1000.0])
 @pytest.mark.parametrize("lag", [0.002, 0.005])
-def test_a_delay_added_to_the_plant_is_found_to_a_millisecond(rate: float, lag: float) -> None:
+def test_a_delay_added_to_the_plant_is_found_to_two_milliseconds(rate: float, lag: float) -> None:
     found = [
         identify_delay(
             *wiggle(PlantSettings(extra_delay=extra, motor_lag=lag, control_rate=rate, seed=1)),
@@ -42,7 +42,7 @@ def test_a_delay_added_to_the_plant_is_found_to_a_millisecond(rate: float, lag: 
     ]
     # A period each way, the motor's lag, and the hold between two commands.
     assert 2.0 / rate < found[0] < 4.0 / rate + lag
-    assert abs(found[1] - found[0] - 0.01) <= 0.001 + 1e-9
+    assert abs(found[1] - found[0] - 0.01) <= 0.002 + 1e-9
 
 
 def test_a_synthetic_delay_between_two_ticks_is_found() -> None:

@@ -7,9 +7,10 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kPatience = 40;    // inner iterations before a hard program counts as impossible
-constexpr int kQuietTicks = 10;  // without slack before the hard program is tried again
-constexpr double kSlack = 1e-5;  // more of it is giving way
+constexpr int kPatience = 40;        // inner iterations before a hard program counts as impossible
+constexpr int kElasticBudget = 160;  // inner iterations after which no further attempt begins
+constexpr int kQuietTicks = 10;      // without slack before the hard program is tried again
+constexpr double kSlack = 1e-5;      // more of it is giving way
 
 int elastic_count(const ElasticRows& rows) {
   int count = 0;
@@ -101,7 +102,7 @@ void ElasticSolver::write_elastic(const QpProblem& problem, const Eigen::VectorX
 }
 
 QpResult ElasticSolver::solve_elastic() noexcept {
-  QpResult result = elastic_solver_.solve(elastic_);
+  QpResult result = elastic_solver_.solve(elastic_, kElasticBudget);
   if (result.status == Status::kNonFinite) return result;
   x_ = elastic_solver_.x().head(n_);
   slack_ = elastic_solver_.x().tail(rows_.groups);

@@ -46,7 +46,11 @@ WholeBodyController::WholeBodyController(WholeBodyController&&) noexcept = defau
 
 const Solution& WholeBodyController::solution() const noexcept { return impl_->solution; }
 const Gains& WholeBodyController::gains() const noexcept { return impl_->gains; }
-void WholeBodyController::reset() noexcept { impl_->solver.reset(); }
+void WholeBodyController::reset() noexcept {
+  impl_->solver.reset();
+  impl_->solution.status = Status::kWaiting;
+  impl_->solution.forces.setZero();
+}
 
 void WholeBodyController::set_gains(const Gains& gains) {
   gains.validate();
