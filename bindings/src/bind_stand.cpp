@@ -35,6 +35,8 @@ void bind_body_reference(nb::module_& m) {
       .value("NONE", ReachLimit::kNone, "Nothing: it is there, or on its way.")
       .value("JOINT", ReachLimit::kJoint, "A joint would come too near its limit.")
       .value("SUPPORT", ReachLimit::kSupport, "The centre of mass would come too near the edge.")
+      .value("FOOT_HEIGHT", ReachLimit::kFootHeight,
+             "A foot would come within gain reach_foot_depth of the height of its hip axis.")
       .value("UNREACHABLE", ReachLimit::kUnreachable, "A leg is too short.")
       .value("NOT_FINITE", ReachLimit::kNotFinite, "No number; the last request stands.");
   nb::class_<ReachStatus>(m, "ReachStatus", "A limit, and whose it is.")

@@ -109,6 +109,7 @@ def test_a_run_without_references_has_none_and_no_errors_from_them():
     [
         (ReachLimit.JOINT, 2, "joint FR_calf_joint"),
         (ReachLimit.SUPPORT, -1, "support"),
+        (ReachLimit.FOOT_HEIGHT, 3, "foot height"),
         (ReachLimit.UNREACHABLE, -1, "unreachable"),
     ],
 )

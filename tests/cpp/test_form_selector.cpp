@@ -43,6 +43,21 @@ BOOST_FIXTURE_TEST_CASE(a_stance_foot_near_hip_height_is_singular_and_a_swing_fo
   BOOST_TEST((judge() == Form::kCondensed));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_row_goes_soft_by_degrees_and_only_where_the_form_is_general, Supple) {
+  double last = 0.0, softest = 0.0;
+  for (double angle = -1.6; angle < 0.4; angle += 1e-3) {
+    set(FL_2, angle);
+    const Form form = judge();
+    const double soft = selector.softness()[FL_];
+    BOOST_REQUIRE((soft == 0.0 || form == Form::kGeneral));
+    BOOST_REQUIRE(std::abs(soft - last) < 0.05);
+    last = soft;
+    softest = std::max(softest, soft);
+  }
+  BOOST_TEST(softest == 1.0);
+  BOOST_TEST(selector.softness()[FR_] == 0.0);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_form_asked_for_is_the_form_that_is_taken, Supple) {
   BOOST_TEST((judge(Form::kGeneral) == Form::kGeneral));
   set(FL_2, 0.0);

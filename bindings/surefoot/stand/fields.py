@@ -122,7 +122,8 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
             "reference_limit",
             "",
             "what kept the body, in the last 0.1 s, from where it was asked to be: none, joint and "
-            "its name, support (the centre of mass near the edge of the feet), unreachable",
+            "its name, support (the centre of mass near the edge of the feet), foot height (a foot "
+            "near the height of its hip axis), unreachable",
         ),
     ),
     "Stillness, last 2 s": (

@@ -23,6 +23,7 @@ enum class ReachLimit {
   kNone,         ///< nothing: it is there, or on its way
   kJoint,        ///< a joint would come within reach_joint_margin of its limit
   kSupport,      ///< the centre of mass would come within reach_support_margin of the edge
+  kFootHeight,   ///< a foot would come within reach_foot_depth of the height of its hip axis
   kUnreachable,  ///< a leg is too short
   kNotFinite     ///< what was asked is not a number; the last request stands
 };
@@ -31,7 +32,7 @@ const char* to_string(ReachLimit limit) noexcept;
 /// A limit, and whose it is.
 struct ReachStatus {
   ReachLimit limit = ReachLimit::kNone;
-  int motor = -1;  ///< SDK motor, when the limit is kJoint
+  int motor = -1;  ///< SDK motor: kJoint the joint's, kFootHeight the leg's hip
 };
 
 }  // namespace surefoot

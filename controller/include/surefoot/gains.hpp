@@ -63,6 +63,7 @@ struct Gains {
   double reference_time = 0.1;
   double reach_joint_margin = 0.087;
   double reach_support_margin = 0.03;
+  double reach_foot_depth = 0.07;
   // Estimator: what is believed, and how much.
   double attitude_gain = 0.2;
   double gyro_bias_time = 2.0;

@@ -31,15 +31,17 @@ StanceKinematics::StanceKinematics(StanceKinematics&&) noexcept = default;
 
 bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
                              const FeetMatrix& contacts, const Vector3& normal) noexcept {
-  const FeetMatrix centres = contacts.colwise() + robot_.config().foot_radius * normal;
+  const Vector3 lever = robot_.config().foot_radius * normal;
+  const FeetMatrix centres = contacts.colwise() + lever;
   trial_ = q_;
   trial_.head<3>() = p_base;
   trial_.segment<4>(3) = R_base.coeffs();
   for (int k = 0; k < kIterations; ++k) {
-    const double error = step(centres);
+    const double error = step(centres, lever);
     if (!(error < 10.0)) return false;
     if (error > kTolerance) continue;
     q_ = trial_;
+    depth_ = trial_depth_;
     p_com_ = pinocchio::centerOfMass(pinocchio_->model, pinocchio_->data, q_, false);
     return true;
   }
@@ -47,7 +49,7 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
 }
 
 // One Newton step of every leg; returns the greatest foot error before it.
-double StanceKinematics::step(const FeetMatrix& centres) noexcept {
+double StanceKinematics::step(const FeetMatrix& centres, const Vector3& lever) noexcept {
   auto& [model, data] = *pinocchio_;
   pinocchio::computeJointJacobians(model, data, trial_);
   double worst = 0.0;
@@ -59,6 +61,10 @@ double StanceKinematics::step(const FeetMatrix& centres) noexcept {
       const auto column = data.J.col(robot_.motor_to_v()[3 * leg + k]);
       J.col(k) = column.head<3>() - p.cross(column.tail<3>());
     }
+    // As Dynamics::update_depth has it, of the contact point.
+    const Vector3 hip_axis = data.J.col(robot_.motor_to_v()[3 * leg]).tail<3>();
+    const Vector3 thigh_axis = data.J.col(robot_.motor_to_v()[3 * leg + 1]).tail<3>();
+    trial_depth_[leg] = std::abs((J.col(0) + lever.cross(hip_axis)).dot(thigh_axis));
     const Vector3 error = centres.col(leg) - p;
     if (!error.allFinite() || std::abs(J.determinant()) < kSingular) {
       return std::numeric_limits<double>::infinity();

@@ -26,15 +26,18 @@ class StanceKinematics {
 
   const Eigen::VectorXd& q() const noexcept { return q_; }
   const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] of the last good solve
+  /// Of the feet below their hip axes, each in the plane of its leg [m]; of the last good solve.
+  const Eigen::Vector4d& depth() const noexcept { return depth_; }
 
  private:
-  double step(const FeetMatrix& centres) noexcept;
+  double step(const FeetMatrix& centres, const Vector3& lever) noexcept;
 
   struct Pinocchio;
   std::unique_ptr<Pinocchio> pinocchio_;
   Robot robot_;
   Eigen::VectorXd q_, trial_;
   Vector3 p_com_ = Vector3::Zero();
+  Eigen::Vector4d depth_ = Eigen::Vector4d::Zero(), trial_depth_ = depth_;
 };
 
 }  // namespace surefoot

@@ -66,13 +66,13 @@ void BodyMotion::step(const Gains& gains, const FeetMatrix& feet, const Vector3&
   }
 }
 
-// Critically damped towards the target, at limited speed.
+// Critically damped towards the target, at limited speed, in a straight line.
 Vector6 BodyMotion::next(const Gains& gains, double dt) noexcept {
-  Vector6 fastest;
-  fastest << Vector3::Constant(gains.reference_speed),
-      Vector3::Constant(gains.reference_turn_speed);
-  const Vector6 wanted =
-      ((target_ - position_) / gains.reference_time).cwiseMin(fastest).cwiseMax(-fastest);
+  Vector6 wanted = (target_ - position_) / gains.reference_time;
+  wanted.head<3>() *=
+      gains.reference_speed / std::max(wanted.head<3>().norm(), gains.reference_speed);
+  wanted.tail<3>() *=
+      gains.reference_turn_speed / std::max(wanted.tail<3>().norm(), gains.reference_turn_speed);
   const double blend = dt / (dt + 0.25 * gains.reference_time);
   const Vector6 velocity = velocity_ + blend * (wanted - velocity_);
   acceleration_ = (velocity - velocity_) / dt;

@@ -9,7 +9,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRadiansPerMetre = 5.0;  // how bad an edge is, beside a joint limit
+constexpr double kRadiansPerMetre = 5.0;  // how bad an edge or a high foot is, beside a joint limit
 }
 
 const char* to_string(ReachLimit limit) noexcept {
@@ -20,6 +20,8 @@ const char* to_string(ReachLimit limit) noexcept {
       return "joint";
     case ReachLimit::kSupport:
       return "support";
+    case ReachLimit::kFootHeight:
+      return "foot_height";
     case ReachLimit::kUnreachable:
       return "unreachable";
     case ReachLimit::kNotFinite:
@@ -40,6 +42,10 @@ ReachVerdict Reach::judge(const Gains& gains, const Vector3& p_base, const Quate
     const double room = std::min(q - config.q_lower[i], config.q_upper[i] - q);
     const double missing = gains.reach_joint_margin - room;
     if (missing > worst.violation) worst = {{ReachLimit::kJoint, i}, missing};
+  }
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double missing = kRadiansPerMetre * (gains.reach_foot_depth - kinematics_.depth()[leg]);
+    if (missing > worst.violation) worst = {{ReachLimit::kFootHeight, 3 * leg}, missing};
   }
   const Vector3& com = kinematics_.p_com();
   const Vector3 ground = com - (com.z() / gravity.z()) * gravity;

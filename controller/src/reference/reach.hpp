@@ -15,10 +15,11 @@ struct ReachVerdict {
 
 /// Judges whether the robot can stand with its base in a pose, in the support frame.
 ///
-/// All feet by inverse kinematics, every joint at least reach_joint_margin inside its limits; the
-/// centre of mass, projected along gravity, at least reach_support_margin inside the polygon of the
-/// feet. For standing this stands in for self-collision constraints: legs that keep their feet in
-/// place and their joints in range do not meet. Real-time: yes.
+/// All feet by inverse kinematics, every joint at least reach_joint_margin inside its limits and
+/// every foot at least reach_foot_depth below its hip axis; the centre of mass, projected along
+/// gravity, at least reach_support_margin inside the polygon of the feet. For standing this stands
+/// in for self-collision constraints: legs that keep their feet in place and their joints in range
+/// do not meet. Real-time: yes.
 class Reach {
  public:
   explicit Reach(const Robot& robot) : robot_(robot), kinematics_(robot) {}

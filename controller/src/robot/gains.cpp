@@ -84,6 +84,8 @@ constexpr GainInfo kRows[] = {
      "joint angle left when the body reference is at its farthest"},
     {"reach_support_margin", "m", 0, 0.5, &G::reach_support_margin,
      "distance of the centre of mass from the support's edge, the same"},
+    {"reach_foot_depth", "m", 0, 0.5, &G::reach_foot_depth,
+     "distance of every foot below its hip axis, the same: level with it a leg is singular"},
     {"attitude_gain", "1/s", 0, 20, &G::attitude_gain,
      "how fast the tilt follows the accelerometer"},
     {"gyro_bias_time", "s", 0.1, 1000, &G::gyro_bias_time,

@@ -11,6 +11,8 @@ namespace {
 constexpr double kSmallestDepth = 0.05;  // [m] of a stance foot below its hip axis
 constexpr double kBackDepth = 0.06;      // [m] it has to come down again by
 constexpr double kBackDeterminant = 1.2;
+constexpr double kSoftDepth = 0.02;  // [m] less depth and its row is as soft as it gets
+constexpr double kSoftDeterminant = 0.7;
 }  // namespace
 
 Form FormSelector::update(const Dynamics& dynamics, const Reference& reference,
@@ -21,6 +23,10 @@ Form FormSelector::update(const Dynamics& dynamics, const Reference& reference,
     const bool deep =
         L.depth > (singular_[leg] ? kBackDepth : kSmallestDepth) || !reference.feet[leg].stance;
     singular_[leg] = !deep || determinant < (singular_[leg] ? kBackDeterminant : 1.0);
+    const double shallow =
+        reference.feet[leg].stance ? (kSmallestDepth - L.depth) / kSoftDepth : 0.0;
+    const double soft = std::max(shallow, (1.0 - determinant) / kSoftDeterminant);
+    softness_[leg] = std::min(std::max(soft, 0.0), 1.0);
   }
   if (wanted != Form::kAuto) return wanted;
   const bool any = std::any_of(singular_.begin(), singular_.end(), [](bool s) { return s; });

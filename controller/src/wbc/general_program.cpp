@@ -54,7 +54,7 @@ void GeneralProgram::write_equalities(const Dynamics& dynamics,
   A.bottomRows<kForces>() /= units_.linear;
   b.tail<kForces>() /= units_.linear;
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (!terms.soft_foot[leg]) continue;
+    if (terms.foot_softness[leg] == 0.0) continue;
     A.middleRows<3>(6 + 3 * leg).setZero();
     b.segment<3>(6 + 3 * leg).setZero();
   }
@@ -86,7 +86,7 @@ void GeneralProgram::write_cost(const Dynamics& dynamics, const ProgramTerms& te
   g.tail<kForces>() -= (terms.weight_force / units_.force) * terms.forces;
   for (int k = 0; k < terms.body_tasks; ++k) add_body(terms.body[k]);
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (terms.soft_foot[leg]) add_soft_foot(dynamics, terms, leg);
+    if (terms.foot_softness[leg] > 0.0) add_soft_foot(dynamics, terms, leg);
   }
   for (int k = 0; terms.has_posture && k < layout_.joints; ++k) {
     const double weight = terms.posture_weight[k];
@@ -123,7 +123,7 @@ void GeneralProgram::add_soft_foot(const Dynamics& dynamics, const ProgramTerms&
     row_.setZero();
     row_.head(nv_) = scale * full_.J.row(3 * leg + k);
     const double wanted = terms.feet_acceleration(k, leg) - dynamics.legs()[leg].drift[k];
-    add_row(terms.weight_foot_soft, scale * wanted);
+    add_row(terms.weight_foot_soft[leg], scale * wanted);
   }
 }
 

@@ -28,10 +28,10 @@ struct ProgramTerms {
 
   FeetMatrix feet_acceleration = FeetMatrix::Zero();  ///< met exactly, world axes [m/s^2] ...
   Vector6 outside = Vector6::Zero();                  ///< wrench on the base, base axes [N], [N.m]
-  Condensed condensed;                  ///< the equations of motion on the forces alone ...
-  bool has_condensed = false;           ///< ... where no leg is singular
-  std::array<bool, kLegs> soft_foot{};  ///< ... or, near singular, at a price
-  double weight_foot_soft = 0.0;
+  Condensed condensed;         ///< the equations of motion on the forces alone ...
+  bool has_condensed = false;  ///< ... where no leg is singular
+  Eigen::Vector4d foot_softness = Eigen::Vector4d::Zero();  ///< ... or, where > 0, at a price
+  Eigen::Vector4d weight_foot_soft = Eigen::Vector4d::Zero();
   std::array<BodyRows, 3> body;  ///< position, orientation, angular momentum
   int body_tasks = 0;
   Vector12 forces = Vector12::Zero();  ///< that the program is drawn to [N], FR FL RR RL

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wbc/terms_writer.hpp"
 
+#include <cmath>
+
 #include "tasks/base_orientation_task.hpp"
 #include "tasks/base_position_task.hpp"
 #include "tasks/com_task.hpp"
@@ -13,6 +15,9 @@
 namespace surefoot {
 
 namespace {
+
+constexpr double kNearlyHard =
+    10.0;  // times the price of a soft foot's row where it begins to give
 
 // Of a force through the centre of mass, about the base's origin.
 Vector6 outside_wrench(const Dynamics& dynamics, const Vector3& f_world) noexcept {
@@ -47,13 +52,16 @@ void TermsWriter::add_task(std::shared_ptr<Task> task) {
 }
 
 Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
-                          const Reference& reference, const std::array<bool, kLegs>& singular,
+                          const Reference& reference, const Eigen::Vector4d& foot_softness,
                           const FeetMatrix& previous) noexcept {
   const double weight = robot_.mass() * kGravity;
   terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
   terms_.outside = outside_wrench(dynamics, state.f_outside);
-  terms_.soft_foot = singular;
-  terms_.weight_foot_soft = gains.weight_foot_soft;
+  terms_.foot_softness = foot_softness;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    terms_.weight_foot_soft[leg] =
+        gains.weight_foot_soft * std::pow(kNearlyHard, 1.0 - foot_softness[leg]);
+  }
   terms_.ground_normal = reference.ground_normal;
   terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
   const double fade = edge_fade(gains, dynamics, reference);
@@ -130,10 +138,11 @@ void TermsWriter::write_posture(const Gains& gains, const RobotState& state,
   terms_.has_posture = gains.weight_posture > 0.0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const int group = joints_[k].group;
-    const bool free = group == kLegs || terms_.soft_foot[group];
+    const double free = group == kLegs ? 1.0 : terms_.foot_softness[group];
+    // Cubed: the posture must not outweigh what a row that only begins to give way still decides.
     terms_.posture_weight[k] =
-        free ? std::max(gains.weight_posture, gains.weight_posture_free) : gains.weight_posture;
-    terms_.has_posture = terms_.has_posture || free;
+        std::max(gains.weight_posture, free * free * free * gains.weight_posture_free);
+    terms_.has_posture = terms_.has_posture || free > 0.0;
   }
   if (terms_.has_posture) {
     posture_accelerations(gains, joints_, state, reference.posture, terms_.posture);

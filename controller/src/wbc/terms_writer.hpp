@@ -14,10 +14,11 @@ class TermsWriter {
 
   void add_task(std::shared_ptr<Task> task);
 
-  /// @param singular legs whose foot may not be met exactly @param previous forces [N], (3, 4)
+  /// @param foot_softness how much each foot's row gives way, 0 .. 1 @param previous forces [N],
+  /// (3, 4)
   /// @return kOk, or kBadTask
   Status write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
-               const Reference& reference, const std::array<bool, kLegs>& singular,
+               const Reference& reference, const Eigen::Vector4d& foot_softness,
                const FeetMatrix& previous) noexcept;
 
   const ProgramTerms& terms() const noexcept { return terms_; }

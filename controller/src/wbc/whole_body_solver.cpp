@@ -60,10 +60,10 @@ void WholeBodySolver::reset() noexcept {
   selector_ = FormSelector(units_.smallest_determinant);
 }
 
-const std::array<bool, kLegs>& WholeBodySolver::select(const Dynamics& dynamics,
-                                                       const Reference& reference) noexcept {
+const Eigen::Vector4d& WholeBodySolver::select(const Dynamics& dynamics,
+                                               const Reference& reference) noexcept {
   form_ = selector_.update(dynamics, reference, options_.form);
-  return selector_.singular();
+  return selector_.softness();
 }
 
 const QpProblem& WholeBodySolver::problem() const noexcept {

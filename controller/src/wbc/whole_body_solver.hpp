@@ -15,9 +15,8 @@ class WholeBodySolver {
   /// Throws surefoot::Error when the condensed form is asked for and the robot does not fit it.
   WholeBodySolver(const Robot& robot, const WholeBodyOptions& options);
 
-  /// Choose the form; returns which legs are near singular.
-  const std::array<bool, kLegs>& select(const Dynamics& dynamics,
-                                        const Reference& reference) noexcept;
+  /// Choose the form; returns how soft each foot's row is, 0 .. 1.
+  const Eigen::Vector4d& select(const Dynamics& dynamics, const Reference& reference) noexcept;
 
   /// Solve in that form. On failure only the solution's status and residuals change.
   void solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
