@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LowState and LowCmd for Python. Array fields are numpy views on the packed struct, so that
-// `state.imu.quaternion[0] = 1` writes to the struct instead of to a copy.
-#include <nanobind/ndarray.h>
+// LowState and LowCmd for Python.
 #include <nanobind/stl/string.h>
 
-#include <cstring>
-
 #include "bindings.hpp"
+#include "packed.hpp"
 #include "surefoot/low_level.hpp"
 
 namespace nb = nanobind;
@@ -14,34 +11,6 @@ using namespace nb::literals;
 using namespace surefoot;
 
 namespace {
-
-template <typename T, std::size_t N>
-using View = nb::ndarray<nb::numpy, T, nb::shape<static_cast<nb::ssize_t>(N)>>;
-
-// Packed fields are not aligned and must not be bound to references: go through their address.
-template <typename Struct, typename T, std::size_t N>
-void def_array(nb::class_<Struct>& c, const char* name, std::array<T, N> Struct::* member,
-               const char* doc) {
-  c.def_prop_rw(
-      name,
-      [member](nb::handle self) {
-        Struct& s = nb::cast<Struct&>(self);
-        auto* data = reinterpret_cast<T*>(reinterpret_cast<char*>(&(s.*member)));
-        return View<T, N>(data, {N}, self);
-      },
-      [member](Struct& s, const nb::ndarray<const T, nb::shape<static_cast<nb::ssize_t>(N)>,
-                                            nb::c_contig, nb::device::cpu>& values) {
-        std::memcpy(reinterpret_cast<char*>(&(s.*member)), values.data(), sizeof(T) * N);
-      },
-      doc);
-}
-
-template <typename Struct, typename T>
-void def_number(nb::class_<Struct>& c, const char* name, T Struct::* member, const char* doc) {
-  c.def_prop_rw(
-      name, [member](const Struct& s) { return T(s.*member); },
-      [member](Struct& s, T value) { s.*member = value; }, doc);
-}
 
 // A fixed row of structs that hands out references.
 template <typename Element, std::size_t N>
@@ -159,7 +128,7 @@ void def_header(nb::class_<Frame>& c) {
   def_number(c, "crc", &Frame::crc, "CRC of the wire frame; carried, not computed here.");
 }
 
-void bind_frames(nb::module_& m) {
+void bind_states(nb::module_& m) {
   nb::class_<LowState> state(
       m, "LowState",
       "What the robot says every tick: unitree_legged_sdk v3.5 - v3.8 (Go1), 937 bytes, packed.\n\n"
@@ -214,7 +183,7 @@ void bind_low_level(nb::module_& m) {
   bind_motor_state(m);
   bind_motor_cmd(m);
   bind_battery(m);
-  bind_frames(m);
+  bind_states(m);
   m.def("damping_low_cmd", &damping_low_cmd, "kd"_a,
         "Make the command in which every motor brakes by itself.\n\n"
         "mode 0x0A, q = PosStopF, dq = 0, tau = Kp = 0, Kd = kd [N.m.s/rad] on the 12 motors.");

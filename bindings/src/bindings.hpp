@@ -4,6 +4,7 @@
 #include <nanobind/nanobind.h>
 
 void bind_low_level(nanobind::module_& m);
+void bind_frames(nanobind::module_& m);
 void bind_robot(nanobind::module_& m);
 void bind_types(nanobind::module_& m);
 void bind_task(nanobind::module_& m);

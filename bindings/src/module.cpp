@@ -12,6 +12,7 @@ NB_MODULE(_core, m) {
       "Raised while building, loading or configuring, never by a tick.\n\n"
       "The message says what is wrong, what was got, what was expected, and the valid names.";
   bind_low_level(m);
+  bind_frames(m);
   bind_robot(m);
   bind_types(m);
   bind_task(m);

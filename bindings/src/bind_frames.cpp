@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Frames for surefoot/protocol.py, which is the public face of what begins with an underscore here.
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "bindings.hpp"
+#include "packed.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/frames.hpp"
+#include "surefoot/wireless_remote.hpp"
+
+using namespace nb::literals;
+using namespace surefoot;
+
+namespace {
+
+void require_usable(const char* what, const FrameReport& report) {
+  if (!is_usable(report.status)) throw Error(std::string(what) + ": " + to_text(report));
+}
+
+// Bytes of the frame, and what was saturated, in words.
+template <typename Struct>
+using Encode = FrameReport (*)(const Struct&, const FrameExtras&, Generation, Frame&) noexcept;
+template <typename Struct>
+using Decode = FrameReport (*)(const std::uint8_t*, std::size_t, Generation, Struct&,
+                               FrameExtras&) noexcept;
+
+template <typename Struct>
+void def_frame(nb::module_& m, const char* what, Encode<Struct> encode, Decode<Struct> decode) {
+  m.def(
+      (std::string("_encode_") + what).c_str(),
+      [encode, what](const Struct& said, const FrameExtras& extras, const std::string& generation) {
+        Frame frame;
+        const FrameReport report = encode(said, extras, to_generation(generation), frame);
+        require_usable(what, report);
+        const nb::bytes bytes(reinterpret_cast<const char*>(frame.bytes.data()), frame.size);
+        return std::make_pair(bytes,
+                              report.status == FrameStatus::kOk ? std::string() : to_text(report));
+      },
+      "said"_a, "extras"_a, "generation"_a);
+  m.def((std::string("_decode_") + what).c_str(),
+        [decode, what](const nb::bytes& frame, const std::string& generation, Struct& told,
+                       FrameExtras& extras) {
+          const auto* data = reinterpret_cast<const std::uint8_t*>(frame.c_str());
+          require_usable(what, decode(data, frame.size(), to_generation(generation), told, extras));
+        },
+        "frame"_a, "generation"_a, "told"_a, "extras"_a);
+}
+
+void bind_extras(nb::module_& m) {
+  nb::class_<FrameExtras> c(m, "FrameExtras",
+                            "What some generations of frames carry beyond LowCmd and LowState.");
+  c.def(nb::init<>());
+  def_number(c, "commVersion", &FrameExtras::commVersion, "a1-v3.3, go1-v3.4.");
+  def_number(c, "robotID", &FrameExtras::robotID, "a1-v3.3, go1-v3.4.");
+  c.def_prop_ro(
+      "led",
+      [](nb::handle self) {
+        auto* data = reinterpret_cast<std::uint8_t*>(nb::cast<FrameExtras&>(self).led.data());
+        return nb::ndarray<nb::numpy, std::uint8_t, nb::shape<4, 3>>(data, {4, 3}, self);
+      },
+      "a1-v3.3, LowCmd: red, green, blue of four lights, a writable view of shape (4, 3).");
+  def_array(c, "BQ_NTC", &FrameExtras::BQ_NTC, "b1-v3.8: battery sensors 2 .. 7 [deg C].");
+  def_array(c, "MCU_NTC", &FrameExtras::MCU_NTC, "b1-v3.8: battery sensors 2 .. 7 [deg C].");
+  def_array(c, "cell_vol", &FrameExtras::cell_vol, "b1-v3.8: battery cells 10 .. 29 [mV].");
+}
+
+void bind_remote(nb::module_& m) {
+  nb::enum_<Button>(m, "Button", "Buttons of the remote.")
+      .value("R1", Button::kR1)
+      .value("L1", Button::kL1)
+      .value("START", Button::kStart)
+      .value("SELECT", Button::kSelect)
+      .value("R2", Button::kR2)
+      .value("L2", Button::kL2)
+      .value("F1", Button::kF1)
+      .value("F2", Button::kF2)
+      .value("A", Button::kA)
+      .value("B", Button::kB)
+      .value("X", Button::kX)
+      .value("Y", Button::kY)
+      .value("UP", Button::kUp)
+      .value("RIGHT", Button::kRight)
+      .value("DOWN", Button::kDown)
+      .value("LEFT", Button::kLeft);
+  nb::class_<WirelessRemote>(m, "WirelessRemote", "The remote's buttons and sticks.")
+      .def(nb::init<>())
+      .def_rw("buttons", &WirelessRemote::buttons, "One bit per button, R1 first.")
+      .def_rw("lx", &WirelessRemote::lx, "Left stick, right: -1 .. 1.")
+      .def_rw("ly", &WirelessRemote::ly, "Left stick, up: -1 .. 1.")
+      .def_rw("rx", &WirelessRemote::rx, "Right stick, right: -1 .. 1.")
+      .def_rw("ry", &WirelessRemote::ry, "Right stick, up: -1 .. 1.")
+      .def_rw("L2", &WirelessRemote::L2, "Trigger: 0 .. 1.")
+      .def("pressed", &WirelessRemote::pressed, "button"_a, "Is the button down?")
+      .def(
+          "press",
+          [](WirelessRemote& r, Button button) { r.buttons |= static_cast<std::uint16_t>(button); },
+          "button"_a, "Put the button down.")
+      .def(
+          "to_bytes",
+          [](const WirelessRemote& r) {
+            const auto bytes = encode_wireless_remote(r);
+            return nb::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+          },
+          "Return the 40 bytes of LowState.wirelessRemote.")
+      .def_static(
+          "from_bytes",
+          [](const nb::bytes& data) {
+            std::array<std::uint8_t, 40> bytes;
+            if (data.size() != bytes.size()) {
+              throw nb::value_error(
+                  ("from_bytes: got " + std::to_string(data.size()) + " bytes, expected 40")
+                      .c_str());
+            }
+            std::memcpy(bytes.data(), data.c_str(), bytes.size());
+            return decode_wireless_remote(bytes);
+          },
+          "data"_a,
+          "Read LowState.wirelessRemote; sticks that are no numbers make a remote at rest.");
+}
+
+}  // namespace
+
+void bind_frames(nb::module_& m) {
+  bind_extras(m);
+  bind_remote(m);
+  def_frame<LowCmd>(m, "low_cmd", encode_low_cmd, decode_low_cmd);
+  def_frame<LowState>(m, "low_state", encode_low_state, decode_low_state);
+  m.def("_generations", [] {
+    std::vector<std::string> names;
+    for (int g = 0; g < kGenerations; ++g)
+      names.emplace_back(to_string(static_cast<Generation>(g)));
+    return names;
+  });
+  m.def(
+      "_frame_sizes",
+      [](const std::string& generation) {
+        const Generation g = to_generation(generation);
+        return std::make_pair(low_cmd_size(g), low_state_size(g));
+      },
+      "generation"_a);
+  m.def(
+      "_crc32",
+      [](const nb::bytes& data) {
+        return crc32(reinterpret_cast<const std::uint8_t*>(data.c_str()), data.size());
+      },
+      "data"_a);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "protocol/layout.hpp"
+#include "surefoot/error.hpp"
+
+namespace surefoot {
+
+const char* to_string(Generation generation) noexcept {
+  constexpr const char* kNames[kGenerations] = {"a1-v3.3", "go1-v3.4", "go1-v3.8", "b1-v3.8"};
+  return kNames[static_cast<int>(generation)];
+}
+
+Generation to_generation(const std::string& name) {
+  std::string valid;
+  for (int g = 0; g < kGenerations; ++g) {
+    const auto generation = static_cast<Generation>(g);
+    if (name == to_string(generation)) return generation;
+    valid += std::string(g ? ", " : "") + to_string(generation);
+  }
+  throw Error("SDK generation: got '" + name + "', expected one of " + valid);
+}
+
+const char* to_string(FrameStatus status) noexcept {
+  switch (status) {
+    case FrameStatus::kOk:
+      return "ok";
+    case FrameStatus::kSaturated:
+      return "saturated";
+    case FrameStatus::kNotFinite:
+      return "not finite";
+    case FrameStatus::kWrongLength:
+      return "wrong length";
+    case FrameStatus::kWrongGeneration:
+      return "wrong generation";
+    case FrameStatus::kBlank:
+      return "blank";
+    case FrameStatus::kWrongHead:
+      return "wrong head";
+    case FrameStatus::kWrongLevel:
+      return "wrong level";
+    case FrameStatus::kWrongCrc:
+      return "wrong crc";
+  }
+  return "unknown";
+}
+
+std::string to_text(const FrameReport& report) {
+  const std::string field =
+      (report.motor < 0 ? "" : "motor " + std::to_string(report.motor) + ", ") + report.field;
+  const std::string got = "got " + std::to_string(report.size) + " bytes";
+  const std::string wanted = to_string(report.wanted);
+  switch (report.status) {
+    case FrameStatus::kOk:
+      return "ok";
+    case FrameStatus::kSaturated:
+      return field + ": out of range of a " + wanted + " frame, put at its limit";
+    case FrameStatus::kNotFinite:
+      return field + ": got a number that is not finite";
+    case FrameStatus::kWrongLength:
+      return got + ", the length of no generation's frame; expected one of " + wanted;
+    case FrameStatus::kWrongGeneration:
+      return got + ", a frame of " + to_string(report.seen) + "; expected one of " + wanted;
+    case FrameStatus::kBlank:
+      return got + ", all zero: what the vendor's SDK sends before its first command";
+    case FrameStatus::kWrongHead:
+      return got + " that do not begin with FE EF, as frames of " + wanted + " do";
+    case FrameStatus::kWrongLevel:
+      return got + " whose levelFlag is not LOWLEVEL (0xFF): the robot is in high-level mode";
+    case FrameStatus::kWrongCrc:
+      return got + " with a wrong CRC";
+  }
+  return "unknown";
+}
+
+}  // namespace surefoot

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/frames.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "protocol/fields.hpp"
+
+namespace surefoot {
+
+namespace {
+
+using LayoutOf = const Layout& (*)(Generation) noexcept;
+
+template <typename Struct>
+FrameReport encode(const Layout& layout, Generation generation, Struct said,
+                   const FrameExtras& extras, Frame& out) noexcept {
+  FrameReport report;
+  report.wanted = report.seen = generation;
+  report.size = layout.size;
+  said.head = {0xFE, 0xEF};
+  if (layout.has_head) said.levelFlag = LOWLEVEL;
+  Frame frame;
+  frame.size = layout.size;
+  pack(layout, reinterpret_cast<const std::uint8_t*>(&said), extras, frame.bytes.data(), report);
+  if (!is_usable(report.status)) return report;
+  const std::uint32_t crc = crc32(frame.bytes.data(), layout.size - 4);
+  std::memcpy(frame.bytes.data() + layout.size - 4, &crc, 4);
+  out = frame;
+  return report;
+}
+
+// The generation that has frames of this length, or the one wanted if it is among them.
+FrameStatus judge_length(std::size_t size, LayoutOf layout_of, FrameReport& report) noexcept {
+  if (layout_of(report.wanted).size == size) return FrameStatus::kOk;
+  for (int g = 0; g < kGenerations; ++g) {
+    if (layout_of(static_cast<Generation>(g)).size == size) {
+      report.seen = static_cast<Generation>(g);
+      return FrameStatus::kWrongGeneration;
+    }
+  }
+  return FrameStatus::kWrongLength;
+}
+
+FrameStatus judge_envelope(const Layout& layout, const std::uint8_t* data) noexcept {
+  if (std::all_of(data, data + layout.size, [](std::uint8_t byte) { return byte == 0; })) {
+    return FrameStatus::kBlank;
+  }
+  if (layout.has_head && !(data[0] == 0xFE && data[1] == 0xEF)) return FrameStatus::kWrongHead;
+  if (layout.has_head && data[2] != LOWLEVEL) return FrameStatus::kWrongLevel;
+  std::uint32_t crc;
+  std::memcpy(&crc, data + layout.size - 4, 4);
+  return crc == crc32(data, layout.size - 4) ? FrameStatus::kOk : FrameStatus::kWrongCrc;
+}
+
+template <typename Struct>
+FrameReport decode(LayoutOf layout_of, const std::uint8_t* data, std::size_t size,
+                   Generation generation, Struct told, Struct& out, FrameExtras& extras) noexcept {
+  FrameReport report;
+  report.wanted = report.seen = generation;
+  report.size = size;
+  const Layout& layout = layout_of(generation);
+  report.status = judge_length(size, layout_of, report);
+  if (report.status == FrameStatus::kOk) report.status = judge_envelope(layout, data);
+  if (report.status != FrameStatus::kOk) return report;
+  FrameExtras beside;
+  unpack(layout, data, reinterpret_cast<std::uint8_t*>(&told), beside, report);
+  if (report.status != FrameStatus::kOk) return report;
+  std::memcpy(reinterpret_cast<std::uint8_t*>(&told) + offsetof(Struct, crc),
+              data + layout.size - 4, 4);
+  out = told;
+  extras = beside;
+  return report;
+}
+
+}  // namespace
+
+std::size_t low_cmd_size(Generation generation) noexcept { return low_cmd_layout(generation).size; }
+std::size_t low_state_size(Generation generation) noexcept {
+  return low_state_layout(generation).size;
+}
+
+FrameReport encode_low_cmd(const LowCmd& cmd, const FrameExtras& extras, Generation generation,
+                           Frame& out) noexcept {
+  return encode(low_cmd_layout(generation), generation, cmd, extras, out);
+}
+
+FrameReport encode_low_state(const LowState& state, const FrameExtras& extras,
+                             Generation generation, Frame& out) noexcept {
+  return encode(low_state_layout(generation), generation, state, extras, out);
+}
+
+FrameReport decode_low_cmd(const std::uint8_t* data, std::size_t size, Generation generation,
+                           LowCmd& cmd, FrameExtras& extras) noexcept {
+  return decode(low_cmd_layout, data, size, generation, init_low_cmd(), cmd, extras);
+}
+
+FrameReport decode_low_state(const std::uint8_t* data, std::size_t size, Generation generation,
+                             LowState& state, FrameExtras& extras) noexcept {
+  return decode(low_state_layout, data, size, generation, init_low_state(), state, extras);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/wireless_remote.hpp"
+
+#include <cmath>
+#include <cstring>
+
+namespace surefoot {
+
+namespace {
+
+constexpr float kFarthest = 1.05F;  // of a stick; sticks are not calibrated to the last digit
+
+struct Stick {
+  std::size_t offset;
+  float WirelessRemote::* value;
+};
+constexpr std::size_t kButtons = 2;
+constexpr Stick kSticks[] = {{4, &WirelessRemote::lx},
+                             {8, &WirelessRemote::rx},
+                             {12, &WirelessRemote::ry},
+                             {16, &WirelessRemote::L2},
+                             {20, &WirelessRemote::ly}};
+
+}  // namespace
+
+WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept {
+  WirelessRemote remote;
+  std::memcpy(&remote.buttons, bytes.data() + kButtons, 2);
+  for (const Stick& stick : kSticks) {
+    float& value = remote.*stick.value;
+    std::memcpy(&value, bytes.data() + stick.offset, 4);
+    if (!(std::abs(value) <= kFarthest)) return {};
+  }
+  return remote;
+}
+
+std::array<std::uint8_t, 40> encode_wireless_remote(const WirelessRemote& remote) noexcept {
+  std::array<std::uint8_t, 40> bytes{};
+  std::memcpy(bytes.data() + kButtons, &remote.buttons, 2);
+  for (const Stick& stick : kSticks) {
+    std::memcpy(bytes.data() + stick.offset, &(remote.*stick.value), 4);
+  }
+  return bytes;
+}
+
+}  // namespace surefoot
