@@ -41,7 +41,8 @@ void bind_body_reference(nb::module_& m) {
       .value("NOT_FINITE", ReachLimit::kNotFinite, "No number; the last request stands.");
   nb::class_<ReachStatus>(m, "ReachStatus", "A limit, and whose it is.")
       .def_ro("limit", &ReachStatus::limit, "Which.")
-      .def_ro("motor", &ReachStatus::motor, "SDK motor, when the limit is JOINT; else -1.");
+      .def_ro("motor", &ReachStatus::motor,
+              "SDK motor: JOINT the joint's, FOOT_HEIGHT the leg's hip; else -1.");
 }
 
 void bind_estimator(nb::module_& m) {
@@ -75,9 +76,14 @@ void bind_controller(nb::module_& m) {
       "Torque mode: Kp = Kd = 0, q = PosStopF, dq = VelStopF. On a bad report "
       "or solve the last\ngood command is repeated for at most 10 ms, then the "
       "motors damp until reset().")
-      .def(nb::init<const Robot&>(), "robot"_a)
-      .def(nb::init<const Robot&, const Gains&, const StandOptions&>(), "robot"_a, "gains"_a,
-           "options"_a = StandOptions())
+      .def(
+          "__init__",
+          [](StandController* self, const Robot& robot, const Gains* gains,
+             const StandOptions& options) {
+            new (self) StandController(robot, gains ? *gains : robot.config().gains, options);
+          },
+          "robot"_a, "gains"_a = nb::none(), "options"_a = StandOptions(),
+          "gains: None for the robot's own. Raise Error if one or an option is invalid.")
       .def(
           "update",
           [](StandController& c, const LowState& s) {

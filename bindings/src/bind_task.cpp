@@ -8,6 +8,7 @@
 
 #include "bindings.hpp"
 #include "pending_error.hpp"
+#include "surefoot/error.hpp"
 #include "surefoot/task.hpp"
 
 namespace nb = nanobind;
@@ -20,14 +21,26 @@ thread_local std::exception_ptr pending_error;
 
 struct PythonTask : Task {
   NB_TRAMPOLINE(Task);
-  int rows() const override { NB_OVERRIDE_PURE(rows); }
+  int rows() const override {
+    constexpr std::uint64_t hash = nb::detail::str_hash("rows");
+    const nb::detail::ticket ticket(nb_trampoline, "rows", hash, true);
+    const nb::object answer = nb_trampoline.base().attr(ticket.key)();
+    int rows = 0;
+    if (nb::try_cast<int>(answer, rows)) return rows;
+    const nb::str name = nb::cast<nb::str>(nb_trampoline.base().type().attr("__name__"));
+    throw Error("task " + std::string(name.c_str()) + ": rows() returned " +
+                nb::repr(answer).c_str() + ", expected a whole number");
+  }
   bool write(const RobotState& state, TaskRows& out) noexcept override {
     try {
       constexpr std::uint64_t hash = nb::detail::str_hash("write");
       const nb::detail::ticket ticket(nb_trampoline, "write", hash, true);
       // Pointers, so that Python writes into these rows and not into a copy.
       const nb::object result = nb_trampoline.base().attr(ticket.key)(&state, &out);
-      return result.is_none() || nb::cast<bool>(result);
+      if (result.is_none()) return true;
+      const int truth = PyObject_IsTrue(result.ptr());
+      if (truth < 0) throw nb::python_error();
+      return truth == 1;
     } catch (...) {
       if (!pending_error) pending_error = std::current_exception();
     }

@@ -28,7 +28,7 @@ void bind_status(nb::module_& m) {
       .value("SINGULAR", Status::kSingular, "A leg is straight or its foot near hip height.")
       .value("DAMPING", Status::kDamping, "Latched: the motors brake until reset().")
       .value("BAD_TASK", Status::kBadTask, "A task of yours failed or wrote no number.")
-      .value("SATURATED", Status::kSaturated, "Good to send; less than the motion needs.");
+      .value("SATURATED", Status::kSaturated, "Good to send; some motor is at its limit.");
   m.def("is_usable", &is_usable, "status"_a, "Does this status come with a command to send?");
   nb::enum_<Form>(m, "Form", "How the program eliminates the equations of motion.")
       .value("AUTO", Form::kAuto, "Condensed where it holds, general elsewhere.")
@@ -39,13 +39,34 @@ void bind_status(nb::module_& m) {
       .value("BASE", BodyPoint::kBase, "The origin of the base.");
 }
 
-// Eigen quaternion <-> numpy (w, x, y, z).
-Eigen::Vector4d to_wxyz(const Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-Quaternion from_wxyz(const Eigen::Vector4d& q) {
+// Vectors: handed out as views; taken from anything that numpy makes one of, or refused by name.
+template <typename Struct, typename Vector>
+auto get(Vector Struct::* member) {
+  return [member](Struct& s) -> Vector& { return s.*member; };
+}
+
+template <typename Struct, typename Vector>
+auto set(const char* name, Vector Struct::* member) {
+  return [name, member](Struct& s, const nb::object& value) {
+    constexpr int kSize = Vector::SizeAtCompileTime;
+    const nb::object array = nb::module_::import_("numpy").attr("asarray")(value, "dtype"_a = "d");
+    Eigen::VectorXd numbers;
+    if (!nb::try_cast(array, numbers) || (kSize != Eigen::Dynamic && numbers.size() != kSize)) {
+      const std::string size = kSize == Eigen::Dynamic ? "n" : std::to_string(kSize);
+      const nb::str shape = nb::repr(nb::object(array.attr("shape")));
+      const std::string text =
+          std::string(name) + ": got shape " + shape.c_str() + ", expected (" + size + ",)";
+      throw nb::value_error(text.c_str());
+    }
+    s.*member = numbers;
+  };
+}
+
+Quaternion from_xyzw(const Eigen::Vector4d& q) {
   if (!(std::abs(q.norm() - 1.0) < 1e-6)) {
-    throw Error("quaternion (w, x, y, z): got norm " + std::to_string(q.norm()) + ", expected 1");
+    throw Error("quaternion (x, y, z, w): got norm " + std::to_string(q.norm()) + ", expected 1");
   }
-  return Quaternion(q[0], q[1], q[2], q[3]);
+  return Quaternion(q[3], q[0], q[1], q[2]);
 }
 
 void bind_structs(nb::module_& m) {
@@ -53,11 +74,21 @@ void bind_structs(nb::module_& m) {
                          "Where the robot is and how it moves.\n\n"
                          "q and v are Pinocchio's; contact is the belief per foot, 0 .. 1.")
       .def(nb::init<int, int>(), "nq"_a = 19, "nv"_a = 18)
-      .def_rw("q", &RobotState::q, "Position, quaternion x y z w, joints; shape (nq,).")
-      .def_rw("v", &RobotState::v, "Base twist in base axes, joint velocities; shape (nv,).")
-      .def_rw("contact", &RobotState::contact, "Probability of load per foot, FR FL RR RL.")
-      .def_rw("f_outside", &RobotState::f_outside,
-              "Force from outside through the CoM [N], world.");
+      .def_prop_rw("q", get(&RobotState::q), set("q", &RobotState::q),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Position, quaternion x y z w, joints; shape (nq,).")
+      .def_prop_rw("v", get(&RobotState::v), set("v", &RobotState::v),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Base twist in base axes, joint velocities; shape (nv,).")
+      .def_prop_rw("contact", get(&RobotState::contact), set("contact", &RobotState::contact),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Belief 0 .. 1 that the foot stands, FR FL RR RL: gains force_lost_contact and "
+                   "share_lost_contact say what is left of its load at 0. To lift a foot see "
+                   "FootReference.stance.")
+      .def_prop_rw("f_outside", get(&RobotState::f_outside),
+                   set("f_outside", &RobotState::f_outside),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Force from outside through the CoM [N], world.");
 }
 
 void bind_reference(nb::module_& m) {
@@ -65,27 +96,48 @@ void bind_reference(nb::module_& m) {
       .def(nb::init<>())
       .def_rw("stance", &FootReference::stance, "False: swing, carries no force.")
       .def_rw("load", &FootReference::load, "Planned share 0 .. 1; ramp it to open or close.")
-      .def_rw("p_world", &FootReference::p_world, "Where its contact point belongs [m].")
-      .def_rw("v_world", &FootReference::v_world, "[m/s].")
-      .def_rw("a_world", &FootReference::a_world, "[m/s^2].")
-      .def_rw("f_world", &FootReference::f_world, "Ground on foot [N]; see use_forces.");
+      .def_prop_rw("p_world", get(&FootReference::p_world), set("p_world", &FootReference::p_world),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Where its contact point belongs [m].")
+      .def_prop_rw("v_world", get(&FootReference::v_world), set("v_world", &FootReference::v_world),
+                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s].")
+      .def_prop_rw("a_world", get(&FootReference::a_world), set("a_world", &FootReference::a_world),
+                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s^2].")
+      .def_prop_rw("f_world", get(&FootReference::f_world), set("f_world", &FootReference::f_world),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Ground on foot [N]; see use_forces.");
   nb::class_<Reference>(m, "Reference", "What the robot is asked to do, world frame of RobotState.")
       .def(nb::init<>())
       .def_rw("body_point", &Reference::body_point, "Which point the position task moves.")
-      .def_rw("p_com", &Reference::p_com, "Centre of mass [m].")
-      .def_rw("v_com", &Reference::v_com, "[m/s].")
-      .def_rw("a_com", &Reference::a_com, "Feed-forward [m/s^2].")
-      .def_rw("p_base", &Reference::p_base, "Origin of the base [m].")
-      .def_rw("v_base", &Reference::v_base, "[m/s], world axes.")
-      .def_rw("a_base", &Reference::a_base, "Feed-forward [m/s^2], world axes.")
+      .def_prop_rw("p_com", get(&Reference::p_com), set("p_com", &Reference::p_com),
+                   nb::for_getter(nb::rv_policy::reference_internal), "Centre of mass [m].")
+      .def_prop_rw("v_com", get(&Reference::v_com), set("v_com", &Reference::v_com),
+                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s].")
+      .def_prop_rw("a_com", get(&Reference::a_com), set("a_com", &Reference::a_com),
+                   nb::for_getter(nb::rv_policy::reference_internal), "Feed-forward [m/s^2].")
+      .def_prop_rw("p_base", get(&Reference::p_base), set("p_base", &Reference::p_base),
+                   nb::for_getter(nb::rv_policy::reference_internal), "Origin of the base [m].")
+      .def_prop_rw("v_base", get(&Reference::v_base), set("v_base", &Reference::v_base),
+                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s], world axes.")
+      .def_prop_rw("a_base", get(&Reference::a_base), set("a_base", &Reference::a_base),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Feed-forward [m/s^2], world axes.")
       .def_prop_rw(
-          "quat_world_base", [](const Reference& r) { return to_wxyz(r.R_world_base); },
-          [](Reference& r, const Eigen::Vector4d& q) { r.R_world_base = from_wxyz(q); },
-          "Orientation of the base, quaternion w x y z.")
-      .def_rw("w_world_base", &Reference::w_world_base, "[rad/s], world axes.")
-      .def_rw("alpha_world_base", &Reference::alpha_world_base, "Feed-forward [rad/s^2].")
-      .def_rw("L_com", &Reference::L_com, "Angular momentum [kg.m^2/s], world axes.")
-      .def_rw("Ldot_com", &Reference::Ldot_com, "Feed-forward [N.m].")
+          "quat_world_base",
+          [](const Reference& r) { return Eigen::Vector4d(r.R_world_base.coeffs()); },
+          [](Reference& r, const Eigen::Vector4d& q) { r.R_world_base = from_xyzw(q); },
+          "Orientation of the base, quaternion x y z w as in RobotState.q[3:7].")
+      .def_prop_rw("w_world_base", get(&Reference::w_world_base),
+                   set("w_world_base", &Reference::w_world_base),
+                   nb::for_getter(nb::rv_policy::reference_internal), "[rad/s], world axes.")
+      .def_prop_rw("alpha_world_base", get(&Reference::alpha_world_base),
+                   set("alpha_world_base", &Reference::alpha_world_base),
+                   nb::for_getter(nb::rv_policy::reference_internal), "Feed-forward [rad/s^2].")
+      .def_prop_rw("L_com", get(&Reference::L_com), set("L_com", &Reference::L_com),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Angular momentum [kg.m^2/s], world axes.")
+      .def_prop_rw("Ldot_com", get(&Reference::Ldot_com), set("Ldot_com", &Reference::Ldot_com),
+                   nb::for_getter(nb::rv_policy::reference_internal), "Feed-forward [N.m].")
       .def(
           "foot",
           [](Reference& r, int leg) -> FootReference& {
@@ -94,8 +146,12 @@ void bind_reference(nb::module_& m) {
           },
           "leg"_a, nb::rv_policy::reference_internal, "Reference of a foot: FR FL RR RL = 0 .. 3.")
       .def_rw("use_forces", &Reference::use_forces, "Draw forces to foot(i).f_world, not to even.")
-      .def_rw("posture", &Reference::posture, "Joints [rad], (nv - 6,), or empty: standing pose.")
-      .def_rw("ground_normal", &Reference::ground_normal, "Unit, out of the ground.");
+      .def_prop_rw("posture", get(&Reference::posture), set("posture", &Reference::posture),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Joints [rad], (nv - 6,), or empty: standing pose.")
+      .def_prop_rw("ground_normal", get(&Reference::ground_normal),
+                   set("ground_normal", &Reference::ground_normal),
+                   nb::for_getter(nb::rv_policy::reference_internal), "Unit, out of the ground.");
 }
 
 void bind_solution(nb::module_& m) {

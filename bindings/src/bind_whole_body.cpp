@@ -32,9 +32,14 @@ void bind_whole_body(nb::module_& m) {
   nb::class_<WholeBodyController>(m, "WholeBodyController",
                                   "State and reference in, joint torques out.\n\n"
                                   "For people who bring their own estimator or planner.")
-      .def(nb::init<const Robot&>(), "robot"_a)
-      .def(nb::init<const Robot&, const Gains&, const WholeBodyOptions&>(), "robot"_a, "gains"_a,
-           "options"_a = WholeBodyOptions())
+      .def(
+          "__init__",
+          [](WholeBodyController* self, const Robot& robot, const Gains* gains,
+             const WholeBodyOptions& options) {
+            new (self) WholeBodyController(robot, gains ? *gains : robot.config().gains, options);
+          },
+          "robot"_a, "gains"_a = nb::none(), "options"_a = WholeBodyOptions(),
+          "gains: None for the robot's own. Raise Error if one or an option is invalid.")
       .def(
           "update",
           [](WholeBodyController& c, const RobotState& s, const Reference& r) {

@@ -49,6 +49,7 @@ struct StandController::Impl {
     estimator.set_gains(g);
   }
   Status think(const LowState& low_state, double dt) noexcept;
+  const Solution& solve_predicted(const Reference& wanted) noexcept;
   LowCmd torque_command(const Solution& solution) const noexcept;
 
   Robot robot;
@@ -70,7 +71,12 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
   Impl& s = *impl_;
   const double step = s.clock.advance(low_state.tick);
   const double elapsed = step > 0.0 ? step : s.clock.period();
-  s.since_estimate += elapsed;  // time in bad reports is not lost to the estimator
+  // Time in bad reports is not lost to the estimator; a tick that stands still adds none, for the
+  // next good one counts from the last.
+  if (step >= 0.0) {
+    s.since_estimate += elapsed;
+    s.predictor.elapse(elapsed);
+  }
   Status status = Status::kStaleTick;
   if (s.keeper.latched()) {
     status = Status::kDamping;
@@ -89,9 +95,8 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
 
 // Estimate, refer, solve: each stage hands one struct to the next.
 Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
-  if (is_usable(controller.solution().status)) {
-    estimator.set_planned_acceleration(controller.solution().accelerations.head<6>());
-  }
+  const Eigen::VectorXd* acting = predictor.acting();
+  if (acting != nullptr) estimator.set_planned_acceleration(acting->head<6>());
   const Status estimated = estimator.update(low_state, dt);
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;
@@ -108,12 +113,17 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  if (!predictor.active()) return controller.solve(dynamics, estimator.state(), wanted).status;
+  const Solution& solution = predictor.active()
+                                 ? solve_predicted(wanted)
+                                 : controller.solve(dynamics, estimator.state(), wanted);
+  if (is_usable(solution.status)) predictor.remember(solution.accelerations);
+  return solution.status;
+}
+
+const Solution& StandController::Impl::solve_predicted(const Reference& wanted) noexcept {
   const RobotState& then = predictor.predict(estimator.state());
   predicted.update(then.q, then.v, wanted.ground_normal);
-  const Solution& solution = controller.solve(predicted, then, wanted);
-  if (is_usable(solution.status)) predictor.remember(solution.accelerations, dt);
-  return solution.status;
+  return controller.solve(predicted, then, wanted);
 }
 
 // Torque mode exactly; with motor damping the velocity loop is on and asks for rest.
@@ -172,7 +182,7 @@ void StandController::reset() noexcept {
   Impl& s = *impl_;
   s.clock.reset();
   s.estimator.reset();
-  s.reference.set_target({});
+  s.reference.reset();
   s.controller.reset();
   s.predictor.reset();
   s.keeper.reset();

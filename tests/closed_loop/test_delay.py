@@ -14,7 +14,9 @@ from surefoot.sim import Plant, PlantSettings
 def wiggle(settings: PlantSettings, seconds: float = 2.5) -> tuple[np.ndarray, np.ndarray]:
     """Torques sent and reported while the body moves a little, the first half second left out."""
     plant = Plant("go1", settings)
-    controller = StandController(plant.robot)
+    gains = plant.robot.config.gains
+    gains.reference_acceleration, gains.reference_turn_acceleration = 10.0, 100.0  # lively
+    controller = StandController(plant.robot, gains)
     state = plant.reset()
     sent, reported = [], []
     for k in range(int(seconds * settings.control_rate)):

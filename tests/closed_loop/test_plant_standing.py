@@ -5,6 +5,7 @@ import mujoco
 import numpy as np
 import pytest
 from plant_helpers import ROBOTS, hover, pd_command
+from surefoot import Error
 from surefoot.sim import Plant, PlantSettings, Push, Truth
 from surefoot.sim.rotations import wxyz_from_rotation_vector
 from surefoot.sim.stance import HOLD_KD, HOLD_KP
@@ -140,3 +141,8 @@ def test_half_the_physics_step_changes_no_result(direction: str) -> None:
         peaks.append(np.linalg.norm(path, axis=1).max())
     assert peaks[0] > 0.02
     assert peaks[0] == pytest.approx(peaks[1], rel=0.02)
+
+
+def test_a_slope_that_no_held_pose_stands_on_is_refused_before_anything_is_controlled() -> None:
+    with pytest.raises(Error, match=r"go1.*fell.*before.*slope 35 deg"):
+        Plant("go1", PlantSettings(slope_deg=35.0))

@@ -15,6 +15,10 @@ struct Predicting {
   RobotState state = standing_state(robot);
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
+  void send(const Eigen::VectorXd& acceleration, double dt) {
+    predictor.remember(acceleration);
+    predictor.elapse(dt);
+  }
   Predicting() { state.contact << 0.1, 0.2, 0.3, 0.4; }
 };
 
@@ -22,11 +26,23 @@ struct Predicting {
 
 BOOST_AUTO_TEST_SUITE(delay_predictor)
 
+BOOST_FIXTURE_TEST_CASE(the_command_that_acts_is_the_one_sent_a_delay_ago, Predicting) {
+  BOOST_TEST((predictor.acting() == nullptr));
+  for (int k = 0; k < 6; ++k) send(k * a, kDt);
+  BOOST_TEST((predictor.acting() == nullptr));  // six of 2 ms are all still on their way
+  for (int k = 6; k < 30; ++k) {
+    send(k * a, kDt);
+    BOOST_REQUIRE((*predictor.acting() - (k - 6) * a).norm() < 1e-12);
+  }
+  predictor.elapse(kDt);  // a report was lost: the last command goes on
+  BOOST_TEST((*predictor.acting() - 24.0 * a).norm() < 1e-12);
+}
+
 BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly, Predicting) {
   a.segment<3>(3).setZero();  // turning has a test of its own
   state.v = Eigen::VectorXd::LinSpaced(18, 1.0, -1.0);
   state.v.segment<3>(3).setZero();
-  for (int k = 0; k < 10; ++k) predictor.remember(a, kDt);
+  for (int k = 0; k < 10; ++k) send(a, kDt);
   const RobotState& then = predictor.predict(state);
   const Eigen::VectorXd step = kDelay * state.v + 0.5 * kDelay * kDelay * a;
   BOOST_TEST((then.v - state.v - kDelay * a).norm() < 1e-12);
@@ -52,7 +68,7 @@ BOOST_FIXTURE_TEST_CASE(commands_on_their_way_act_one_after_the_other_the_oldest
   Eigen::VectorXd v = state.v, q = state.q.tail(12);
   for (int k = 0; k < 9; ++k) {
     const Eigen::VectorXd sent = (k - 2.0) * a;
-    predictor.remember(sent, kDt);
+    send(sent, kDt);
     if (k < 3) continue;  // acts before the measurement: six of 2 ms fill the delay
     q += kDt * v.tail(12) + 0.5 * kDt * kDt * sent.tail(12);
     v += kDt * sent;
@@ -63,22 +79,25 @@ BOOST_FIXTURE_TEST_CASE(commands_on_their_way_act_one_after_the_other_the_oldest
 }
 
 BOOST_FIXTURE_TEST_CASE(a_command_that_lasts_beyond_the_delay_counts_for_its_share, Predicting) {
-  predictor.remember(100.0 * a, 0.010);
-  predictor.remember(a, 0.008);  // the last 8 of the 12 ms; the one before it the first 4
+  send(100.0 * a, 0.010);
+  send(a, 0.008);  // the last 8 of the 12 ms; the one before it the first 4
   const RobotState& then = predictor.predict(state);
   BOOST_TEST((then.v - state.v - (0.004 * 100.0 + 0.008) * a).norm() < 1e-12);
 }
 
 BOOST_FIXTURE_TEST_CASE(its_ring_wraps_and_the_oldest_are_forgotten, Predicting) {
   DelayPredictor fresh(18, kDelay);
-  for (int k = 0; k < 200; ++k) predictor.remember((k % 7) * a, kDt);
-  for (int k = 190; k < 200; ++k) fresh.remember((k % 7) * a, kDt);
+  for (int k = 0; k < 200; ++k) send((k % 7) * a, kDt);
+  for (int k = 190; k < 200; ++k) {
+    fresh.remember((k % 7) * a);
+    fresh.elapse(kDt);
+  }
   BOOST_TEST((predictor.predict(state).v - fresh.predict(state).v).norm() == 0.0);
   BOOST_TEST((predictor.predict(state).q - fresh.predict(state).q).norm() == 0.0);
 }
 
 BOOST_FIXTURE_TEST_CASE(after_a_reset_nothing_is_on_its_way, Predicting) {
-  for (int k = 0; k < 10; ++k) predictor.remember(a, kDt);
+  for (int k = 0; k < 10; ++k) send(a, kDt);
   predictor.reset();
   BOOST_TEST((predictor.predict(state).v - state.v).norm() == 0.0);
   BOOST_TEST(predictor.active());
@@ -90,7 +109,7 @@ BOOST_FIXTURE_TEST_CASE(a_random_motion_is_predicted_to_the_order_of_the_delay_s
                         Predicting) {
   for (int seed = 0; seed < 20; ++seed) {
     const RobotState random = random_state(robot, seed, 1.0);
-    for (int k = 0; k < 10; ++k) predictor.remember(a, kDt);
+    for (int k = 0; k < 10; ++k) send(a, kDt);
     Eigen::VectorXd q = random.q, v = random.v;
     const int steps = 1000;
     for (int k = 0; k < steps; ++k) {

@@ -71,8 +71,10 @@ BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Leaning) {
   BOOST_TEST(f[FR_] == 0.0);
   BOOST_TEST(std::abs(f[FL_] - 0.25 * gains.hold_down * weight) < 1e-9);
   BOOST_TEST(std::abs(f[RR_] - gains.hold_down * weight) < 1e-9);
-  reference.feet[FR_].stance = false;  // two feet have no inside
-  BOOST_TEST(forces().maxCoeff() == 0.0);
+  reference.feet[FR_].load = 0.0;  // two feet have no edge to be near
+  BOOST_TEST(std::abs(forces()[RR_] - gains.hold_down * weight) < 1e-9);
+  lean(Vector3(2.0, 2.0, 0.0));
+  BOOST_TEST(std::abs(forces()[RR_] - gains.hold_down * weight) < 1e-9);
 }
 
 BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Leaning) {

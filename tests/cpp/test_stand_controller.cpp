@@ -90,6 +90,21 @@ BOOST_FIXTURE_TEST_CASE(a_tick_that_stands_still_is_stale, Running) {
   BOOST_TEST(damping(controller.update(report)));
 }
 
+BOOST_FIXTURE_TEST_CASE(reports_that_come_twice_do_not_make_time_go_twice_as_fast, Running) {
+  const auto turned = [&](int copies) {
+    StandController turning(robot);
+    for (std::uint32_t k = 0; k <= 50; ++k) {
+      LowState now = resting_report(robot, 2 * k);
+      now.imu.gyroscope = {0.0F, 0.0F, 1.0F};
+      for (int copy = 0; copy < copies; ++copy) turning.update(now);
+    }
+    const Eigen::VectorXd q = turning.state().q;
+    return 2.0 * std::atan2(q[5], q[6]);
+  };
+  BOOST_TEST(std::abs(turned(1) - 0.1) < 0.02);
+  BOOST_TEST(std::abs(turned(2) - turned(1)) < 1e-9);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_zero_quaternion_is_told_by_name, Running) {
   report.imu.quaternion = {0.0F, 0.0F, 0.0F, 0.0F};
   BOOST_TEST(same(step(), last));

@@ -46,7 +46,7 @@ class Body:
         reference = surefoot.Reference()
         reference.p_com = pin.centerOfMass(self.model, self.data, state.q, state.v)
         reference.v_com = self.data.vcom[0]
-        reference.quat_world_base = np.roll(state.q[3:7], 1)
+        reference.quat_world_base = state.q[3:7]
         reference.w_world_base = rotation(state.q) @ state.v[3:6]
         reference.ground_normal = normal
         for leg, point in enumerate(self.contact_points(state.q, normal)):

@@ -484,7 +484,7 @@ def test_credible_nonsense_gives_commands_inside_the_motors_or_damping(body) -> 
         stand.tick += 30
         if what == [Status.DAMPING]:
             stand.controller.reset()
-    assert Status.OK in statuses
+    assert any(surefoot.is_usable(status) for status in statuses)
     assert Status.DAMPING in statuses
     assert (damps(commands) | (is_torque_mode(commands) & inside_limits(body, commands))).all()
 

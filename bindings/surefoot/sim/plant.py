@@ -105,6 +105,12 @@ class Plant:
         place(self.model, self.data, self.handles, self.robot, settings.soft_ground_sink)
         mujoco.mj_step1(self.model, self.data)
         self._advance(round(SETTLE_TIME / settings.physics_dt))
+        if self.truth.fell:
+            raise Error(
+                f"robot '{self.robot.name}' fell while its motors held the standing pose, before "
+                f"anything was controlled: slope {settings.slope_deg:g} deg, friction "
+                f"{settings.friction:g}, payload {settings.payload_kg:g} kg; ask for less"
+            )
         self._sensors.start()
         first = self._next = self._read()
         if settings.real:

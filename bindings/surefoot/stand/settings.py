@@ -50,6 +50,11 @@ class StandSettings:
         check_rate(self.plant.control_rate)
         for push in self.pushes:
             self._check_time(f"push '{push}'", push.time)
+            if push.time + push.duration > self.duration:
+                raise Error(
+                    f"push '{push}': ends at {push.time + push.duration:g} s, expected by the end "
+                    f"of the run at {self.duration:g} s"
+                )
         for request in self.references:
             self._check_time(f"reference '{request}'", request.time)
 

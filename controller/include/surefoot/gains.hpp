@@ -60,9 +60,11 @@ struct Gains {
   // Body reference: how fast it moves and how far it may go.
   double reference_speed = 0.15;
   double reference_turn_speed = 0.8;
+  double reference_acceleration = 0.4;
+  double reference_turn_acceleration = 4.0;
   double reference_time = 0.1;
   double reach_joint_margin = 0.087;
-  double reach_support_margin = 0.03;
+  double reach_support_margin = 0.06;
   double reach_foot_depth = 0.07;
   // Estimator: what is believed, and how much.
   double attitude_gain = 0.2;

@@ -28,8 +28,6 @@ class StateEstimator {
   Status update(const LowState& low_state, double dt) noexcept;
 
   const RobotState& state() const noexcept;
-  /// Joint velocities, SDK motor order [rad/s].
-  const Vector12& dq_motor() const noexcept;
   /// Normal force per foot from the motors' torques [N].
   const Eigen::Vector4d& torque_force() const noexcept;
   /// Does footForceEst carry anything?

@@ -8,7 +8,8 @@ namespace surefoot {
 /// Rows of a task: A_a a + A_f f = b is wanted, and missed as cheaply as `weight` says.
 ///
 /// The program minimises 1/2 sum weight_i (A_a a + A_f f - b)_i^2 beside its own tasks; for scale:
-/// at weight 1 the centre of mass pays 1/2 for missing its acceleration by g/2.
+/// at weight 1 the centre of mass pays 1/2 for missing its acceleration by g/2. Rows that outweigh
+/// the program's own tasks a hundred thousand times stop the tick with Status::kBadTask.
 struct TaskRows {
   TaskRows(int rows, int nv)
       : A_a(Eigen::MatrixXd::Zero(rows, nv)),

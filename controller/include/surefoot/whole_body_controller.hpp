@@ -42,7 +42,8 @@ class WholeBodyController {
   ///
   /// @param state q and v of the robot's size, Pinocchio's order; contact 0 .. 1 per foot
   /// @param reference in the same world frame
-  /// @return status kOk or kSaturated, or why the other fields are those of the last good tick
+  /// @return status kOk or kSaturated, or why the rest, but residuals and iterations, is of the
+  /// last good tick
   const Solution& update(const RobotState& state, const Reference& reference) noexcept;
 
   /// Make the reference that asks the robot to stay as it is: centre of mass, orientation and

@@ -25,7 +25,10 @@ StanceKinematics::StanceKinematics(const Robot& robot)
     : pinocchio_(std::make_unique<Pinocchio>(robot.model())),
       robot_(robot),
       q_(robot.q_standing()),
-      trial_(q_) {}
+      trial_(q_) {
+  step(FeetMatrix::Zero(), robot.config().foot_radius * Vector3::UnitZ());
+  for (int leg = 0; leg < kLegs; ++leg) depth_sign_[leg] = trial_depth_[leg] < 0.0 ? -1.0 : 1.0;
+}
 StanceKinematics::~StanceKinematics() = default;
 StanceKinematics::StanceKinematics(StanceKinematics&&) noexcept = default;
 
@@ -64,15 +67,14 @@ double StanceKinematics::step(const FeetMatrix& centres, const Vector3& lever) n
     // As Dynamics::update_depth has it, of the contact point.
     const Vector3 hip_axis = data.J.col(robot_.motor_to_v()[3 * leg]).tail<3>();
     const Vector3 thigh_axis = data.J.col(robot_.motor_to_v()[3 * leg + 1]).tail<3>();
-    trial_depth_[leg] = std::abs((J.col(0) + lever.cross(hip_axis)).dot(thigh_axis));
+    trial_depth_[leg] = depth_sign_[leg] * (J.col(0) + lever.cross(hip_axis)).dot(thigh_axis);
     const Vector3 error = centres.col(leg) - p;
     if (!error.allFinite() || std::abs(J.determinant()) < kSingular) {
       return std::numeric_limits<double>::infinity();
     }
     const Vector3 step = J.inverse() * error;
     for (int k = 0; k < kLegJoints; ++k) {
-      trial_[robot_.motor_to_q()[3 * leg + k]] +=
-          std::min(std::max(step[k], -kLongestStep), kLongestStep);
+      trial_[robot_.motor_to_q()[3 * leg + k]] += std::clamp(step[k], -kLongestStep, kLongestStep);
     }
     worst = std::max(worst, error.norm());
   }

@@ -37,6 +37,7 @@ class StanceKinematics {
   Robot robot_;
   Eigen::VectorXd q_, trial_;
   Vector3 p_com_ = Vector3::Zero();
+  Eigen::Vector4d depth_sign_ = Eigen::Vector4d::Ones();
   Eigen::Vector4d depth_ = Eigen::Vector4d::Zero(), trial_depth_ = depth_;
 };
 

@@ -28,7 +28,6 @@ class BaseFilter {
 
   Vector3 p_imu() const noexcept { return x_.row(0).transpose(); }
   Vector3 v_imu() const noexcept { return x_.row(1).transpose(); }
-  Vector3 p_foot(int leg) const noexcept { return x_.row(2 + leg).transpose(); }
   /// Covariance of one axis: p, v, four feet.
   const Matrix6& covariance() const noexcept { return P_; }
   /// Measurements refused by the gate in the last update, of 8.

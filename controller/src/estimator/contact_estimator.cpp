@@ -35,7 +35,7 @@ void ContactEstimator::update(const Gains& gains, const Dynamics& dynamics, cons
     // A ramp over the dwell time: a single wrong sample moves the belief by one step only.
     const double step = gains.contact_dwell > dt ? dt / gains.contact_dwell : 1.0;
     const double moved = probability_[leg] + (loaded_[leg] ? step : -step);
-    probability_[leg] = std::min(std::max(moved, 0.0), 1.0);
+    probability_[leg] = std::clamp(moved, 0.0, 1.0);
   }
 }
 

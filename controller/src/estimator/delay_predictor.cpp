@@ -6,8 +6,9 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRing = 64;  // commands that may be on their way: 50 ms at 1 kHz, and some
-}
+constexpr int kRing = 64;          // commands that may be on their way: 50 ms at 1 kHz, and some
+constexpr double kInstant = 1e-6;  // [s] periods are whole milliseconds
+}  // namespace
 
 DelayPredictor::DelayPredictor(int nv, double delay)
     : delay_(delay),
@@ -16,11 +17,25 @@ DelayPredictor::DelayPredictor(int nv, double delay)
       dq_(Eigen::VectorXd::Zero(nv)),
       predicted_(nv + 1, nv) {}
 
-void DelayPredictor::remember(const Eigen::VectorXd& accelerations, double dt) noexcept {
+void DelayPredictor::elapse(double dt) noexcept {
+  if (count_ > 0) sent_[(next_ - 1 + kRing) % kRing].dt += dt;
+}
+
+void DelayPredictor::remember(const Eigen::VectorXd& accelerations) noexcept {
   sent_[next_].acceleration = accelerations;
-  sent_[next_].dt = dt;
+  sent_[next_].dt = 0.0;
   next_ = (next_ + 1) % kRing;
   count_ = std::min(count_ + 1, kRing);
+}
+
+const Eigen::VectorXd* DelayPredictor::acting() const noexcept {
+  double age = 0.0;
+  for (int k = 1; k <= count_; ++k) {
+    const Sent& sent = sent_[(next_ - k + kRing) % kRing];
+    age += sent.dt;
+    if (age > delay_ + kInstant) return &sent.acceleration;
+  }
+  return nullptr;
 }
 
 const RobotState& DelayPredictor::predict(const RobotState& state) noexcept {

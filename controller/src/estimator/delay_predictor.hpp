@@ -10,7 +10,7 @@ namespace surefoot {
 /// Carries the state forward to when the next command acts, with the motion that the commands on
 /// their way will make: the accelerations of the last solutions, integrated over the delay.
 ///
-/// Real-time: remember() and predict() yes.
+/// Real-time: all but the constructor yes.
 class DelayPredictor {
  public:
   static constexpr double kLongest = 0.05;  ///< [s]
@@ -20,8 +20,14 @@ class DelayPredictor {
 
   bool active() const noexcept { return delay_ > 0.0; }
 
-  /// Note what the command sent now will make, for `dt` seconds from when it acts.
-  void remember(const Eigen::VectorXd& accelerations, double dt) noexcept;
+  /// Time goes on, and the command sent last has `dt` more of it.
+  void elapse(double dt) noexcept;
+
+  /// Note what the command sent now will make from when it acts until the next one does.
+  void remember(const Eigen::VectorXd& accelerations) noexcept;
+
+  /// What the command made that acted until now, shape (nv,); null while none has.
+  const Eigen::VectorXd* acting() const noexcept;
 
   /// A state of the same size as `state`, `delay` later.
   const RobotState& predict(const RobotState& state) noexcept;

@@ -11,7 +11,7 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, double
 
 Vector3 PushObserver::acceleration(const Gains& gains) const noexcept {
   const double size = smooth_.norm();
-  const double believed = std::min(std::max(size - gains.push_dead_band, 0.0), gains.push_max);
+  const double believed = std::clamp(size - gains.push_dead_band, 0.0, gains.push_max);
   return size > 0.0 ? Vector3(believed / size * smooth_) : Vector3::Zero();
 }
 

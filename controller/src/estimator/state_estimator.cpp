@@ -34,7 +34,6 @@ struct StateEstimator::Impl {
   Vector6 planned = Vector6::Zero();
   bool has_plan = false;
   RobotState state;
-  Vector12 dq_motor = Vector12::Zero();
   Vector12 tau_est = Vector12::Zero();
   Vector3 normal = Vector3::UnitZ();
   bool started = false;
@@ -45,7 +44,6 @@ StateEstimator::~StateEstimator() = default;
 StateEstimator::StateEstimator(StateEstimator&&) noexcept = default;
 
 const RobotState& StateEstimator::state() const noexcept { return impl_->state; }
-const Vector12& StateEstimator::dq_motor() const noexcept { return impl_->dq_motor; }
 const Dynamics& StateEstimator::dynamics() const noexcept { return impl_->dynamics; }
 bool StateEstimator::foot_force_alive() const noexcept { return impl_->contact.foot_force_alive(); }
 const Eigen::Vector4d& StateEstimator::torque_force() const noexcept {
@@ -106,7 +104,6 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
     const MotorState& motor = low_state.motorState[i];
     state.q[robot.motor_to_q()[i]] = motor.q;
     state.v[robot.motor_to_v()[i]] = motor.dq;
-    dq_motor[i] = motor.dq;
     tau_est[i] = motor.tauEst;
   }
 }

@@ -42,7 +42,7 @@ T fixed(double value, double unit, FrameStatus& status) noexcept {
   const double whole = std::trunc(value * unit);
   constexpr double kLeast = std::numeric_limits<T>::min(), kMost = std::numeric_limits<T>::max();
   if (whole < kLeast || whole > kMost) status = FrameStatus::kSaturated;
-  return static_cast<T>(std::min(std::max(whole, kLeast), kMost));
+  return static_cast<T>(std::clamp(whole, kLeast, kMost));
 }
 
 std::uint8_t narrowed(int value, FrameStatus& status) noexcept {

@@ -2,13 +2,17 @@
 #include "reference/body_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 
 namespace {
 
-constexpr double kFreeTime = 0.1;  // [s] without a limit in the way before it is forgotten
-constexpr double kThere = 1e-5;    // [m], [rad] from the target counts as there
+constexpr double kFreeTime = 0.1;   // [s] without a limit in the way before it is forgotten
+constexpr double kThere = 1e-5;     // [m], [rad] from the target counts as there
+constexpr double kMoved = 1e-4;     // [m] of a foot, that the centre of mass is computed anew for
+constexpr double kProbe = 1e-3;     // [m], [rad] an axis is tried by
+constexpr double kFarthest = 10.0;  // [m], [rad] of a target; no robot reaches that far
 
 Vector6 to_vector(const BodyReference& r) noexcept {
   Vector6 v;
@@ -24,95 +28,130 @@ void BodyMotion::latch(const LatchedPose& pose, const Vector3& p_com,
   p_com_ = p_com;
   reach_.start_from(q);
   position_.setZero();
+  just_latched_ = true;
+  judged_feet_.setConstant(kFarthest);
+  stop();
+}
+
+void BodyMotion::reset() noexcept {
+  target_.setZero();
+  position_.setZero();
+  refused_ = false;
+  stop();
+}
+
+void BodyMotion::stop() noexcept {
   velocity_.setZero();
   acceleration_.setZero();
   v_com_.setZero();
-  status_ = {};
-  violation_ = 0.0;
+  blocked_.fill(false);
+  limit_ = {};
 }
 
 void BodyMotion::set_target(const BodyReference& target) noexcept {
   const Vector6 wanted = to_vector(target);
-  if (wanted.allFinite()) {
-    target_ = wanted;
-    status_ = {};
-  } else {
-    status_ = {ReachLimit::kNotFinite, -1};
-  }
+  refused_ = !wanted.allFinite();
+  if (refused_) return;
+  target_ = wanted.cwiseMin(kFarthest).cwiseMax(-kFarthest);
 }
 
 void BodyMotion::step(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
                       double dt) noexcept {
-  const bool there = (target_ - position_).cwiseAbs().maxCoeff() < kThere;
-  if (there && velocity_.cwiseAbs().maxCoeff() < kThere) {
-    velocity_.setZero();
-    acceleration_.setZero();
-    v_com_.setZero();
-    if (status_.limit != ReachLimit::kNotFinite) status_ = {};
-    return;
-  }
-  const Vector3 before = p_com_;
-  const Vector6 wanted = next(gains, dt);
-  const ReachStatus reason = status_;
-  if (take(gains, wanted, feet, gravity)) {
-    // Creeping along a limit gets through now and then: free is what has been free for a while.
-    free_time_ += dt;
-    status_ = free_time_ > kFreeTime ? ReachStatus{} : reason;
-    v_com_ = (p_com_ - before) / dt;
+  const bool there = (target_ - position_).cwiseAbs().maxCoeff() < kThere &&
+                     velocity_.cwiseAbs().maxCoeff() < kThere;
+  if (there) stop();
+  if (there && (feet - judged_feet_).cwiseAbs().maxCoeff() < kMoved) return;
+  judge_present(gains, feet, gravity);
+  if (there) return;
+  if (limited()) probe(gains, feet, gravity, dt);
+  const Vector6 before = velocity_;
+  velocity_ = before + limited_change(gains, wanted_velocity(gains) - before, dt);
+  // It goes on only while it could still stop before anything is in the way.
+  const double stopping = stopping_time(gains) + dt;
+  if (acceptable(gains, position_ + stopping * velocity_, feet, gravity)) {
+    v_com_ = (reach_.p_com() + com_offset_ - p_com_) / stopping;
   } else {
-    free_time_ = 0.0;
-    creep(gains, wanted, feet, gravity);
+    velocity_ = before + limited_change(gains, -before, dt);
     v_com_.setZero();
+    blocked_.fill(true);
+    free_time_ = 0.0;
   }
+  acceleration_ = (velocity_ - before) / dt;
+  position_ += velocity_ * dt;
+  p_com_ += v_com_ * dt;
 }
 
-// Critically damped towards the target, at limited speed, in a straight line.
-Vector6 BodyMotion::next(const Gains& gains, double dt) noexcept {
-  Vector6 wanted = (target_ - position_) / gains.reference_time;
-  wanted.head<3>() *=
-      gains.reference_speed / std::max(wanted.head<3>().norm(), gains.reference_speed);
-  wanted.tail<3>() *=
-      gains.reference_turn_speed / std::max(wanted.tail<3>().norm(), gains.reference_turn_speed);
-  const double blend = dt / (dt + 0.25 * gains.reference_time);
-  const Vector6 velocity = velocity_ + blend * (wanted - velocity_);
-  acceleration_ = (velocity - velocity_) / dt;
-  velocity_ = velocity;
-  return position_ + velocity_ * dt;
+// With the feet as they are now: what the next pose is measured by, and where the centre of mass
+// is.
+void BodyMotion::judge_present(const Gains& gains, const FeetMatrix& feet,
+                               const Vector3& gravity) noexcept {
+  const ReachVerdict present = reach_.judge(gains, p_base(), R_base(), feet, gravity);
+  violation_ = present.violation;
+  judged_feet_ = feet;
+  if (present.status.limit == ReachLimit::kUnreachable) return;
+  // The latched joints and those that inverse kinematics finds for the latched pose differ by what
+  // the ground's normal was not known then; the body is not to move for that.
+  if (just_latched_) com_offset_ = p_com_ - reach_.p_com();
+  just_latched_ = false;
+  p_com_ = reach_.p_com() + com_offset_;
 }
 
 // A pose that is no worse than the present one may be taken even if it is out of bounds: feet that
 // were pushed away must not nail the body to where it is.
-bool BodyMotion::take(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
-                      const Vector3& gravity) noexcept {
+bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
+                            const Vector3& gravity) noexcept {
   const ReachVerdict verdict =
       reach_.judge(gains, latched_.p_base + position.head<3>(), turned(position), feet, gravity);
-  if (verdict.violation > violation_) {
-    status_ = verdict.status;
-    return false;
+  if (verdict.status.limit != ReachLimit::kUnreachable && verdict.violation <= violation_) {
+    return true;
   }
-  violation_ = verdict.violation;
-  position_ = position;
-  p_com_ = reach_.p_com();
-  return true;
+  limit_ = verdict.status;
+  return false;
 }
 
-// The whole step is too much: take what part of it is not, one axis a tick.
-void BodyMotion::creep(const Gains& gains, const Vector6& wanted, const FeetMatrix& feet,
-                       const Vector3& gravity) noexcept {
-  const ReachStatus reason = status_;
+// At a limit: which axes may still move, one of them a tick.
+void BodyMotion::probe(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
+                       double dt) noexcept {
   axis_ = (axis_ + 1) % 6;
+  const ReachStatus reason = limit_;
   Vector6 position = position_;
-  position[axis_] = wanted[axis_];
-  const bool moves = std::abs(target_[axis_] - position_[axis_]) > kThere;
-  const double speed = velocity_[axis_];
-  acceleration_.setZero();
-  if (moves && take(gains, position, feet, gravity)) {
-    velocity_.setZero();
-    velocity_[axis_] = speed;
-  } else {
-    velocity_.setZero();
+  position[axis_] += std::clamp(target_[axis_] - position_[axis_], -kProbe, kProbe);
+  blocked_[axis_] = !acceptable(gains, position, feet, gravity);
+  // A limit is forgotten when nothing has been in the way for a while.
+  free_time_ = blocked_[axis_] ? 0.0 : free_time_ + dt;
+  limit_ = free_time_ > kFreeTime ? ReachStatus{} : reason;
+}
+
+// Straight towards the target on the axes that are free: limited in speed, slowing down before it.
+Vector6 BodyMotion::wanted_velocity(const Gains& gains) const noexcept {
+  Vector6 way = target_ - position_;
+  for (int axis = 0; axis < 6; ++axis) {
+    if (blocked_[axis]) way[axis] = 0.0;
   }
-  status_ = reason;
+  Vector6 wanted = way / gains.reference_time;
+  const auto slow = [&](int first, double speed, double acceleration) {
+    const double braking = std::sqrt(2.0 * acceleration * way.segment<3>(first).norm());
+    const double fastest = std::min(speed, braking);
+    wanted.segment<3>(first) *=
+        fastest / std::max(wanted.segment<3>(first).norm(), std::max(fastest, 1e-12));
+  };
+  slow(0, gains.reference_speed, gains.reference_acceleration);
+  slow(3, gains.reference_turn_speed, gains.reference_turn_acceleration);
+  return wanted;
+}
+
+Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt) const noexcept {
+  const double most = gains.reference_acceleration * dt;
+  const double most_turn = gains.reference_turn_acceleration * dt;
+  change.head<3>() *= most / std::max(change.head<3>().norm(), most);
+  change.tail<3>() *= most_turn / std::max(change.tail<3>().norm(), most_turn);
+  return change;
+}
+
+// In which the present speed covers the way to a stop.
+double BodyMotion::stopping_time(const Gains& gains) const noexcept {
+  return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
+                        velocity_.tail<3>().norm() / gains.reference_turn_acceleration);
 }
 
 BodyReference BodyMotion::position() const noexcept {

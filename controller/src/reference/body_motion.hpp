@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "reference/reach.hpp"
 
 namespace surefoot {
@@ -11,14 +13,18 @@ struct LatchedPose {
   Quaternion R_base = Quaternion::Identity();
 };
 
-/// Moves the body from where it is asked to be now to where it is asked to go: limited in speed,
-/// smooth in velocity, and never a step that the robot could not stand with. Real-time: yes.
+/// Moves the body from where it is asked to be now to where it is asked to go: limited in speed
+/// and in acceleration, and never faster than it could stop before a pose that the robot could not
+/// stand in. Real-time: yes.
 class BodyMotion {
  public:
   explicit BodyMotion(const Robot& robot) : reach_(robot) {}
 
   /// Begin anew at a latched pose; q: the joints there.
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
+
+  /// Back to the latched pose at once, and no request. p_com() is the last one's until latch().
+  void reset() noexcept;
 
   /// Ask for a pose; anything not finite leaves the last request standing.
   void set_target(const BodyReference& target) noexcept;
@@ -27,7 +33,10 @@ class BodyMotion {
   void step(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity, double dt) noexcept;
 
   BodyReference position() const noexcept;
-  const ReachStatus& status() const noexcept { return status_; }
+  /// kNotFinite until the next request; else what is in the way.
+  ReachStatus status() const noexcept {
+    return refused_ ? ReachStatus{ReachLimit::kNotFinite, -1} : limit_;
+  }
 
   // In the support frame:
   Vector3 p_base() const noexcept;
@@ -38,11 +47,16 @@ class BodyMotion {
   Vector3 alpha_base() const noexcept;  ///< [rad/s^2] as far as the rates' own change makes it
 
  private:
-  Vector6 next(const Gains& gains, double dt) noexcept;
-  bool take(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
-            const Vector3& gravity) noexcept;
-  void creep(const Gains& gains, const Vector6& wanted, const FeetMatrix& feet,
-             const Vector3& gravity) noexcept;
+  void stop() noexcept;
+  void judge_present(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity) noexcept;
+  bool limited() const noexcept { return limit_.limit != ReachLimit::kNone; }
+  bool acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
+                  const Vector3& gravity) noexcept;
+  void probe(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
+             double dt) noexcept;
+  Vector6 wanted_velocity(const Gains& gains) const noexcept;
+  Vector6 limited_change(const Gains& gains, Vector6 change, double dt) const noexcept;
+  double stopping_time(const Gains& gains) const noexcept;
   Quaternion turned(const Vector6& position) const noexcept;
   Vector3 from_rates(const Vector3& rates) const noexcept;
 
@@ -51,10 +65,14 @@ class BodyMotion {
   // x, y, height, roll, pitch, yaw
   Vector6 target_ = Vector6::Zero(), position_ = Vector6::Zero();
   Vector6 velocity_ = Vector6::Zero(), acceleration_ = Vector6::Zero();
-  Vector3 p_com_ = Vector3::Zero(), v_com_ = Vector3::Zero();
-  ReachStatus status_;
-  double violation_ = 0.0;
-  double free_time_ = 0.0;  // [s] since a limit was last in the way
+  Vector3 p_com_ = Vector3::Zero(), v_com_ = Vector3::Zero(), com_offset_ = Vector3::Zero();
+  bool just_latched_ = true;
+  FeetMatrix judged_feet_ = FeetMatrix::Zero();
+  ReachStatus limit_;
+  bool refused_ = false;
+  double violation_ = 0.0;         // of the present pose
+  double free_time_ = 0.0;         // [s] since a limit was last in the way
+  std::array<bool, 6> blocked_{};  // axes that a limit is in the way of
   int axis_ = 0;
 };
 

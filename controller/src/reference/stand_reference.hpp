@@ -20,6 +20,7 @@ class StandReference {
   /// Remember how the robot stands; q: its joints.
   void latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept;
 
+  void reset() noexcept { motion_.reset(); }
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
   /// Express what is asked in today's world frame, with the integrals as feed-forward.

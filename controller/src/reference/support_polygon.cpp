@@ -25,7 +25,7 @@ SupportPolygon::SupportPolygon(const FeetMatrix& feet,
 }
 
 double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
-  if (count_ < 3) return 0.0;
+  if (!exists()) return 0.0;
   double margin = std::numeric_limits<double>::infinity();
   for (int k = 0; k < count_; ++k) {
     const Eigen::Vector2d edge = corners_[(k + 1) % count_] - corners_[k];

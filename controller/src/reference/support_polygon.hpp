@@ -13,7 +13,10 @@ class SupportPolygon {
   /// @param feet contact points, one column a foot FR FL RR RL; x and y are used
   SupportPolygon(const FeetMatrix& feet, const std::array<bool, kLegs>& stance) noexcept;
 
-  /// Distance of a point inside the nearest edge [m]; negative outside; 0 with fewer than 3 feet.
+  /// Are there three feet or more?
+  bool exists() const noexcept { return count_ >= 3; }
+
+  /// Distance of a point inside the nearest edge [m]; negative outside; 0 where there is none.
   double margin(const Eigen::Vector2d& point) const noexcept;
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/robot.hpp"
 
+#include <algorithm>
+#include <pinocchio/algorithm/joint-configuration.hpp>
 #include <pinocchio/multibody.hpp>
 #include <pinocchio/serialization.hpp>
 
@@ -43,6 +45,21 @@ void match_joints(const pinocchio::Model& model, const RobotConfig& config, Robo
   }
 }
 
+// Each leg must be one chain, base to foot; with two hips swapped it would be two.
+void check_chains(const pinocchio::Model& model, const RobotConfig& config) {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    for (int k = 1; k < kLegJoints; ++k) {
+      const std::string& above = config.joint_names[3 * leg + k - 1];
+      const std::string& below = config.joint_names[3 * leg + k];
+      const auto& chain = model.supports[model.getJointId(below)];
+      if (std::find(chain.begin(), chain.end(), model.getJointId(above)) == chain.end()) {
+        throw Error("robot '" + config.name + "': joint '" + below + "' does not hang on joint '" +
+                    above + "'; expected hip, thigh and calf of one leg, in this order");
+      }
+    }
+  }
+}
+
 void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot::Data& data) {
   for (int leg = 0; leg < kLegs; ++leg) {
     const std::string& name = config.foot_frames[leg];
@@ -73,6 +90,7 @@ Robot::Robot(const pinocchio::Model& model, const RobotConfig& config) {
   check_base(model, config);
   auto data = std::make_shared<Data>(Data{model, config, {}, {}, {}, 0.0});
   match_joints(model, config, *data);
+  check_chains(model, config);
   match_feet(model, config, *data);
   for (int i = 0; i < kMotors; ++i) data->model.armature[data->motor_to_v[i]] = config.armature[i];
   for (const auto& inertia : data->model.inertias) data->mass += inertia.mass();
@@ -107,8 +125,7 @@ const std::array<int, kLegs>& Robot::foot_frame_ids() const noexcept {
 }
 
 Eigen::VectorXd Robot::q_standing() const {
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(nq());
-  q[6] = 1.0;
+  Eigen::VectorXd q = pinocchio::neutral(data_->model);
   for (int i = 0; i < kMotors; ++i) q[data_->motor_to_q[i]] = data_->config.q_standing[i];
   return q;
 }

@@ -32,8 +32,10 @@ void CondensedProgram::write_cost(const ProgramTerms& terms) noexcept {
   problem_.g = (-terms.weight_force / units_.force) * terms.forces;
   for (int k = 0; k < terms.body_tasks; ++k) add_body(terms.body[k]);
   if (terms.has_posture) add_posture(terms);
+  const double own = problem_.H.trace();
   for (const CustomTask& custom : terms.custom) add_custom(custom.rows, custom.b);
   cost_scale_ = kForces / problem_.H.trace();
+  own_share_ = own / problem_.H.trace();
   problem_.H *= cost_scale_;
   problem_.g *= cost_scale_;
 }

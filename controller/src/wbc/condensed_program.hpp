@@ -23,6 +23,8 @@ class CondensedProgram {
   const QpProblem& problem() const noexcept { return problem_; }
   /// Factor that brought the cost to trace(H) = n; prices of slacks go with it.
   double cost_scale() const noexcept { return cost_scale_; }
+  /// Of the cost, that is not of the user's own tasks: 0 .. 1.
+  double own_share() const noexcept { return own_share_; }
 
   /// Turn an answer into forces [N], accelerations (Pinocchio's order) and torques (table's order).
   void read(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
@@ -44,6 +46,7 @@ class CondensedProgram {
   std::array<int, kMotors> motor_to_v_;
   QpProblem problem_;
   double cost_scale_ = 1.0;
+  double own_share_ = 1.0;
 };
 
 }  // namespace surefoot

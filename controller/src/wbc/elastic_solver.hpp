@@ -23,6 +23,12 @@ class ElasticSolver {
  public:
   ElasticSolver(int n, int n_eq, const ElasticRows& rows, double tolerance);
 
+  /// Ask for this from the next solve on.
+  void set_tolerance(double tolerance) noexcept {
+    hard_solver_.set_tolerance(tolerance);
+    elastic_solver_.set_tolerance(tolerance);
+  }
+
   /// @param price shape (groups,) @param curvature more than 0
   QpResult solve(const QpProblem& problem, const Eigen::VectorXd& price, double curvature) noexcept;
 

@@ -26,7 +26,7 @@ Form FormSelector::update(const Dynamics& dynamics, const Reference& reference,
     const double shallow =
         reference.feet[leg].stance ? (kSmallestDepth - L.depth) / kSoftDepth : 0.0;
     const double soft = std::max(shallow, (1.0 - determinant) / kSoftDeterminant);
-    softness_[leg] = std::min(std::max(soft, 0.0), 1.0);
+    softness_[leg] = std::clamp(soft, 0.0, 1.0);
   }
   if (wanted != Form::kAuto) return wanted;
   const bool any = std::any_of(singular_.begin(), singular_.end(), [](bool s) { return s; });

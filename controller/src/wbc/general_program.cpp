@@ -93,6 +93,7 @@ void GeneralProgram::write_cost(const Dynamics& dynamics, const ProgramTerms& te
     H(joints_[k].v, joints_[k].v) += weight;
     g[joints_[k].v] -= weight * terms.posture[k] / units_.angular;
   }
+  const double own = H.trace();
   for (const CustomTask& custom : terms.custom) {
     const TaskRows& rows = custom.rows;
     for (Eigen::Index k = 0; k < rows.b.size(); ++k) {
@@ -102,6 +103,7 @@ void GeneralProgram::write_cost(const Dynamics& dynamics, const ProgramTerms& te
     }
   }
   cost_scale_ = static_cast<double>(g.size()) / H.trace();
+  own_share_ = own / H.trace();
   H *= cost_scale_;
   g *= cost_scale_;
 }

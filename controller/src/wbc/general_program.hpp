@@ -23,7 +23,8 @@ class GeneralProgram {
 
   const QpProblem& problem() const noexcept { return problem_; }
   double cost_scale() const noexcept { return cost_scale_; }
-  const ProgramLayout& layout() const noexcept { return layout_; }
+  /// Of the cost, that is not of the user's own tasks: 0 .. 1.
+  double own_share() const noexcept { return own_share_; }
 
   /// As CondensedProgram::read().
   void read(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
@@ -46,6 +47,7 @@ class GeneralProgram {
   Eigen::VectorXd row_;   // one row of the cost, in units
   QpProblem problem_;
   double cost_scale_ = 1.0;
+  double own_share_ = 1.0;
 };
 
 }  // namespace surefoot

@@ -2,6 +2,7 @@
 #include "wbc/hold_down.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "reference/support_polygon.hpp"
 
@@ -12,18 +13,21 @@ double capture_margin(const Dynamics& dynamics, const Reference& reference) noex
   std::array<bool, kLegs> stance;
   for (int leg = 0; leg < kLegs; ++leg) {
     feet.col(leg) = dynamics.legs()[leg].p_world_contact;
-    stance[leg] = reference.feet[leg].stance;
+    stance[leg] = reference.feet[leg].stance && reference.feet[leg].load > 0.0;
   }
   const double height = std::max(dynamics.p_world_com().z() - feet.row(2).mean(), 0.05);
   const double omega = std::sqrt(kGravity / height);
   const Vector3 capture = dynamics.p_world_com() + dynamics.v_world_com() / omega;
-  return SupportPolygon(feet, stance).margin(capture.head<2>());
+  // Fewer than three feet have no edge to be near.
+  const SupportPolygon polygon(feet, stance);
+  return polygon.exists() ? polygon.margin(capture.head<2>())
+                          : std::numeric_limits<double>::infinity();
 }
 
 double edge_fade(const Gains& gains, const Dynamics& dynamics,
                  const Reference& reference) noexcept {
   const double margin = capture_margin(dynamics, reference) / gains.edge_margin;
-  return std::min(std::max(margin, 0.0), 1.0);
+  return std::clamp(margin, 0.0, 1.0);
 }
 
 Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
@@ -32,8 +36,8 @@ Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
   Eigen::Vector4d forces;
   for (int leg = 0; leg < kLegs; ++leg) {
     const FootReference& foot = reference.feet[leg];
-    const double load = foot.stance ? std::min(std::max(foot.load, 0.0), 1.0) : 0.0;
-    const double belief = std::min(std::max(contact[leg], 0.0), 1.0);
+    const double load = foot.stance ? std::clamp(foot.load, 0.0, 1.0) : 0.0;
+    const double belief = std::clamp(contact[leg], 0.0, 1.0);
     forces[leg] = gains.hold_down * weight * fade * load * belief;
   }
   return forces;

@@ -28,6 +28,9 @@ Status check_state(const RobotState& state, const Robot& robot) noexcept {
       !state.f_outside.allFinite()) {
     return Status::kNonFinite;
   }
+  if ((state.contact.array() < 0.0).any() || (state.contact.array() > 1.0).any()) {
+    return Status::kImplausible;
+  }
   const double norm = state.q.segment<4>(3).norm();
   return std::abs(norm - 1.0) > kUnitTolerance ? Status::kBadQuaternion : Status::kOk;
 }

@@ -7,12 +7,10 @@ namespace surefoot {
 
 namespace {
 
-double clamp01(double x) noexcept { return std::min(std::max(x, 0.0), 1.0); }
-
 // From `lost` at no belief to `held` at full belief; nothing for a swing foot.
 double by_belief(double lost, double held, double contact, const FootReference& foot) noexcept {
-  const double share = lost + clamp01(contact) * (held - lost);
-  return foot.stance ? clamp01(foot.load) * share : 0.0;
+  const double share = lost + std::clamp(contact, 0.0, 1.0) * (held - lost);
+  return foot.stance ? std::clamp(foot.load, 0.0, 1.0) * share : 0.0;
 }
 
 }  // namespace

@@ -43,9 +43,10 @@ struct QpSolver::Workspace {
 };
 
 QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
-    : workspace_(std::make_unique<Workspace>(n, n_eq, n_in)), tolerance_(tolerance) {
+    : workspace_(std::make_unique<Workspace>(n, n_eq, n_in)),
+      patience_(tolerance < kTight ? kTightFactor : 1) {
   auto& qp = workspace_->qp;
-  qp.settings.eps_abs = tolerance;
+  set_tolerance(tolerance);
   qp.settings.eps_rel = 0.0;
   qp.settings.max_iter = kMaxOuter;
   qp.settings.max_iter_in = kMaxInner;
@@ -55,7 +56,6 @@ QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
   // Primal and dual residuals alone let it stop with multipliers on rows that are not active:
   // forces that look converged and are not optimal. The gap is what tells.
   qp.settings.check_duality_gap = true;
-  qp.settings.eps_duality_gap_abs = kSolverGap * tolerance;
   qp.settings.eps_duality_gap_rel = 0.0;
   qp.settings.default_mu_in = 1e-2;
   qp.settings.initial_guess = proxqp::InitialGuessStatus::WARM_START_WITH_PREVIOUS_RESULT;
@@ -74,12 +74,10 @@ const Eigen::VectorXd& QpSolver::z() const noexcept { return workspace_->qp.resu
 
 const Eigen::VectorXd& QpSolver::y() const noexcept { return workspace_->qp.results.y; }
 
-void QpSolver::start_from(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
-                          const Eigen::VectorXd& z) noexcept {
-  workspace_->qp.results.x = x;
-  workspace_->qp.results.y = y;
-  workspace_->qp.results.z = z;
-  has_answer_ = true;
+void QpSolver::set_tolerance(double tolerance) noexcept {
+  tolerance_ = tolerance;
+  workspace_->qp.settings.eps_abs = tolerance;
+  workspace_->qp.settings.eps_duality_gap_abs = kSolverGap * tolerance;
 }
 
 QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
@@ -94,13 +92,12 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
   // leaves rounding residues of 1e-24 on nearly all of them, and inserting those costs 15 us.
   auto& z = workspace_->qp.results.z;
   z = (z.array().abs() < kResidue).select(0.0, z);
-  const int patience = tolerance_ < kTight ? kTightFactor : 1;
   int spent = 0;
-  for (int attempt = 0; attempt < patience * kAttempts; ++attempt) {
+  for (int attempt = 0; attempt < patience_ * kAttempts; ++attempt) {
     if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) forget();
     result = run(problem);
     spent += result.iterations;
-    if (result.status == Status::kOk || spent >= patience * budget) break;
+    if (result.status == Status::kOk || spent >= patience_ * budget) break;
     drop_slack_multipliers();
   }
   result.iterations = spent;

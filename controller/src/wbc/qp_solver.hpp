@@ -36,9 +36,8 @@ class QpSolver {
   /// Forget the last answer: the next solve starts cold.
   void reset() noexcept;
 
-  /// Start the next solve from here instead, e.g. from another program's answer.
-  void start_from(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
-                  const Eigen::VectorXd& z) noexcept;
+  /// Ask for this from the next solve on.
+  void set_tolerance(double tolerance) noexcept;
 
   const Eigen::VectorXd& x() const noexcept;
   const Eigen::VectorXd& y() const noexcept;  ///< multipliers of A x = b
@@ -54,6 +53,7 @@ class QpSolver {
   void forget() noexcept;
   std::unique_ptr<Workspace> workspace_;
   double tolerance_;
+  int patience_;
   bool has_answer_ = false;
 };
 

@@ -45,15 +45,14 @@ TermsWriter::TermsWriter(const Robot& robot)
   terms_.friction = robot.config().friction;
 }
 
-void TermsWriter::add_task(std::shared_ptr<Task> task) {
-  const int rows = task->rows();
+void TermsWriter::add_task(std::shared_ptr<Task> task, int rows) {
   terms_.custom.push_back(
       {std::move(task), TaskRows(rows, robot_.nv()), Eigen::VectorXd::Zero(rows)});
 }
 
 Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                           const Reference& reference, const Eigen::Vector4d& foot_softness,
-                          const FeetMatrix& previous) noexcept {
+                          const FeetMatrix* previous) noexcept {
   const double weight = robot_.mass() * kGravity;
   terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
   terms_.outside = outside_wrench(dynamics, state.f_outside);
@@ -71,7 +70,7 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
       dynamics.condensable() && condense(dynamics, terms_.feet_acceleration, terms_.outside,
                                          units_.smallest_determinant, terms_.condensed);
   write_body(gains, dynamics, state, reference, fade);
-  write_forces(gains, reference, even_, previous);
+  write_forces(gains, reference, previous);
   write_posture(gains, state, reference);
   return write_custom(dynamics, state);
 }
@@ -120,9 +119,9 @@ void TermsWriter::write_even(const Dynamics& dynamics, const Vector3& a, const V
 }
 
 // Two pulls on the forces, evenness and smoothness, are one pull to their weighted mean.
-void TermsWriter::write_forces(const Gains& gains, const Reference& reference, const Vector12& even,
-                               const FeetMatrix& previous) noexcept {
-  Vector12 wanted = even;
+void TermsWriter::write_forces(const Gains& gains, const Reference& reference,
+                               const FeetMatrix* previous) noexcept {
+  Vector12 wanted = even_;
   if (reference.use_forces) {
     for (int leg = 0; leg < kLegs; ++leg) {
       wanted.segment<3>(3 * leg) = reference.feet[leg].f_world;
@@ -130,7 +129,8 @@ void TermsWriter::write_forces(const Gains& gains, const Reference& reference, c
   }
   terms_.weight_force = gains.weight_force + gains.weight_smooth;
   const double smooth = gains.weight_smooth / terms_.weight_force;
-  terms_.forces = (1.0 - smooth) * wanted + smooth * previous.reshaped();
+  terms_.forces = wanted;
+  if (previous != nullptr) terms_.forces += smooth * (previous->reshaped() - wanted);
 }
 
 void TermsWriter::write_posture(const Gains& gains, const RobotState& state,

@@ -12,14 +12,14 @@ class TermsWriter {
  public:
   explicit TermsWriter(const Robot& robot);
 
-  void add_task(std::shared_ptr<Task> task);
+  void add_task(std::shared_ptr<Task> task, int rows);
 
   /// @param foot_softness how much each foot's row gives way, 0 .. 1 @param previous forces [N],
-  /// (3, 4)
+  /// (3, 4), or null when there are none
   /// @return kOk, or kBadTask
   Status write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                const Reference& reference, const Eigen::Vector4d& foot_softness,
-               const FeetMatrix& previous) noexcept;
+               const FeetMatrix* previous) noexcept;
 
   const ProgramTerms& terms() const noexcept { return terms_; }
 
@@ -28,8 +28,8 @@ class TermsWriter {
                   const Reference& reference, double fade) noexcept;
   void write_even(const Dynamics& dynamics, const Vector3& a, const Vector3& alpha,
                   const RobotState& state, const Eigen::Vector4d& share) noexcept;
-  void write_forces(const Gains& gains, const Reference& reference, const Vector12& even,
-                    const FeetMatrix& previous) noexcept;
+  void write_forces(const Gains& gains, const Reference& reference,
+                    const FeetMatrix* previous) noexcept;
   void write_posture(const Gains& gains, const RobotState& state,
                      const Reference& reference) noexcept;
   Status write_custom(const Dynamics& dynamics, const RobotState& state) noexcept;

@@ -11,6 +11,10 @@
 
 namespace surefoot {
 
+namespace {
+constexpr int kMostRows = 1000;  // of one task
+}
+
 void WholeBodyOptions::validate() const {
   if (!(tolerance >= 1e-14 && tolerance <= 1e-3)) {
     throw Error("option 'tolerance' out of range: got " + to_text(tolerance) +
@@ -22,6 +26,7 @@ struct WholeBodyController::Impl {
   Impl(const Robot& r, const Gains& g, const WholeBodyOptions& options)
       : robot(r),
         gains(g),
+        joints(make_joint_table(r)),
         dynamics(r),
         writer(r),
         solver((options.validate(), r), options),
@@ -30,6 +35,7 @@ struct WholeBodyController::Impl {
   }
   Robot robot;
   Gains gains;
+  JointTable joints;
   Dynamics dynamics;
   TermsWriter writer;
   WholeBodySolver solver;
@@ -58,11 +64,13 @@ void WholeBodyController::set_gains(const Gains& gains) {
 }
 
 void WholeBodyController::add_task(std::shared_ptr<Task> task) {
-  if (task == nullptr || task->rows() < 1) {
-    throw Error("add_task: got " + std::string(task ? "a task without rows" : "no task") +
-                ", expected one whose rows() is 1 or more");
+  const int rows = task == nullptr ? 0 : task->rows();
+  if (rows < 1 || rows > kMostRows) {
+    throw Error("add_task: got " +
+                (task ? "a task of " + std::to_string(rows) + " rows" : std::string("no task")) +
+                ", expected one whose rows() is 1 .. " + std::to_string(kMostRows));
   }
-  impl_->writer.add_task(std::move(task));
+  impl_->writer.add_task(std::move(task), rows);
 }
 
 const Solution& WholeBodyController::update(const RobotState& state,
@@ -90,7 +98,10 @@ Reference WholeBodyController::hold(const RobotState& state) {
   reference.p_com = s.dynamics.p_world_com();
   reference.p_base = s.dynamics.p_world_base();
   reference.R_world_base = Quaternion(s.dynamics.R_world_base());
-  reference.posture = state.q.tail(state.q.size() - 7);
+  reference.posture = Eigen::VectorXd::Zero(s.robot.nv() - 6);
+  for (const JointRow& joint : s.joints) {
+    if (joint.q >= 0) reference.posture[joint.v - 6] = state.q[joint.q];
+  }
   for (int leg = 0; leg < kLegs; ++leg) {
     reference.feet[leg].p_world = s.dynamics.legs()[leg].p_world_contact;
   }
@@ -101,8 +112,9 @@ Reference WholeBodyController::hold(const RobotState& state) {
 const Solution& WholeBodyController::solve(const Dynamics& dynamics, const RobotState& state,
                                            const Reference& reference) noexcept {
   Impl& s = *impl_;
-  const Status written = s.writer.write(s.gains, dynamics, state, reference,
-                                        s.solver.select(dynamics, reference), s.solution.forces);
+  const Eigen::Vector4d& softness = s.solver.select(dynamics, reference);
+  const FeetMatrix* previous = s.solution.forces.isZero() ? nullptr : &s.solution.forces;
+  const Status written = s.writer.write(s.gains, dynamics, state, reference, softness, previous);
   if (written != Status::kOk) {
     s.solution.status = written;
     return s.solution;

@@ -7,8 +7,10 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kSaturated = 1e-3;  // share of tau_max that the clip may take off unnoticed
-constexpr double kCurvature = 1.0;   // of the slacks' cost, before scaling
+constexpr double kSaturated = 1e-3;   // share of tau_max: nearer to its limit a motor is at it
+constexpr double kCurvature = 1.0;    // of the slacks' cost, before scaling
+constexpr double kTightest = 1e-12;   // tolerance that rounding lets be reached
+constexpr double kLeastShare = 1e-5;  // of the cost, for the tasks that are not the user's own
 
 ElasticRows elastic_rows(const JointTable& joints) {
   const ProgramLayout layout(static_cast<int>(joints.size()));
@@ -90,7 +92,16 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
   price_.head<kLegs>().setConstant(scale * gains.penalty_hold_down);
   price_.segment<ProgramLayout::kLegGroups>(kLegs).setConstant(scale * gains.penalty_torque);
   price_.tail<ProgramLayout::kLegGroups>().setConstant(scale * gains.penalty_joint_limit);
+  // Heavy tasks make all others small in a cost of trace n, and those must not drown in the
+  // tolerance.
+  const double own_share = condensed ? condensed_.own_share() : general_.own_share();
+  if (!(own_share >= kLeastShare)) {
+    out.status = Status::kBadTask;
+    return;
+  }
   ElasticSolver& solver = condensed ? condensed_solver_ : general_solver_;
+  solver.set_tolerance(
+      std::max(own_share * options_.tolerance, std::min(options_.tolerance, kTightest)));
   const QpResult result = solver.solve(problem(), price_, scale * kCurvature);
   out.status = result.status;
   out.iterations = result.iterations;
@@ -117,7 +128,10 @@ void WholeBodySolver::write(const Dynamics& dynamics, const JointLimits& limits,
     const double tau = std::min(std::max(torques_[k], limits.tau_lower[k]), limits.tau_upper[k]);
     const double taken = std::abs(tau - torques_[k]);
     out.torque_residual = std::max(out.torque_residual, taken);
-    if (taken > kSaturated * joints_[k].tau_max) out.status = Status::kSaturated;
+    const double near = kSaturated * joints_[k].tau_max;
+    if (taken > near || limits.tau_upper[k] - tau < near || tau - limits.tau_lower[k] < near) {
+      out.status = Status::kSaturated;
+    }
     out.torques[joints_[k].v - 6] = tau;
   }
   out.hold_down_missing = units_.force * slack.head<kLegs>().maxCoeff();
