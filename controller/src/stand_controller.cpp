@@ -4,11 +4,14 @@
 #include "estimator/delay_predictor.hpp"
 #include "reference/stand_reference.hpp"
 #include "safety/command_keeper.hpp"
+#include "safety/holding_torques.hpp"
+#include "safety/power_limiter.hpp"
 #include "safety/tick_clock.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/state_estimator.hpp"
 #include "surefoot/whole_body_controller.hpp"
 #include "text.hpp"
+#include "wbc/limits.hpp"
 
 namespace surefoot {
 
@@ -20,6 +23,10 @@ void StandOptions::validate() const {
   if (!(delay >= 0.0 && delay <= DelayPredictor::kLongest)) {
     throw Error("option 'delay' out of range: got " + to_text(delay) + ", expected 0 .. " +
                 to_text(DelayPredictor::kLongest) + " [s]");
+  }
+  if (!(power_limit > 0.0)) {
+    throw Error("option 'power_limit' out of range: got " + to_text(power_limit) +
+                ", expected > 0 [W]; infinite is off");
   }
 }
 
@@ -49,7 +56,9 @@ struct StandController::Impl {
     estimator.set_gains(g);
   }
   Status think(const LowState& low_state, double dt) noexcept;
-  LowCmd torque_command(const Solution& solution) const noexcept;
+  Status solve(const Dynamics& dynamics, const RobotState& state,
+               const Reference& wanted) noexcept;
+  LowCmd torque_command() const noexcept;
 
   Robot robot;
   StandOptions options;
@@ -59,6 +68,7 @@ struct StandController::Impl {
   DelayPredictor predictor;
   Dynamics predicted;  // at the state when the command acts
   WholeBodyController controller;
+  LimitedTorques limited;  // motor order
   CommandKeeper keeper;
   double since_estimate = 0.0;  // [s]
   int latches = 0;
@@ -79,7 +89,7 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
   }
   if (is_usable(status)) {
     s.status = status;
-    return s.keeper.accept(s.torque_command(s.controller.solution()));
+    return s.keeper.accept(s.torque_command());
   }
   if (status != Status::kDamping) s.fault = status;
   const LowCmd& command = s.keeper.refuse(elapsed, s.controller.gains().damping_kd);
@@ -108,20 +118,39 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  if (!predictor.active()) return controller.solve(dynamics, estimator.state(), wanted).status;
+  if (!predictor.active()) return solve(dynamics, estimator.state(), wanted);
   const RobotState& then = predictor.predict(estimator.state());
   predicted.update(then.q, then.v, wanted.ground_normal);
-  const Solution& solution = controller.solve(predicted, then, wanted);
-  if (is_usable(solution.status)) predictor.remember(solution.accelerations, dt);
-  return solution.status;
+  const Status solved = solve(predicted, then, wanted);
+  if (is_usable(solved)) predictor.remember(controller.solution().accelerations, dt);
+  return solved;
+}
+
+// The program, then the power it may take. Where that is limited the robot does less than the plan,
+// of which the push observer and the delay predictor know nothing: the observer sees the rest as a
+// push that holds it back (at most gain push_max), the predictor carries the state too far by as
+// much of it as fits into the delay. Both end with the limiting.
+Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& state,
+                                    const Reference& wanted) noexcept {
+  const Solution& solution = controller.solve(dynamics, state, wanted);
+  if (!is_usable(solution.status)) return solution.status;
+  Vector12 tau, dq;
+  for (int i = 0; i < kMotors; ++i) {
+    tau[i] = solution.torques[robot.motor_to_v()[i] - 6];
+    dq[i] = state.v[robot.motor_to_v()[i]];
+  }
+  const Eigen::Vector4d share = load_shares(controller.gains(), state.contact, wanted);
+  const Vector12 hold = holding_torques(dynamics, robot.mass(), share);
+  limited = limit_power(tau, hold, dq, options.power_limit, options.motor_damping);
+  return limited.scale < 1.0 || limited.exceeds ? Status::kSaturated : solution.status;
 }
 
 // Torque mode exactly; with motor damping the velocity loop is on and asks for rest.
-LowCmd StandController::Impl::torque_command(const Solution& solution) const noexcept {
+LowCmd StandController::Impl::torque_command() const noexcept {
   LowCmd command = init_low_cmd();
   for (int i = 0; i < kMotors; ++i) {
     MotorCmd& motor = command.motorCmd[i];
-    motor.tau = static_cast<float>(solution.torques[robot.motor_to_v()[i] - 6]);
+    motor.tau = static_cast<float>(limited.torques[i]);
     if (options.motor_damping > 0.0) {
       motor.dq = 0.0F;
       motor.Kd = static_cast<float>(options.motor_damping);
@@ -151,6 +180,8 @@ bool StandController::foot_force_alive() const noexcept {
 Eigen::Vector4d StandController::torque_force() const noexcept {
   return impl_->estimator.torque_force();
 }
+double StandController::power() const noexcept { return impl_->limited.power; }
+double StandController::power_scale() const noexcept { return impl_->limited.scale; }
 void StandController::set_body_reference(const BodyReference& target) noexcept {
   impl_->reference.set_target(target);
 }
@@ -175,6 +206,7 @@ void StandController::reset() noexcept {
   s.reference.set_target({});
   s.controller.reset();
   s.predictor.reset();
+  s.limited = {};
   s.keeper.reset();
   s.since_estimate = 0.0;
   s.latches = 0;

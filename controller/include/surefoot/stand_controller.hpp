@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "surefoot/body_reference.hpp"
@@ -19,6 +20,10 @@ struct StandOptions {
   /// it with the commands already sent. Up to 0.05.
   double delay = 0.0;
   Form form = Form::kAuto;
+  /// [W] Most that a command may take by the joint velocities reported, sum |tau dq|, > 0; infinite
+  /// is off. Beyond it torques are scaled towards those that hold the robot against gravity. Below
+  /// what Safety::power_protect() allows (0.9 of it, say), so that it need not trip.
+  double power_limit = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error naming what is out of range.
   void validate() const;
@@ -63,6 +68,12 @@ class StandController {
   const Solution& solution() const noexcept;      ///< of the last good tick
   bool foot_force_alive() const noexcept;         ///< does footForceEst carry anything?
   Eigen::Vector4d torque_force() const noexcept;  ///< [N] normal force per foot from torques
+  /// [W] sum |tau dq| that the last good tick's command takes, by the joint velocities it was made
+  /// for. Above the option power_limit only where no scale is within it.
+  double power() const noexcept;
+  /// How much of the torques' way from holding still was left to the last good tick, 0 .. 1; below
+  /// 1 (power_limit) status() is kSaturated, and solution() is what was planned.
+  double power_scale() const noexcept;
   const Gains& gains() const noexcept;
 
   /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
