@@ -72,7 +72,8 @@ void bind_controller(nb::module_& m) {
       .def_rw("form", &StandOptions::form, "Of the whole-body program.")
       .def_rw("power_limit", &StandOptions::power_limit,
               "[W] most that a command may take, sum |tau dq| by the velocities reported; beyond\n"
-              "it torques are scaled towards those that hold still. > 0, infinite is off.");
+              "it torques are scaled towards those that hold still, unless these alone take more.\n"
+              "> 0, infinite is off.");
   nb::class_<StandController>(
       m, "StandController",
       "Holds the body as it stands, or where it is asked to be: LowState in, LowCmd out.\n\n"

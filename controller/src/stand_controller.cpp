@@ -33,6 +33,7 @@ void StandOptions::validate() const {
 namespace {
 
 constexpr int kLatches = 3;
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 const Robot& twelve_joints(const Robot& robot) {
   if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
@@ -56,8 +57,7 @@ struct StandController::Impl {
     estimator.set_gains(g);
   }
   Status think(const LowState& low_state, double dt) noexcept;
-  Status solve(const Dynamics& dynamics, const RobotState& state,
-               const Reference& wanted) noexcept;
+  Status solve(const Dynamics& dynamics, const RobotState& state, const Reference& wanted) noexcept;
   LowCmd torque_command() const noexcept;
 
   Robot robot;
@@ -142,7 +142,10 @@ Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& 
   const Eigen::Vector4d share = load_shares(controller.gains(), state.contact, wanted);
   const Vector12 hold = holding_torques(dynamics, robot.mass(), share);
   limited = limit_power(tau, hold, dq, options.power_limit, options.motor_damping);
-  return limited.scale < 1.0 || limited.exceeds ? Status::kSaturated : solution.status;
+  // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
+  // the power on its way. The command goes as it is; the protection is there for the rest.
+  if (limited.exceeds) limited = limit_power(tau, hold, dq, kUnlimited, options.motor_damping);
+  return limited.scale < 1.0 ? Status::kSaturated : solution.status;
 }
 
 // Torque mode exactly; with motor damping the velocity loop is on and asks for rest.

@@ -32,8 +32,8 @@ class Safety {
   ///  - a P that is not finite is refused in that very call and counts as above the limit; the
   ///    vendor's never trips on NaN;
   ///  - nothing is printed, and no release of ours ends the process.
-  /// Level n is n x 100 W on every robot, b1 included, whose body needs about ten times the watts
-  /// of a go1 for the same motion.
+  /// Level n is n x 100 W on every robot, b1 included, whose body takes 4 to 12 times the watts
+  /// of a go1's in pushes of the same share of what it survives.
   /// @param cmd not read, as in the vendor's library @param state tauEst [N.m], dq [rad/s]
   /// @param level 1 .. 10, clamped; read anew in each call
   /// @return +1, or -1 when tripped. Real-time: yes.

@@ -21,8 +21,10 @@ struct StandOptions {
   double delay = 0.0;
   Form form = Form::kAuto;
   /// [W] Most that a command may take by the joint velocities reported, sum |tau dq|, > 0; infinite
-  /// is off. Beyond it torques are scaled towards those that hold the robot against gravity. Below
-  /// what Safety::power_protect() allows (0.9 of it, say), so that it need not trip.
+  /// is off. Beyond it torques are scaled towards those that hold the robot against gravity; where
+  /// these alone take more, the command goes unscaled, for letting go would make the robot fall and
+  /// take more yet. Set it below what Safety::power_protect() allows (0.9 of it, say), and well
+  /// above what the robot's motion takes: a controller held back for long does not control.
   double power_limit = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error naming what is out of range.
@@ -69,7 +71,7 @@ class StandController {
   bool foot_force_alive() const noexcept;         ///< does footForceEst carry anything?
   Eigen::Vector4d torque_force() const noexcept;  ///< [N] normal force per foot from torques
   /// [W] sum |tau dq| that the last good tick's command takes, by the joint velocities it was made
-  /// for. Above the option power_limit only where no scale is within it.
+  /// for. Above the option power_limit only where holding still alone is above it.
   double power() const noexcept;
   /// How much of the torques' way from holding still was left to the last good tick, 0 .. 1; below
   /// 1 (power_limit) status() is kSaturated, and solution() is what was planned.

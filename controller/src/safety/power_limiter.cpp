@@ -60,7 +60,7 @@ LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vect
   }
   const double least = least_power_scale(line);
   out.exceeds = !(line.at(least) <= limit);
-  out.scale = out.exceeds ? least : greatest_scale(line, limit, least);
+  out.scale = out.exceeds ? 0.0 : greatest_scale(line, limit, least);
   out.torques = hold + out.scale * (tau - hold);
   out.power = line.at(out.scale);
   return out;

@@ -18,9 +18,8 @@ struct LimitedTorques {
 ///   tau(s) = hold + s (tau - hold)    P(s) = sum over i of |(tau_i(s) - damping dq_i) dq_i|
 ///
 /// with the greatest s in [0, 1] for which P(s) <= limit. P is convex, so below that s it may rise
-/// again, above it never falls. Where no s is within the limit: the s of least power, which is 0
-/// unless holding alone takes more. Where any number is none: s = 0 and the holding torques, 0 for
-/// those of them that are none.
+/// again, above it never falls. Where no s is within the limit: s = 0, the holding torques. Where
+/// any number is none: the same, with 0 for the holding torques that are none.
 /// @param tau wanted @param hold against gravity; both shape (12,) [N.m]
 /// @param dq joint velocities, the same order [rad/s] @param limit [W]; may be infinite
 /// @param damping [N.m.s/rad] that the motors add to the torques by themselves
