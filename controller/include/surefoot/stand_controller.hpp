@@ -24,7 +24,7 @@ struct StandOptions {
   /// is off. Beyond it torques are scaled towards those that hold the robot against gravity; where
   /// these alone take more, the command goes unscaled, for letting go would make the robot fall and
   /// take more yet. Set it below what Safety::power_protect() allows (0.9 of it, say), and well
-  /// above what the robot's motion takes: a controller held back for long does not control.
+  /// above half of what its motions take: a controller held back for long lets the robot fall.
   double power_limit = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error naming what is out of range.
