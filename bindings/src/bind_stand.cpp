@@ -62,14 +62,19 @@ void bind_controller(nb::module_& m) {
   nb::class_<StandOptions>(m, "StandOptions", "What is set once, as opposed to tuned.")
       .def(
           "__init__",
-          [](StandOptions* o, double motor_damping, double delay, Form form) {
-            new (o) StandOptions{motor_damping, delay, form};
+          [](StandOptions* o, double motor_damping, double delay, Form form, double power_limit) {
+            new (o) StandOptions{motor_damping, delay, form, power_limit};
           },
-          "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = Form::kAuto)
+          "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = Form::kAuto,
+          "power_limit"_a = StandOptions().power_limit)
       .def_rw("motor_damping", &StandOptions::motor_damping,
               "[N.m.s/rad] motor-side damping in every command; 0 is pure torque mode.")
       .def_rw("delay", &StandOptions::delay, "[s] from a measurement to its command's action.")
-      .def_rw("form", &StandOptions::form, "Of the whole-body program.");
+      .def_rw("form", &StandOptions::form, "Of the whole-body program.")
+      .def_rw("power_limit", &StandOptions::power_limit,
+              "[W] most that a command may take, sum |tau dq| by the velocities reported; beyond\n"
+              "it torques are scaled towards those that hold still, unless these alone take more.\n"
+              "> 0, infinite is off.");
   nb::class_<StandController>(
       m, "StandController",
       "Holds the body as it stands, or where it is asked to be: LowState in, LowCmd out.\n\n"
@@ -111,6 +116,10 @@ void bind_controller(nb::module_& m) {
                    "Normal force per foot from torques [N].")
       .def_prop_ro("foot_force_alive", &StandController::foot_force_alive,
                    "Does footForceEst live?")
+      .def_prop_ro("power", &StandController::power,
+                   "Sum |tau dq| [W] of the last good tick's command.")
+      .def_prop_ro("power_scale", &StandController::power_scale,
+                   "How much of the torques' way from holding still power_limit left, 0 .. 1.")
       .def_prop_ro(
           "gains", [](const StandController& c) { return Gains(c.gains()); }, "A copy.")
       .def("set_gains", &StandController::set_gains, "gains"_a, "Raise Error if one is invalid.")

@@ -18,4 +18,5 @@ NB_MODULE(_core, m) {
   bind_task(m);
   bind_whole_body(m);
   bind_stand(m);
+  bind_safety(m);
 }

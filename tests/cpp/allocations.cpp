@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "weather.hpp"
 
@@ -78,24 +79,33 @@ struct UserTask : Task {
 };
 
 struct Seen {
-  long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0;
+  long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0, slowed = 0;
+  long refused = 0;
 };
 
 Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   StandOptions options;
   options.form = form;
   options.delay = delay;
+  options.power_limit = 150.0;
   Gains gains;
   gains.weight_momentum = gains.weight_posture = gains.weight_smooth = 0.01;
   StandController controller(robot, gains, options);
   controller.add_task(std::make_shared<UserTask>());
   Weather weather(robot);
+  Safety safety(robot);
   Seen seen;
   counting = true;
   for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
     if (tick % 400 == 0) controller.set_body_reference(weather.reference());
     if (tick % 2100 == 0) controller.set_body_reference({0.0, std::nan(""), 0.0, 0.0, 0.0, 0.0});
-    controller.update(weather.report(tick));
+    const LowState& report = weather.report(tick);
+    LowCmd command = controller.update(report);
+    safety.position_limit(command);
+    const bool safe =
+        safety.power_protect(command, report, 1) + safety.position_protect(command, report) == 2;
+    seen.refused += !safe;
+    seen.slowed += controller.power_scale() < 1.0;
     const Solution& s = controller.solution();
     (s.form == Form::kGeneral ? seen.general : seen.condensed) += 1;
     seen.yielding += s.torque_excess + s.joint_limit_excess + s.hold_down_missing > 1e-3;
@@ -134,11 +144,12 @@ int main() {
       std::printf(
           "%s, delay %.0f ms, 25000 ticks: %ld allocations, %ld exceptions; "
           "general %ld, condensed %ld, limits giving way %ld, reference stopped %ld, "
-          "bad ticks %ld, damped %ld\n",
+          "bad ticks %ld, damped %ld, power limited %ld, refused %ld\n",
           to_string(form), 1e3 * delay, allocations.load(), exceptions.load(), s.general,
-          s.condensed, s.yielding, s.stopped, s.faults, s.damping);
+          s.condensed, s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused);
       good = good && s.yielding > 100 && s.stopped > 1000 && s.faults > 100 && s.damping >= 4 &&
-             s.general > 1000 && (form == Form::kGeneral || s.condensed > 1000);
+             s.slowed > 100 && s.refused > 100 && s.general > 500 &&
+             (form == Form::kGeneral || s.condensed > 1000);
     }
   }
   return good && allocations == 0 && exceptions == 0 ? 0 : 1;

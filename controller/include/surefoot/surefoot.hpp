@@ -6,6 +6,7 @@
 #include "surefoot/error.hpp"
 #include "surefoot/low_level.hpp"
 #include "surefoot/robot.hpp"
+#include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/state_estimator.hpp"
 #include "surefoot/task.hpp"

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "safety/power_limiter.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kHalvings = 50;  // of [0, 1]: what a double can tell apart there
+
+/// Power along the way: motor i takes a_i + s b_i [W].
+struct PowerLine {
+  Vector12 a, b;
+  double at(double s) const noexcept { return (a + s * b).cwiseAbs().sum(); }
+};
+
+// A convex function of straight pieces is least at an end or at a kink, where some motor's power
+// changes its sign.
+double least_power_scale(const PowerLine& line) noexcept {
+  double best = 0.0;
+  const auto consider = [&](double s) {
+    if (line.at(s) < line.at(best)) best = s;
+  };
+  for (int i = 0; i < kMotors; ++i) {
+    const double kink = -line.a[i] / line.b[i];
+    if (kink > 0.0 && kink < 1.0) consider(kink);
+  }
+  consider(1.0);
+  return best;
+}
+
+// From the least power up P never falls, so the limit is met up to one point and not beyond it.
+double greatest_scale(const PowerLine& line, double limit, double least) noexcept {
+  if (line.at(1.0) <= limit) return 1.0;
+  double within = least, beyond = 1.0;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (within + beyond);
+    (line.at(middle) <= limit ? within : beyond) = middle;
+  }
+  return within;
+}
+
+}  // namespace
+
+LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vector12& dq,
+                           double limit, double damping) noexcept {
+  LimitedTorques out;
+  out.torques = tau;
+  const PowerLine line{(hold - damping * dq).cwiseProduct(dq), (tau - hold).cwiseProduct(dq)};
+  out.power = line.at(1.0);
+  // All finite and within the limit: not a bit is changed.
+  if (out.power <= limit && std::isfinite(out.power)) return out;
+  if (!(line.a.allFinite() && line.b.allFinite())) {
+    out.torques = hold.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
+    out.scale = 0.0;
+    out.power = (out.torques - damping * dq).cwiseProduct(dq).cwiseAbs().sum();
+    out.exceeds = true;
+    return out;
+  }
+  const double least = least_power_scale(line);
+  out.exceeds = !(line.at(least) <= limit);
+  out.scale = out.exceeds ? 0.0 : greatest_scale(line, limit, least);
+  out.torques = hold + out.scale * (tau - hold);
+  out.power = line.at(out.scale);
+  return out;
+}
+
+}  // namespace surefoot

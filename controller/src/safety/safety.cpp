@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/safety.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+// As measured on the vendor's library: net calls above the limit.
+constexpr int kTrip = 5;   // it trips above this ...
+constexpr int kMost = 10;  // ... and remembers no more than these
+constexpr int kLevels = 10;
+constexpr float kNoPosition = 1e9F;  // [rad] from here on q says that there is no position
+
+// What is not finite stays so in a sum of absolute values.
+double motor_power(const LowState& state) noexcept {
+  double power = 0.0;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorState& motor = state.motorState[i];
+    power += std::abs(static_cast<double>(motor.tauEst) * static_cast<double>(motor.dq));
+  }
+  return power;
+}
+
+}  // namespace
+
+Safety::Safety(const Robot& robot)
+    : q_lower_(robot.config().q_lower), q_upper_(robot.config().q_upper) {}
+
+int Safety::power_protect(const LowCmd&, const LowState& state, int level) noexcept {
+  power_ = motor_power(state);
+  const double limit = kWattsPerLevel * std::clamp(level, 1, kLevels);
+  const bool quiet = power_ <= limit;  // NaN is not
+  counter_ = quiet ? std::max(counter_ - 1, 0) : std::min(counter_ + 1, kMost);
+  return counter_ > kTrip || !std::isfinite(power_) ? -1 : 1;
+}
+
+int Safety::position_protect(const LowCmd&, const LowState& state, double limit) noexcept {
+  motor_ = -1;
+  angle_ = 0.0;
+  for (int i = 0; i < kMotors; ++i) {
+    const double q = state.motorState[i].q;
+    // Written so that NaN, of the angle or of the limit, is outside.
+    if (q >= q_lower_[i] + limit && q <= q_upper_[i] - limit) continue;
+    motor_ = i;
+    angle_ = q;
+    return -1;
+  }
+  return 1;
+}
+
+void Safety::position_limit(LowCmd& cmd) const noexcept {
+  for (int i = 0; i < kMotors; ++i) {
+    const float q = cmd.motorCmd[i].q;
+    if (!(std::abs(q) < kNoPosition)) continue;
+    if (q < q_lower_[i]) cmd.motorCmd[i].q = static_cast<float>(q_lower_[i]);
+    if (q > q_upper_[i]) cmd.motorCmd[i].q = static_cast<float>(q_upper_[i]);
+  }
+}
+
+void Safety::reset() noexcept {
+  power_ = 0.0;
+  counter_ = 0;
+  motor_ = -1;
+  angle_ = 0.0;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A power limit of nine tenths of a protection's level, and the protection watching."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import pytest
+import surefoot
+from surefoot.sim import Plant, PlantSettings, Push
+
+
+@dataclass
+class Outcome:
+    """What became of a pushed robot: greatest powers [W], and how often something stepped in."""
+
+    fell: bool = False
+    measured: float = 0.0
+    commanded: float = 0.0
+    limited: int = 0
+    refused: int = 0
+
+
+def pushed(name: str, direction: str, share: float, level: int, limit: float) -> Outcome:
+    plant = Plant(name, PlantSettings(seed=2))
+    plant.add_push(Push(direction, share * plant.lip_limit(direction), 0.1, 0.5))
+    options = surefoot.StandOptions(power_limit=limit)
+    controller = surefoot.StandController(plant.robot, plant.robot.config.gains, options)
+    safety, report, outcome = surefoot.Safety(plant.robot), plant.reset(), Outcome()
+    for _ in range(1000):
+        command = controller.update(report)
+        outcome.refused += safety.power_protect(command, report, level) < 0
+        outcome.limited += controller.power_scale < 1.0
+        outcome.measured = max(outcome.measured, safety.power)
+        outcome.commanded = max(outcome.commanded, controller.power)
+        report = plant.step(command)
+    outcome.fell = plant.truth.fell
+    return outcome
+
+
+@pytest.mark.parametrize("direction", ["lateral", "forward"])
+@pytest.mark.parametrize("name", ["a1", "go1", "go2"])
+def test_half_a_push_is_far_below_the_lowest_level(name: str, direction: str) -> None:
+    outcome = pushed(name, direction, 0.5, level=1, limit=90.0)
+    assert not outcome.fell
+    assert (outcome.refused, outcome.limited) == (0, 0)
+    assert 5.0 < outcome.measured < 40.0
+
+
+def test_a_limit_keeps_the_protection_from_tripping() -> None:
+    free = pushed("b1", "lateral", 0.8, level=3, limit=float("inf"))
+    assert free.refused > 0
+    limited = pushed("b1", "lateral", 0.8, level=3, limit=270.0)
+    assert (limited.fell, limited.refused) == (False, 0)
+    assert limited.limited > 0
+    assert limited.commanded <= 270.0
+
+
+def test_a_robot_too_heavy_for_its_limit_is_not_let_go() -> None:
+    outcome = pushed("b1", "lateral", 0.8, level=1, limit=90.0)
+    assert not outcome.fell
+    assert outcome.refused > 0
+    assert outcome.commanded > 90.0

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The protections as Python sees them; tests/cpp/test_protections.cpp has the truth table."""
+
+from __future__ import annotations
+
+import inspect
+import math
+
+import numpy as np
+import pytest
+from surefoot import (
+    FL_0,
+    FR_2,
+    RL_2,
+    Error,
+    LowCmd,
+    LowState,
+    PosStopF,
+    Safety,
+    StandController,
+    StandOptions,
+    Status,
+)
+
+
+def powered(watts: float, motor: int = 0) -> LowState:
+    state = LowState()
+    state.motorState[motor].tauEst, state.motorState[motor].dq = 10.0, watts / 10.0
+    return state
+
+
+def test_a_lasting_overload_trips_on_the_sixth_call_and_drains(body) -> None:
+    safety, cmd = Safety(body.robot), LowCmd()
+    before = cmd.to_bytes()
+    said = [safety.power_protect(cmd, powered(101.0), 1) for _ in range(12)]
+    assert said == [1] * 5 + [-1] * 7
+    assert safety.power_counter == 10
+    assert safety.power == pytest.approx(101.0)
+    assert [safety.power_protect(cmd, powered(0.0), 1) for _ in range(6)] == [-1] * 4 + [1] * 2
+    assert cmd.to_bytes() == before
+
+
+def test_a_level_is_a_hundred_watts_on_every_robot(body) -> None:
+    for level in (1, 5, 10):
+        safety = Safety(body.robot)
+        for _ in range(10):
+            assert safety.power_protect(LowCmd(), powered(100.0 * level), level) == 1
+        trips = [
+            safety.power_protect(LowCmd(), powered(100.0 * level + 1), level) for _ in "123456"
+        ]
+        assert trips[-1] == -1
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf])
+def test_power_that_is_no_number_trips_at_once(go1, bad: float) -> None:
+    assert Safety(go1.robot).power_protect(LowCmd(), powered(bad), 10) == -1
+
+
+def test_a_robot_at_rest_passes_and_a_joint_near_its_end_is_named(body) -> None:
+    safety, config = Safety(body.robot), body.robot.config
+    state = body.resting_report(0)
+    assert safety.position_protect(LowCmd(), state) == 1
+    assert safety.position_motor == -1
+    state.motorState[FL_0].q = config.q_upper[FL_0] - 0.08
+    assert safety.position_protect(LowCmd(), state) == -1
+    assert safety.position_motor == FL_0
+    assert safety.position_angle == pytest.approx(config.q_upper[FL_0] - 0.08)
+    assert safety.position_protect(LowCmd(), state, 0.07) == 1
+    assert safety.position_protect(cmd=LowCmd(), state=state, limit=10) == -1
+    state.motorState[RL_2].q = math.nan
+    assert safety.position_protect(LowCmd(), state, -1.0) == -1
+    assert safety.position_motor == RL_2
+
+
+def test_positions_are_clamped_and_what_is_none_is_left(body) -> None:
+    safety, config = Safety(body.robot), body.robot.config
+    for q, limited in [
+        (9.0, config.q_upper[FR_2]),
+        (-9.0, config.q_lower[FR_2]),
+        (-1.6, -1.6),
+        (PosStopF, PosStopF),
+        (1e9, 1e9),
+        (math.nan, math.nan),
+    ]:
+        cmd = LowCmd()
+        cmd.motorCmd[FR_2].q = q
+        safety.position_limit(cmd)
+        np.testing.assert_equal(cmd.motorCmd[FR_2].q, np.float32(limited))
+    cmd = LowCmd()
+    safety.position_limit(cmd)
+    assert cmd.to_bytes() == LowCmd().to_bytes()
+
+
+def test_a_reset_forgets_all_calls(go1) -> None:
+    safety = Safety(go1.robot)
+    for _ in range(10):
+        safety.power_protect(LowCmd(), powered(5000.0), 1)
+    safety.reset()
+    assert (safety.power, safety.power_counter) == (0.0, 0)
+
+
+def test_the_docstrings_say_where_the_vendors_library_differs() -> None:
+    for method in (Safety.power_protect, Safety.position_protect, Safety.position_limit):
+        assert "vendor" in inspect.getdoc(method)
+
+
+def test_a_controller_is_given_a_power_limit_and_tells_what_it_took(go1) -> None:
+    gains, report = go1.robot.config.gains, go1.resting_report(2)
+    for i in range(12):
+        report.motorState[i].dq = -0.4
+    free = StandController(go1.robot)
+    command = free.update(report)
+    torques = [command.motorCmd[i].tau for i in range(12)]
+    assert free.power == pytest.approx(0.4 * np.abs(torques).sum(), rel=1e-5)
+    assert (free.power_scale, free.status) == (1.0, Status.OK)
+    limited = StandController(go1.robot, gains, StandOptions(power_limit=0.9 * free.power))
+    limited.update(report)
+    assert 0.5 < limited.power_scale < 1.0
+    assert limited.status == Status.SATURATED
+    assert limited.power == pytest.approx(0.9 * free.power)
+    too_low = StandController(go1.robot, gains, StandOptions(power_limit=0.1 * free.power))
+    assert too_low.update(report).to_bytes() == command.to_bytes()
+    assert (too_low.power, too_low.power_scale) == (free.power, 1.0)
+    assert StandOptions().power_limit == math.inf
+
+
+@pytest.mark.parametrize("wrong", [0.0, -5.0, math.nan])
+def test_a_power_limit_must_be_above_nothing(go1, wrong: float) -> None:
+    with pytest.raises(Error, match="power_limit"):
+        StandController(go1.robot, go1.robot.config.gains, StandOptions(power_limit=wrong))
