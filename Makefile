@@ -14,7 +14,7 @@ SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
 BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
   "nanobind>=2.9,<4" "cmake>=3.22" "ninja>=1.11"
 
-.PHONY: install stand test lint sanitize clean
+.PHONY: install stand test lint sanitize fuzz clean
 
 .venv/.tools: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -35,7 +35,7 @@ stand: install
 
 test: install
 	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
-	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations
+	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz
 	cd $(BUILD) && ctest --output-on-failure
 	$(BIN)/python -m pytest
 
@@ -50,6 +50,12 @@ sanitize: install
 	  -DSUREFOOT_PYTHON=OFF -DPython_EXECUTABLE=$(CURDIR)/$(BIN)/python -DCMAKE_BUILD_TYPE=Release
 	$(BIN)/cmake --build build/sanitize --target surefoot_tests
 	build/sanitize/tests/cpp/surefoot_tests
+
+# Ten million random and mutated datagrams through the decoders, under the sanitizers.
+fuzz: install
+	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
+	$(BIN)/cmake --build $(BUILD) --target surefoot_fuzz
+	$(BUILD)/tests/cpp/surefoot_fuzz 10000000
 
 clean:
 	rm -rf build out

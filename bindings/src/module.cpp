@@ -18,5 +18,6 @@ NB_MODULE(_core, m) {
   bind_task(m);
   bind_whole_body(m);
   bind_stand(m);
+  bind_link(m);
   bind_safety(m);
 }

@@ -108,8 +108,8 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  const Status solved = predictor.active() ? solve_predicted(wanted)
-                                           : solve(dynamics, estimator.state(), wanted);
+  const Status solved =
+      predictor.active() ? solve_predicted(wanted) : solve(dynamics, estimator.state(), wanted);
   if (is_usable(solved)) predictor.remember(controller.solution().accelerations);
   return solved;
 }

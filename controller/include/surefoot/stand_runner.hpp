@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "surefoot/stand_controller.hpp"
+#include "surefoot/udp_link.hpp"
+
+namespace surefoot {
+
+struct RunOptions {
+  double rate = 500.0;                                        ///< [Hz] of the control loop
+  double duration = std::numeric_limits<double>::infinity();  ///< [s] of control
+  int power_level = 1;    ///< of Safety::power_protect(), 1 .. 10; 0 switches it off
+  bool remote = true;     ///< sticks move the body, a button damps
+  double patience = 5.0;  ///< [s] to wait for the first valid LowState
+
+  /// Throw surefoot::Error naming what is out of range.
+  void validate() const;
+};
+
+/// What the loop is doing.
+enum class RunPhase {
+  kWaiting,   ///< for the first valid LowState; damping frames leave
+  kStanding,  ///< the controller's commands leave
+  kDamping,   ///< latched: the motors brake until rearm()
+  kEnded
+};
+const char* to_string(RunPhase phase) noexcept;
+
+/// Why it damps, or ended.
+enum class RunReason {
+  kNone,
+  kAsked,            ///< stop(), or the duration is over
+  kNoState,          ///< no valid LowState came in time
+  kWrongGeneration,  ///< the robot speaks another generation
+  kStale,            ///< LowStates stopped coming
+  kController,       ///< the controller damps: see StandController::fault()
+  kPowerProtect,
+  kButton
+};
+const char* to_string(RunReason reason) noexcept;
+
+/// A look at the loop from outside.
+struct RunSnapshot {
+  RunPhase phase = RunPhase::kWaiting;
+  RunReason reason = RunReason::kNone;  ///< of the last damping, or of the end
+  Status status = Status::kWaiting;     ///< of the controller's last tick
+  Status fault = Status::kOk;           ///< of the controller
+  FrameReport reject;                   ///< the last datagram that was not taken
+  LinkCounts link;
+  double time = 0.0;         ///< [s] since run() began
+  double age = 0.0;          ///< [s] of the newest LowState
+  std::uint64_t ticks = 0;   ///< of control
+  std::uint64_t usable = 0;  ///< of those, with a fresh command
+  std::uint64_t saturated = 0;
+  std::uint64_t missed = 0;    ///< periods left out because a tick or the system took too long
+  std::uint64_t dampings = 0;  ///< times that it latched
+  std::uint64_t rearms = 0;
+  double power = 0.0;  ///< [W] that the protection judged last
+  double greatest_power = 0.0;
+  double height = 0.0;  ///< [m] estimated
+  double tilt = 0.0;    ///< [rad] estimated
+  // [us] from waking to the command sent, and from the deadline to waking:
+  double tick_p50 = 0.0, tick_p90 = 0.0, tick_p99 = 0.0, tick_p999 = 0.0, tick_max = 0.0;
+  double wake_p50 = 0.0, wake_p99 = 0.0, wake_p999 = 0.0, wake_max = 0.0;
+};
+
+/// Runs a StandController over a UdpLink at a fixed rate, behind the power protection.
+///
+/// Deadlines are absolute; SCHED_FIFO and locked memory are used where permitted. It begins and
+/// ends with damping frames, and a latched damping is left by rearm() alone.
+class StandRunner {
+ public:
+  /// Throws surefoot::Error: an invalid option or gain, or what UdpLink throws.
+  StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
+              const UdpLinkOptions& link, const RunOptions& options);
+  ~StandRunner();
+  StandRunner(const StandRunner&) = delete;
+  StandRunner& operator=(const StandRunner&) = delete;
+
+  /// Run until stop(), the duration, or a robot that cannot be controlled; in the calling thread.
+  /// Call it once.
+  void run();
+
+  // From any thread, and from a signal handler:
+  void stop() noexcept;   ///< damp, and end
+  void damp() noexcept;   ///< damp, and stay
+  void rearm() noexcept;  ///< begin anew with the next LowState, if the robot is damped
+
+  /// From any other thread; what was last published.
+  RunSnapshot snapshot() const;
+  std::string real_time()
+      const;  ///< what scheduling and memory it got, in words; after run() began
+  int local_port() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace surefoot {
+
+/// A non-blocking IPv4 socket that talks to one peer. Real-time: read() and write() yes.
+class UdpSocket {
+ public:
+  /// Throws surefoot::Error.
+  UdpSocket(const std::string& host, int port, int local_port);
+  ~UdpSocket();
+  UdpSocket(const UdpSocket&) = delete;
+  UdpSocket& operator=(const UdpSocket&) = delete;
+
+  enum class Read { kNothing, kPeer, kStranger };
+  /// Take one datagram. @param size in: room; out: its length, which may be more than the room
+  Read read(std::uint8_t* data, std::size_t& size) noexcept;
+
+  bool write(const std::uint8_t* data, std::size_t size) noexcept;
+
+  int local_port() const noexcept { return local_port_; }
+
+ private:
+  int fd_ = -1;
+  int local_port_ = 0;
+  std::uint32_t peer_address_ = 0;  // network order
+  std::uint16_t peer_port_ = 0;     // network order
+};
+
+}  // namespace surefoot

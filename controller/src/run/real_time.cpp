@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/real_time.hpp"
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <time.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kPriority = 80;  // below the kernel's own threads, above everything else
+
+timespec to_timespec(double seconds) noexcept {
+  timespec t;
+  t.tv_sec = static_cast<time_t>(seconds);
+  t.tv_nsec = static_cast<long>(1e9 * (seconds - std::floor(seconds)));
+  return t;
+}
+
+}  // namespace
+
+RealTimeScope::RealTimeScope() {
+  sched_param wanted{};
+  wanted.sched_priority = kPriority;
+  const int refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
+  scheduled_ = refused == 0;
+  scheduling_ =
+      scheduled_ ? "SCHED_FIFO priority " + std::to_string(kPriority)
+                 : std::string("ordinary scheduling (SCHED_FIFO: ") + std::strerror(refused) + ")";
+  rlimit room{};
+  getrlimit(RLIMIT_MEMLOCK, &room);
+  // Under a limit, locking what is to come would make later allocations fail.
+  locked_ = room.rlim_cur == RLIM_INFINITY && mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  memory_ = locked_ ? "memory locked" : "memory not locked (the limit on locked memory is too low)";
+}
+
+RealTimeScope::~RealTimeScope() {
+  if (locked_) munlockall();
+  sched_param ordinary{};
+  if (scheduled_) pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
+}
+
+double monotonic_time() noexcept {
+  timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+PeriodicTimer::PeriodicTimer(double period) : period_(period), next_(monotonic_time()) {}
+
+double PeriodicTimer::wait() noexcept {
+  next_ += period_;
+  const double behind = monotonic_time() - next_;
+  if (behind > period_) {
+    const double periods = std::floor(behind / period_);
+    missed_ += static_cast<long>(periods);
+    next_ += periods * period_;
+  }
+  const timespec deadline = to_timespec(next_);
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
+  }
+  return 1e6 * (monotonic_time() - next_);
+}
+
+}  // namespace surefoot

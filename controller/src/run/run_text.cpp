@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/error.hpp"
+#include "surefoot/stand_runner.hpp"
+#include "text.hpp"
+
+namespace surefoot {
+
+void RunOptions::validate() const {
+  const auto check = [](const char* name, double got, double least, double most, const char* unit) {
+    if (got >= least && got <= most) return;
+    throw Error(std::string("option '") + name + "' out of range: got " + to_text(got) +
+                ", expected " + to_text(least) + " .. " + to_text(most) + unit);
+  };
+  check("rate", rate, 100.0, 1000.0, " [Hz]");
+  check("power_level", power_level, 0, 10, " (0 switches the protection off)");
+  check("patience", patience, 0.0, 1e6, " [s]");
+  if (!(duration > 0.0)) {
+    throw Error("option 'duration' out of range: got " + to_text(duration) +
+                ", expected above 0 [s]");
+  }
+}
+
+const char* to_string(RunPhase phase) noexcept {
+  switch (phase) {
+    case RunPhase::kWaiting:
+      return "waiting";
+    case RunPhase::kStanding:
+      return "standing";
+    case RunPhase::kDamping:
+      return "damping";
+    case RunPhase::kEnded:
+      return "ended";
+  }
+  return "unknown";
+}
+
+const char* to_string(RunReason reason) noexcept {
+  switch (reason) {
+    case RunReason::kNone:
+      return "none";
+    case RunReason::kAsked:
+      return "asked";
+    case RunReason::kNoState:
+      return "no_state";
+    case RunReason::kWrongGeneration:
+      return "wrong_generation";
+    case RunReason::kStale:
+      return "stale";
+    case RunReason::kController:
+      return "controller";
+    case RunReason::kPowerProtect:
+      return "power_protect";
+    case RunReason::kButton:
+      return "button";
+  }
+  return "unknown";
+}
+
+}  // namespace surefoot

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <vector>
+
+#include "link/tick_sequence.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/udp_link.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+// The robot's side: a plain socket on a port of its own.
+struct Peer {
+  int fd = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0);
+  int port = 0;
+  Peer() {
+    sockaddr_in me = address(0);
+    BOOST_REQUIRE(bind(fd, reinterpret_cast<sockaddr*>(&me), sizeof(me)) == 0);
+    socklen_t size = sizeof(me);
+    getsockname(fd, reinterpret_cast<sockaddr*>(&me), &size);
+    port = ntohs(me.sin_port);
+  }
+  ~Peer() { close(fd); }
+  static sockaddr_in address(int port) {
+    sockaddr_in a{};
+    a.sin_family = AF_INET;
+    a.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    a.sin_port = htons(static_cast<std::uint16_t>(port));
+    return a;
+  }
+  void send(const UdpLink& link, const std::uint8_t* data, std::size_t size) const {
+    const sockaddr_in to = address(link.local_port());
+    sendto(fd, data, size, 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to));
+  }
+  void send_state(const UdpLink& link, std::uint32_t tick, Generation g = Generation::kGo1v38) {
+    LowState state = init_low_state();
+    state.tick = tick;
+    Frame frame;
+    encode_low_state(state, {}, g, frame);
+    send(link, frame.bytes.data(), frame.size);
+  }
+  // The newest command that came; tau of motor 0, or NaN when it damps.
+  double tau() {
+    LowCmd cmd;
+    FrameExtras extras;
+    std::uint8_t data[1000];
+    double tau = INFINITY;
+    for (ssize_t n; (n = recv(fd, data, sizeof(data), 0)) > 0;) {
+      const auto size = static_cast<std::size_t>(n);
+      BOOST_REQUIRE(is_usable(decode_low_cmd(data, size, Generation::kGo1v38, cmd, extras).status));
+      const MotorCmd motor = cmd.motorCmd[0];
+      tau = motor.Kd > 0.0F ? NAN : motor.tau;
+    }
+    return tau;
+  }
+};
+
+struct Linked {
+  Peer robot;
+  UdpLink link{{"127.0.0.1", robot.port, 0, Generation::kGo1v38, 3.0}};
+  LowCmd push = init_low_cmd();
+  Linked() { push.motorCmd[0].tau = 1.0F; }
+};
+
+using V = TickSequence::Verdict;
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(udp_link)
+
+BOOST_AUTO_TEST_CASE(gaps_are_lost_until_what_was_late_comes_after_all) {
+  TickSequence s;
+  for (std::uint32_t tick = 0xFFFFFFF0; tick != 10; ++tick) {
+    BOOST_REQUIRE((s.take(tick) == V::kNewer));  // over the end of 32 bits
+  }
+  BOOST_TEST(s.lost() == 0U);
+  BOOST_TEST((s.take(13) == V::kNewer));
+  BOOST_TEST(s.lost() == 3U);
+  BOOST_TEST((s.take(11) == V::kReordered));
+  BOOST_TEST(s.lost() == 2U);
+  BOOST_TEST((s.take(13) == V::kDuplicate));
+  BOOST_TEST((s.take(100000) == V::kNewer));
+  BOOST_TEST(s.lost() == 2U);  // it was away
+  BOOST_TEST((s.take(5) == V::kRestarted));
+  BOOST_TEST((s.take(7) == V::kNewer));
+  BOOST_TEST((s.take(9) == V::kNewer));
+  BOOST_TEST(s.lost() == 2U);  // two milliseconds is how often it comes now
+}
+
+BOOST_FIXTURE_TEST_CASE(nothing_but_damping_leaves_before_the_robot_is_known, Linked) {
+  BOOST_TEST(std::isinf(link.age()));
+  link.send(push);
+  BOOST_TEST(std::isnan(robot.tau()));
+  robot.send_state(link, 1, Generation::kGo1v34);
+  BOOST_TEST(!link.receive());
+  BOOST_TEST(!link.known());
+  BOOST_TEST(link.counts().wrong_generation == 1U);
+  link.send(push);
+  BOOST_TEST(std::isnan(robot.tau()));
+  robot.send_state(link, 1);
+  BOOST_TEST(link.receive());
+  link.send(push);
+  BOOST_TEST(robot.tau() == 1.0);
+  push.motorCmd[0].tau = NAN;
+  BOOST_TEST((link.send(push).status == FrameStatus::kNotFinite));
+  BOOST_TEST(std::isnan(robot.tau()));
+  BOOST_TEST(link.counts().refused == 1U);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_newest_state_wins_and_the_rest_is_counted, Linked) {
+  for (const std::uint32_t tick : {1, 2, 3, 6, 5, 6, 7}) robot.send_state(link, tick);
+  BOOST_TEST(link.receive());
+  BOOST_TEST(std::uint32_t(link.state().tick) == 7U);
+  BOOST_TEST(link.counts().valid == 7U);
+  BOOST_TEST(link.counts().lost == 1U);
+  BOOST_TEST(link.counts().reordered == 1U);
+  BOOST_TEST(link.counts().duplicate == 1U);
+  BOOST_TEST(!link.receive());
+  BOOST_TEST(link.age() < 1.0);
+  const std::vector<std::uint8_t> junk(807, 7), shorter(100, 7);
+  robot.send(link, junk.data(), junk.size());
+  robot.send(link, shorter.data(), shorter.size());
+  BOOST_TEST(!link.receive());
+  BOOST_TEST(link.counts().corrupt == 1U);
+  BOOST_TEST(link.counts().wrong_length == 1U);
+  BOOST_TEST(std::uint32_t(link.state().tick) == 7U);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_stranger_is_not_listened_to_and_a_flood_ends, Linked) {
+  Peer stranger;
+  stranger.send_state(link, 99);
+  BOOST_TEST(!link.receive());
+  BOOST_TEST(!link.known());
+  BOOST_TEST(link.counts().strangers == 1U);
+  BOOST_TEST(link.counts().received == 0U);
+  for (int k = 0; k < 2 * UdpLink::kMostAtOnce; ++k) stranger.send(link, nullptr, 0);
+  link.receive();
+  BOOST_TEST(link.counts().floods <= 1U);  // the system may have dropped some
+  BOOST_TEST(link.counts().strangers <= 1U + UdpLink::kMostAtOnce);
+}
+
+BOOST_FIXTURE_TEST_CASE(what_cannot_be_opened_says_why, Linked) {
+  const auto says = [](const std::string& word) {
+    return [word](const Error& e) { return std::string(e.what()).find(word) != std::string::npos; };
+  };
+  BOOST_CHECK_EXCEPTION(UdpLink({"10.1.2.3"}), Error, says("beyond this machine"));
+  BOOST_CHECK_EXCEPTION(UdpLink({"no such host"}), Error, says("no such host"));
+  BOOST_CHECK_EXCEPTION(UdpLink({"127.0.0.1", 70000}), Error, says("70000"));
+  BOOST_CHECK_EXCEPTION(UdpLink({"127.0.0.1", 8007, link.local_port()}), Error, says("in use"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
