@@ -81,6 +81,8 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("age", &RunSnapshot::age, "[s] of the newest LowState.")
       .def_ro("ticks", &RunSnapshot::ticks, "Of control.")
       .def_ro("usable", &RunSnapshot::usable, "Of those, with a fresh command.")
+      .def_ro("bridged", &RunSnapshot::bridged, "Of those, without a new LowState.")
+      .def_ro("silence", &RunSnapshot::silence, "[s] of silence when it was stale.")
       .def_ro("saturated", &RunSnapshot::saturated, "Of those, with a motor at its limit.")
       .def_ro("missed", &RunSnapshot::missed, "Periods left out: a tick or the system was late.")
       .def_ro("dampings", &RunSnapshot::dampings, "Times that it latched.")

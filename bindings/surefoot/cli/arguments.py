@@ -11,6 +11,8 @@ from typing import NoReturn
 from surefoot.cli.bench import bench
 from surefoot.cli.export import export
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
+from surefoot.cli.run import run
+from surefoot.cli.run_options import add_run_options
 from surefoot.cli.stand import stand
 from surefoot.cli.stand_options import add_form_option, add_stand_options
 from surefoot.cli.tables import list_gains, list_robots
@@ -50,6 +52,7 @@ def _build_parser() -> _Parser:
         return command
 
     add_stand_options(add("stand", stand, "let a robot stand on torques in simulation"))
+    add_run_options(add("run", run, "let a robot stand over the SDK's UDP frames"))
     _add_export_options(add("export", export, "write the one file that a robot computer needs"))
     _add_bench_options(add("bench", bench, "time the controller on a recorded run"))
     add("robots", list_robots, "list the robots known by name")

@@ -90,7 +90,7 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
         plant=plant,
         pushes=tuple(parse_push(text) for text in arguments.push),
         references=tuple(parse_reference(text) for text in arguments.reference),
-        gains=_read_gains(arguments.gains, robot),
+        gains=read_gains(arguments.gains, robot),
         motor_damping=arguments.motor_damping,
         form=read_form(arguments.form),
         predict=arguments.predict_ms / 1000.0,
@@ -106,7 +106,8 @@ def read_form(text: str) -> Form:
     return names[text]
 
 
-def _read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
+def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
+    """Return the robot's gains with those of a file on top, or None; raises Error."""
     if file is None:
         return None
     return load_gains(file, build_robot(robot).config.gains)

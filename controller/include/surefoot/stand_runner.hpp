@@ -51,12 +51,14 @@ struct RunSnapshot {
   Status fault = Status::kOk;           ///< of the controller
   FrameReport reject;                   ///< the last datagram that was not taken
   LinkCounts link;
-  double time = 0.0;         ///< [s] since run() began
-  double age = 0.0;          ///< [s] of the newest LowState
-  std::uint64_t ticks = 0;   ///< of control
-  std::uint64_t usable = 0;  ///< of those, with a fresh command
+  double time = 0.0;          ///< [s] since run() began
+  double age = 0.0;           ///< [s] of the newest LowState
+  std::uint64_t ticks = 0;    ///< of control
+  std::uint64_t usable = 0;   ///< of those, with a fresh command
+  std::uint64_t bridged = 0;  ///< of those, without a new LowState
   std::uint64_t saturated = 0;
   std::uint64_t missed = 0;    ///< periods left out because a tick or the system took too long
+  double silence = 0.0;        ///< [s] that the robot had been silent when it was stale
   std::uint64_t dampings = 0;  ///< times that it latched
   std::uint64_t rearms = 0;
   double power = 0.0;  ///< [W] that the protection judged last
@@ -71,7 +73,8 @@ struct RunSnapshot {
 /// Runs a StandController over a UdpLink at a fixed rate, behind the power protection.
 ///
 /// Deadlines are absolute; SCHED_FIFO and locked memory are used where permitted. It begins and
-/// ends with damping frames, and a latched damping is left by rearm() alone.
+/// ends with damping frames. Without a new LowState the last command is repeated for at most 10 ms,
+/// then the motors damp, and after 20 ms for good: a latched damping is left by rearm() alone.
 class StandRunner {
  public:
   /// Throws surefoot::Error: an invalid option or gain, or what UdpLink throws.

@@ -37,8 +37,10 @@ RealTimeScope::RealTimeScope() {
   rlimit room{};
   getrlimit(RLIMIT_MEMLOCK, &room);
   // Under a limit, locking what is to come would make later allocations fail.
-  locked_ = room.rlim_cur == RLIM_INFINITY && mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
-  memory_ = locked_ ? "memory locked" : "memory not locked (the limit on locked memory is too low)";
+  const int what = MCL_CURRENT | (room.rlim_cur == RLIM_INFINITY ? MCL_FUTURE : 0);
+  locked_ = mlockall(what) == 0;
+  memory_ = locked_ ? std::string("memory locked")
+                    : std::string("memory not locked (") + std::strerror(errno) + ")";
 }
 
 RealTimeScope::~RealTimeScope() {

@@ -7,6 +7,7 @@
 #include "run/latency_histogram.hpp"
 #include "run/real_time.hpp"
 #include "run/remote_reference.hpp"
+#include "safety/command_keeper.hpp"
 #include "surefoot/safety.hpp"
 
 namespace surefoot {
@@ -14,7 +15,6 @@ namespace surefoot {
 namespace {
 
 constexpr double kFarewell = 0.2;         // [s] of damping frames at the end: UDP may lose some
-constexpr double kFresh = 0.02;           // [s] age of a LowState that a robot may be re-armed on
 constexpr double kPublishing = 0.05;      // [s] between looks from outside
 constexpr std::uint64_t kConvinced = 10;  // datagrams of another generation
 
@@ -31,6 +31,7 @@ struct StandRunner::Impl {
   void tick() noexcept;
   void wait_for_robot() noexcept;
   void stand(bool newer) noexcept;
+  void bridge() noexcept;
   void obey_remote() noexcept;
   void latch(RunReason why) noexcept;
   void begin() noexcept;
@@ -41,7 +42,7 @@ struct StandRunner::Impl {
   StandController controller;
   Safety safety;
   UdpLink link;
-  LowCmd damping;
+  LowCmd damping, last = damping;
   LatencyHistogram ticks, wakes;
   RunSnapshot now;  // the loop's own
   double start = 0.0, published = 0.0;
@@ -90,7 +91,7 @@ void StandRunner::Impl::tick() noexcept {
       break;
     case RunPhase::kDamping:
       link.send(damping);
-      if (rearmed && link.age() < kFresh) {
+      if (rearmed && link.age() < kStaleTime) {
         ++now.rearms;
         begin();
       }
@@ -115,28 +116,43 @@ void StandRunner::Impl::wait_for_robot() noexcept {
 void StandRunner::Impl::begin() noexcept {
   controller.reset();
   safety.reset();
+  last = damping;
   now.phase = RunPhase::kStanding;
 }
 
 void StandRunner::Impl::stand(bool newer) noexcept {
+  ++now.ticks;
+  if (!newer) {
+    bridge();
+    return;
+  }
   const LowState& state = link.state();
   if (options.remote) obey_remote();
   const LowCmd& cmd = controller.update(state);
-  ++now.ticks;
   now.status = controller.status();
   now.fault = controller.fault();
   now.usable += is_usable(now.status);
   now.saturated += now.status == Status::kSaturated;
-  if (newer && options.power_level > 0) {
+  if (options.power_level > 0) {
     const bool tripped = safety.power_protect(cmd, state, options.power_level) < 0;
     now.power = safety.power();
     now.greatest_power = std::max(now.greatest_power, now.power);
     if (tripped) latch(RunReason::kPowerProtect);
   }
-  if (now.status == Status::kDamping) {
-    latch(now.fault == Status::kStaleTick ? RunReason::kStale : RunReason::kController);
+  if (now.status == Status::kDamping) latch(RunReason::kController);
+  last = now.phase == RunPhase::kStanding ? cmd : damping;
+  link.send(last);
+}
+
+// No report since the last tick: the command before, then damping, then that for good.
+void StandRunner::Impl::bridge() noexcept {
+  const double age = link.age();
+  ++now.bridged;
+  if (age > kStaleTime) {
+    now.silence = age;
+    latch(RunReason::kStale);
   }
-  link.send(now.phase == RunPhase::kStanding ? cmd : damping);
+  link.send(age > kHoldTime ? damping : last);
 }
 
 void StandRunner::Impl::obey_remote() noexcept {
