@@ -1,0 +1,77 @@
+"""What the SDK's low-level examples share: a 500 Hz loop over UDP behind the power protection."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Callable
+
+import surefoot
+from surefoot.protocol import GENERATIONS, default_generation
+
+DT = 0.002  # [s]
+FAREWELL = 100  # ticks of damping at the end
+HIP_TAU = {surefoot.FR_0: -0.65, surefoot.FL_0: 0.65, surefoot.RR_0: -0.65, surefoot.RL_0: 0.65}
+
+Control = Callable[[int, surefoot.LowState, surefoot.LowCmd], str]
+
+
+def run(control: Control, description: str, protect_from: int = 1) -> int:
+    """Call control(n, state, cmd) in tick n = 1, 2 ...; it writes cmd and may return a line to say.
+
+    Every tick from `protect_from` on is judged by power_protect at level 1. Returns the exit
+    status: 0, 255 after a trip (the SDK's examples exit(-1)), 1 if there is no robot.
+    """
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--host", default="127.0.0.1")
+    parser.add_argument("--port", type=int, default=8007)
+    parser.add_argument("--duration", type=float, default=10.0, help="[s]")
+    parser.add_argument("--robot", default="go1")
+    parser.add_argument("--sdk", choices=GENERATIONS, help="the robot's own, if not given")
+    args = parser.parse_args()
+    link = surefoot.UdpLink(args.host, args.port, args.sdk or default_generation(args.robot))
+    safety = surefoot.Safety(surefoot.load_robot(args.robot))
+    print(f"{description} Make sure the robot is hung up.", flush=True)
+    if not _wait_for_robot(link):
+        print(f"no robot at {args.host}:{args.port}: {link.last_reject}", file=sys.stderr)
+        return 1
+    status, cmd, due = 0, surefoot.LowCmd(), time.monotonic()
+    for n in range(1, round(args.duration / DT) + 1):
+        link.receive()
+        state = link.state
+        for motor, tau in HIP_TAU.items():
+            cmd.motorCmd[motor].tau = tau
+        if line := control(n, state, cmd):
+            print(line, flush=True)
+        if n >= protect_from and safety.power_protect(cmd, state, 1) < 0:
+            print(f"tick {n}: power protection, {safety.power:.0f} W; damping", flush=True)
+            status = 255
+            break
+        link.send(cmd)
+        due = _sleep_until(due + DT)
+    _damp(link)
+    return status
+
+
+def _wait_for_robot(link: surefoot.UdpLink) -> bool:
+    for _ in range(1000):
+        link.send(surefoot.LowCmd())  # damping leaves: the robot is not known yet
+        time.sleep(DT)
+        if link.receive():
+            return True
+    return False
+
+
+def _damp(link: surefoot.UdpLink) -> None:
+    for _ in range(FAREWELL):
+        link.send(surefoot.damping_low_cmd(3.0))
+        time.sleep(DT)
+
+
+def _sleep_until(due: float) -> float:
+    late = time.monotonic() - due
+    if late < 0.0:
+        time.sleep(-late)
+        return due
+    return due + late  # no two ticks back to back
