@@ -85,9 +85,7 @@ class PlantSettings:
                 f"number from {LEAST_SINK:g} to {MOST_SINK:g}"
             )
         if self.hung and self.slope_deg:
-            raise Error(
-                f"slope_deg: got {self.slope_deg:g}, expected 0 for a robot that is hung up"
-            )
+            raise Error(f"slope_deg: got {self.slope_deg:g}, expected 0 for a hung robot")
         self._check_position()
         self._check_clock()
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
