@@ -11,8 +11,8 @@ from surefoot._core import Button
 from surefoot.virtual_robot.remote import STICKS, Remote, RemoteEvent
 
 KEYS = (
-    "keys: w a s d left stick, i j k l right stick, space centres both; A B X Y (capitals), arrows, "
-    "Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
+    "keys: w a s d left stick, i j k l right stick, space centres both; A B X Y (capitals), "
+    "arrows, Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
 )
 HOLD = 0.5  # [s] a terminal tells of keys that go down, never of keys that come up
 STEP = 0.25  # of a stick

@@ -114,6 +114,6 @@ def summarise(
 
 def _numbers(values: Array) -> Any:
     # JSON has no NaN; 0 would lie, null does not.
-    if np.isfinite(values).all():
-        return np.round(values, _DIGITS).tolist()
-    return np.where(np.isfinite(values), np.round(values, _DIGITS), None).tolist()
+    told = np.round(values, _DIGITS).astype(object)
+    told[~np.isfinite(values)] = None
+    return told.tolist()

@@ -58,7 +58,7 @@ def run_robot(
         Error: What cannot be, from robot to display.
         OSError: The port cannot be had.
     """
-    generation = settings.generation
+    generation = settings.generation  # raises before anything takes time
     if options.view:
         check_display()
     with ExitStack() as stack:
@@ -71,9 +71,9 @@ def run_robot(
             stack.callback(viewer.close)
         keyboard = stack.enter_context(Keyboard(robot.remote))
         stop = stack.enter_context(_StopSignals())
-        host, number = port.address
+        host, bound = port.address
         how = "hung up" if settings.hung else "standing"
-        say(f"listening on {host}:{number} as {robot.plant.robot.name}, {generation}, {how}")
+        say(f"listening on {host}:{bound} as {robot.plant.robot.name}, {generation}, {how}")
         if keyboard.present:
             say(KEYS)
         return _Run(robot, keyboard, viewer).until(lambda: stop.asked, options.duration, say)
@@ -122,13 +122,13 @@ class _StopSignals:
         self._before: dict[signal.Signals, Any] = {}
 
     def __enter__(self) -> _StopSignals:
-        for number in (signal.SIGINT, signal.SIGTERM):
-            self._before[number] = signal.signal(number, self._ask)
+        for which in (signal.SIGINT, signal.SIGTERM):
+            self._before[which] = signal.signal(which, self._ask)
         return self
 
     def __exit__(self, *_: object) -> None:
-        for number, handler in self._before.items():
-            signal.signal(number, handler)
+        for which, handler in self._before.items():
+            signal.signal(which, handler)
 
-    def _ask(self, number: int, frame: FrameType | None) -> None:
+    def _ask(self, which: int, frame: FrameType | None) -> None:
         self.asked = True
