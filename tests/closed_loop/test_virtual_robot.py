@@ -44,6 +44,26 @@ def test_reports_are_frames_of_the_generation_and_say_how_the_robot_stands(
         assert state.bms.SOC == 80
 
 
+@pytest.mark.parametrize(
+    ("name", "sdk"), [("a1", None), ("go1", None), ("go2", "go1-v3.8"), ("b1", None)]
+)
+def test_a_controller_that_sees_nothing_but_its_frames_stands_it_on_torques(
+    name: str, sdk: str | None
+) -> None:
+    bench = Bench(name, sdk=sdk)
+    controller = surefoot.StandController(bench.robot.plant.robot)
+    height = bench.robot.height
+    bench.hear(BLANK)
+    for _ in range(500):
+        bench.run(0.002)
+        bench.command(controller.update(bench.states()[-1]))
+        assert controller.status == surefoot.Status.OK
+    assert bench.robot.height == pytest.approx(height, abs=0.002)
+    assert bench.robot.tilt < np.radians(0.5)
+    assert bench.robot.link.commands == 499
+    assert bench.robot.command is not None and not bench.robot.command.kp.any()
+
+
 def test_it_says_nothing_before_somebody_spoke() -> None:
     bench = Bench()
     bench.run(0.05)

@@ -54,7 +54,7 @@ class Link:
         newest = None
         for data, sender in self._inward.take(time):
             self.received += 1
-            if len(data) in self._lengths or (data and not any(data)):
+            if len(data) in self._lengths or is_blank(data):
                 self.peer = sender
             newest = self._read(data) or newest
         return newest
@@ -78,13 +78,18 @@ class Link:
         return cmd
 
 
+def is_blank(data: bytes) -> bool:
+    """Return whether a datagram is all zero, as the SDK sends before a program's first command."""
+    return 0 < len(data) == data.count(0)
+
+
 def why_rejected(data: bytes, generation: str) -> str:
     """Return in two words why a datagram is no LowCmd of a generation.
 
     protocol.decode_low_cmd() says it in a sentence with the numbers of the case; these can be
     counted. go1-v3.8 and b1-v3.8 have LowCmds of one length, which nothing tells apart.
     """
-    if data and not any(data):
+    if is_blank(data):
         return "blank"
     if len(data) != protocol.frame_sizes(generation)[0]:
         lengths = {protocol.frame_sizes(name)[0] for name in protocol.GENERATIONS}
