@@ -10,7 +10,9 @@ from typing import NoReturn
 
 from surefoot.cli.bench import bench
 from surefoot.cli.export import export
+from surefoot.cli.robot import robot
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
+from surefoot.cli.robot_options import add_virtual_robot_options
 from surefoot.cli.run import run
 from surefoot.cli.run_options import add_run_options
 from surefoot.cli.stand import stand
@@ -55,6 +57,9 @@ def _build_parser() -> _Parser:
     add_run_options(add("run", run, "let a robot stand over the SDK's UDP frames"))
     _add_export_options(add("export", export, "write the one file that a robot computer needs"))
     _add_bench_options(add("bench", bench, "time the controller on a recorded run"))
+    add_virtual_robot_options(
+        add("robot", robot, "simulate a robot that SDK programs drive over UDP as the real one")
+    )
     add("robots", list_robots, "list the robots known by name")
     gains = add("gains", list_gains, "list what can be tuned: value, unit, range, meaning")
     add_robot_options(gains, "the library's own values")

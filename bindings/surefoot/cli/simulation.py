@@ -38,11 +38,17 @@ def check_json_place(place: str | None) -> None:
         raise Error(f"--json: got '{path}', expected a file in a folder that can be written")
 
 
-def write_json(place: str | None, result: dict[str, Any]) -> None:
-    """Write a result as one JSON object to a file or, for "-", to stdout."""
+def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2) -> None:
+    """Write a result as one JSON object to a file or, for "-", to stdout.
+
+    Args:
+        place: Where to; None is nowhere.
+        result: What.
+        indent: Of nested lines; None puts everything in one, for long logs.
+    """
     if place is None:
         return
-    text = json.dumps(result, indent=2, allow_nan=False) + "\n"
+    text = json.dumps(result, indent=indent, allow_nan=False) + "\n"
     if place == "-":
         sys.stdout.write(text)
     else:

@@ -3,41 +3,55 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
+import numpy.typing as npt
 
-from surefoot._core import PosStopF, RobotConfig, VelStopF
+from surefoot._core import RobotConfig, VelStopF
 from surefoot.sim.rotations import Array
 from surefoot.sim.wire import MOTORS, Command
 
 SERVO = 0x0A
+DAMPING = 0x00
+# The SDK's PosStopF is 2.146e9, that of the vendor's Python examples 1e9; no joint turns so far.
+POSITION_OFF = 1e9  # [rad]
 BRAKE_KD = 3.0  # [N.m.s/rad] of a motor that is not in servo mode
 SCALE_SPREAD = 0.05  # a real motor's torque is off by up to this fraction, for good
 
 
 @dataclass(frozen=True)
 class Law:
-    """The torque that a driver makes from its own joint: offset - kp q' - kd dq', all (12,)."""
+    """The torque that a driver makes from its own joint: offset - kp q' - kd dq', all (12,).
+
+    mode (12,) is what LowState says of the motors meanwhile.
+    """
 
     offset: Array
     kp: Array
     kd: Array
+    mode: npt.NDArray[np.uint8] = field(default_factory=lambda: np.full(MOTORS, SERVO, np.uint8))
 
 
 def command_law(command: Command) -> Law:
     """Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command.
 
-    q = PosStopF switches the position term off, dq = VelStopF the velocity term. A motor in any
-    mode but servo (0x0A) ignores all that and brakes.
+    q = PosStopF (or any angle of 1e9 rad and more) switches the position term off, dq = VelStopF
+    the velocity term. A motor in any mode but servo (0x0A) ignores all that and brakes.
     """
-    kp = np.where(command.q == PosStopF, 0.0, command.kp)
-    kd = np.where(command.dq == VelStopF, 0.0, command.kd)
+    kp = np.where(np.abs(command.q) >= POSITION_OFF, 0.0, command.kp)
+    kd = np.where(np.abs(command.dq) >= VelStopF, 0.0, command.kd)
     offset = command.tau + kp * command.q + kd * command.dq
     braking = command.mode != SERVO
     if braking.any():
         offset[braking], kp[braking], kd[braking] = 0.0, 0.0, BRAKE_KD
-    return Law(offset, kp, kd)
+    return Law(offset, kp, kd, np.where(braking, DAMPING, SERVO).astype(np.uint8))
+
+
+def damping_law() -> Law:
+    """Return the law of motors that brake, as in mode 0x00."""
+    mode = np.full(MOTORS, DAMPING, np.uint8)
+    return Law(np.zeros(MOTORS), np.zeros(MOTORS), np.full(MOTORS, BRAKE_KD), mode)
 
 
 def hold_law(q: Array, kp: float, kd: float) -> Law:

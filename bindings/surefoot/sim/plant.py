@@ -13,6 +13,7 @@ from surefoot._core import Error, LowCmd, LowState
 from surefoot.robots import RobotDescription, build_robot, describe_robot, load_pinocchio_model
 from surefoot.sim.adapter import Adapter
 from surefoot.sim.handles import find_handles
+from surefoot.sim.hanging import hang
 from surefoot.sim.model import build_model
 from surefoot.sim.motors import Law, Motors, command_law
 from surefoot.sim.pushes import PushSchedule
@@ -22,7 +23,7 @@ from surefoot.sim.settings import PlantSettings, Push, direction_degrees
 from surefoot.sim.stance import SETTLE_TIME, place, standing_law
 from surefoot.sim.support import lip_limit
 from surefoot.sim.truth import Truth, measure_truth
-from surefoot.sim.wire import Wire
+from surefoot.sim.wire import Command, Wire
 
 _MOTOR_STREAM = 3  # of random numbers; the sensors have 0 .. 2
 
@@ -61,6 +62,8 @@ class Plant:
         self.model = build_model(self.robot, self.description, self.settings)
         self.data = mujoco.MjData(self.model)
         self.handles = find_handles(self.model, self.robot)
+        if self.settings.hung:
+            hang(self.model, self.handles)
         self._adapter = Adapter(self.model, load_pinocchio_model(self.description))
         self._wire = Wire(self.robot.name, self.settings.real)
         self._tick0 = tick0
@@ -77,6 +80,11 @@ class Plant:
         """The true state of this instant."""
         torque = self._motors.torque
         return measure_truth(self.model, self.data, self.handles, self._adapter, self.time, torque)
+
+    @property
+    def motors(self) -> Motors:
+        """The motors: law in force, torques; read them, do not write them."""
+        return self._motors
 
     @property
     def push_force(self) -> tuple[Array, Array]:
@@ -101,8 +109,9 @@ class Plant:
         self._sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
         self._commands: deque[tuple[int, Law]] = deque()
         self._schedule = PushSchedule(self.handles.root, settings.physics_dt, ())
+        self._hand: Array | None = None
         self._step = 0
-        place(self.model, self.data, self.handles, self.robot, settings.soft_ground_sink)
+        place(self.model, self.data, self.handles, self.robot, settings)
         mujoco.mj_step1(self.model, self.data)
         self._advance(round(SETTLE_TIME / settings.physics_dt))
         if self.truth.fell:
@@ -112,10 +121,10 @@ class Plant:
                 f"{settings.friction:g}, payload {settings.payload_kg:g} kg; ask for less"
             )
         self._sensors.start()
-        first = self._next = self._read()
+        first = self._next = self.read()
         if settings.real:
-            self._advance(settings.steps_per_tick)
-            self._next = self._read()
+            self.advance()
+            self._next = self.read()
         self._step = 0
         for push in self._pushes:
             self._schedule.add(push)
@@ -135,9 +144,33 @@ class Plant:
         if settings.real:
             delay += settings.steps_per_tick
         self._commands.append((self._step + delay, command_law(self._wire.read(cmd))))
-        self._advance(settings.steps_per_tick)
-        previous, self._next = self._next, self._read()
+        self.advance()
+        previous, self._next = self._next, self.read()
         return previous if settings.real else self._next
+
+    def read_command(self, cmd: LowCmd) -> Command:
+        """Return the twelve motors of a LowCmd as this robot's drivers get them."""
+        return self._wire.read(cmd)
+
+    def obey(self, law: Law) -> None:
+        """Put a law in force from the next physics step on, with no delay.
+
+        obey(), advance() and read() are step() in three, for a wire with delays of its own.
+        """
+        self._motors.law = law
+
+    def advance(self) -> None:
+        """Advance one control period."""
+        self._advance(self.settings.steps_per_tick)
+
+    def read(self) -> LowState:
+        """Return the LowState of this instant; every reading moves its tick on by one period."""
+        return self._sensors.read(self._motors)
+
+    def pull(self, torque: Array | None) -> None:
+        """Let hands turn the joints with torques (12,) [N.m] from now on; None lets go."""
+        self._hand = torque
+        self.data.qfrc_applied[self.handles.joint_v] = 0.0
 
     def lip_limit(self, direction: str | float, duration: float = 0.1) -> float:
         """Return the push that the linear inverted pendulum survives from here [N.s].
@@ -151,9 +184,6 @@ class Plant:
         """
         degrees = direction_degrees(direction)
         return lip_limit(self.model, self.data, self.handles, self.robot, degrees, duration)
-
-    def _read(self) -> LowState:
-        return self._sensors.read(self._motors.believed)
 
     def _advance(self, steps: int) -> None:
         """Take physics steps; between them kinematics and velocities are up to date.
@@ -169,12 +199,22 @@ class Plant:
             while self._commands and self._commands[0][0] <= self._step:
                 motors.law = self._commands.popleft()[1]
             applied[motor_v] = motors.step(qpos[motor_q], dq)
+            if self._hand is not None:
+                self._apply_hand(self._hand)
             self._schedule.apply(data, self.time)
             mujoco.mj_step2(model, data)
             mujoco.mj_step1(model, data)
             dq = qvel[motor_v]
             self._sensors.step(dq)
             self._step += 1
+
+    def _apply_hand(self, torque: Array) -> None:
+        # Hands hold the link; with play in the gears it is not where the motor's torque goes.
+        applied, joint_v = self.data.qfrc_applied, self.handles.joint_v
+        if self.settings.backlash_deg > 0.0:
+            applied[joint_v] = torque
+        else:
+            applied[joint_v] += torque
 
 
 def _resolve(settings: PlantSettings, description: RobotDescription) -> PlantSettings:

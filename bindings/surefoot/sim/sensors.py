@@ -10,6 +10,7 @@ from surefoot.sim.encoders import IdealEncoders, RealEncoders
 from surefoot.sim.foot_sensors import FootSensors
 from surefoot.sim.handles import Handles
 from surefoot.sim.imu import IdealImu, RealImu
+from surefoot.sim.motors import Motors
 from surefoot.sim.rotations import Array, rpy_from_wxyz
 from surefoot.sim.settings import PlantSettings
 from surefoot.sim.wire import StateFrame, Wire
@@ -62,12 +63,8 @@ class Sensors:
         self._imu.step()
         self._encoders.step(dq)
 
-    def read(self, believed_torque: Array) -> LowState:
-        """Return the LowState of this instant.
-
-        Args:
-            believed_torque: (12,) what the motor drivers think they make [N.m].
-        """
+    def read(self, motors: Motors) -> LowState:
+        """Return the LowState of this instant; torques are what the drivers think they make."""
         data, handles, fields = self._data, self._handles, self._frame.fields
         quaternion = self._imu.quaternion
         fields["quaternion"][:] = quaternion
@@ -78,7 +75,8 @@ class Sensors:
             data.qpos[handles.motor_q], data.qvel[handles.motor_v]
         )
         fields["motor_ddq"][:] = np.trunc(data.qacc[handles.motor_v])  # whole rad/s^2 on the wire
-        fields["motor_tauEst"][:] = self._wire.torque(believed_torque)
+        fields["motor_tauEst"][:] = self._wire.torque(motors.believed)
+        fields["motor_mode"][:] = motors.law.mode
         normal_forces = data.sensordata[handles.foot_forces] @ handles.ground_normal
         fields["footForce"][:], fields["footForceEst"][:] = self._feet.read(normal_forces)
         fields["tick"][0] = self._tick()

@@ -37,6 +37,7 @@ class PlantSettings:
             the rotor's side of it (see sim/backlash.py).
         motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
+        hung: The base is fixed in the air, level, and the legs are free (see sim/hanging.py).
         seed: Of every random number; the same seed gives the same run.
     """
 
@@ -55,6 +56,7 @@ class PlantSettings:
     backlash_deg: float = 0.0
     motor_lag: float | None = None
     extra_delay: float = 0.0
+    hung: bool = False
     seed: int = 0
 
     def __post_init__(self) -> None:
@@ -82,6 +84,8 @@ class PlantSettings:
                 f"soft_ground_sink: got {self.soft_ground_sink!r}, expected 0 (rigid ground) or a "
                 f"number from {LEAST_SINK:g} to {MOST_SINK:g}"
             )
+        if self.hung and self.slope_deg:
+            raise Error(f"slope_deg: got {self.slope_deg:g}, expected 0 for a hung robot")
         self._check_position()
         self._check_clock()
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:

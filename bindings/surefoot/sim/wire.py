@@ -133,3 +133,9 @@ def _fill_battery(state: LowState) -> None:
     state.bms.current, state.bms.cycle = -3000, 50
     state.bms.BQ_NTC[:], state.bms.MCU_NTC[:] = 30, 32
     state.bms.cell_vol[:6] = 3850
+
+
+def measured_power(state: LowState) -> float:
+    """Return the sum of |tauEst dq| over the motors [W]: the power that PowerProtect looks at."""
+    motors = state.raw.view(LOW_STATE)[0]["motorState"][:MOTORS]
+    return float(np.abs(motors["tauEst"] * motors["dq"]).sum())

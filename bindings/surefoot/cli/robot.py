@@ -1,0 +1,68 @@
+"""surefoot robot: a simulated robot that existing SDK programs can drive."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from surefoot._core import Error
+from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
+
+if TYPE_CHECKING:
+    from surefoot.virtual_robot import VirtualRobotSettings
+
+LOG_RATE = 100.0  # [Hz]
+
+
+def robot(arguments: argparse.Namespace) -> None:
+    """Run a virtual robot until its time is over, Ctrl-C or SIGTERM; raises Error, OSError."""
+    choose_graphics()
+    try:
+        from surefoot.virtual_robot import RunOptions, run_robot
+    except ModuleNotFoundError as problem:
+        raise missing_module("robot", problem) from None
+    if arguments.json == "-":
+        raise Error("--json: got '-', expected a file: stdout has the status lines")
+    check_json_place(arguments.json)
+    options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
+    record = run_robot(read_settings(arguments), options, _Speaker())
+    write_json(arguments.json, record, indent=None)
+
+
+def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
+    """Turn arguments into settings; raises Error."""
+    from surefoot.virtual_robot import VirtualRobotSettings, parse_shake, read_remote_script
+
+    description = chosen_robot(arguments, default="go1")
+    assert description is not None  # there is a default
+    log_rate = LOG_RATE if arguments.log_rate is None else arguments.log_rate
+    return VirtualRobotSettings(
+        robot=description,
+        sdk=arguments.sdk,
+        rate=arguments.rate,
+        hung=arguments.hung,
+        drop=arguments.drop,
+        delay=arguments.delay_ms / 1000.0,
+        jitter=arguments.jitter_ms / 1000.0,
+        timeout=arguments.timeout_ms / 1000.0,
+        shakes=tuple(parse_shake(text) for text in arguments.shake),
+        remote=read_remote_script(arguments.remote) if arguments.remote else (),
+        log_rate=min(log_rate, arguments.rate) if arguments.json else 0.0,
+        seed=arguments.seed,
+    )
+
+
+class _Speaker:
+    """Prints lines at once; a reader that goes away must not end the robot."""
+
+    def __init__(self) -> None:
+        self._heard = True
+
+    def __call__(self, line: str) -> None:
+        if not self._heard:
+            return
+        try:
+            print(line, flush=True)
+        except BrokenPipeError:
+            self._heard = False

@@ -1,0 +1,39 @@
+"""A robot hung up: its base fixed in the air, level, its legs free."""
+
+from __future__ import annotations
+
+import mujoco
+
+from surefoot._core import Robot
+from surefoot.sim.handles import Handles
+from surefoot.sim.rotations import Array
+
+CLEARANCE = 0.1  # [m] below the feet of straight legs
+# As heavy as a mountain: weight and legs move the base by less than 1 um in an hour, and the legs'
+# own rows of the equations stay as they are. A base without its free joint would change what every
+# index into qpos and qvel means; a weld would be a spring and cost solver time.
+_BASE_INERTIA = 1e12  # [kg], [kg.m^2]
+
+
+def hang(model: mujoco.MjModel, handles: Handles) -> None:
+    """Fix the base wherever it is put.
+
+    It is done to the compiled model because the solver's tolerances, which come from the robot's
+    mean inertia, must not change.
+    """
+    start = int(model.body_dofadr[handles.root])
+    model.dof_armature[start : start + 6] = _BASE_INERTIA
+
+
+def hanging_height(
+    model: mujoco.MjModel, data: mujoco.MjData, handles: Handles, robot: Robot
+) -> float:
+    """Return the height of the base at which straight legs clear flat ground [m].
+
+    Leaves `data` with straight legs, its kinematics up to date.
+    """
+    data.qpos[handles.joint_q] = 0.0
+    mujoco.mj_kinematics(model, data)
+    feet: Array = data.xpos[handles.foot_bodies, 2]
+    depth = float(data.qpos[2] - feet.min()) + robot.config.foot_radius
+    return depth + CLEARANCE

@@ -1,0 +1,20 @@
+"""A robot in MuJoCo that speaks the robot's side of the SDK's UDP frames."""
+
+from surefoot.virtual_robot.port import UdpPort
+from surefoot.virtual_robot.remote import RemoteEvent, read_remote_script
+from surefoot.virtual_robot.robot import VirtualRobot
+from surefoot.virtual_robot.run import RunOptions, run_robot
+from surefoot.virtual_robot.settings import VirtualRobotSettings
+from surefoot.virtual_robot.shaking import Shake, parse_shake
+
+__all__ = [
+    "RemoteEvent",
+    "RunOptions",
+    "Shake",
+    "UdpPort",
+    "VirtualRobot",
+    "VirtualRobotSettings",
+    "parse_shake",
+    "read_remote_script",
+    "run_robot",
+]

@@ -1,0 +1,49 @@
+"""One way of a link: datagrams that get lost and come late."""
+
+from __future__ import annotations
+
+from collections import deque
+
+import numpy as np
+
+from surefoot.virtual_robot.port import Datagram
+
+
+class Channel:
+    """Loses datagrams and delays the others; none overtakes another, as on a cable.
+
+    Args:
+        drop: Share that gets lost [%].
+        delay: Of every other [s].
+        jitter: Further delay, uniform from 0 to this [s].
+        rng: Draws losses and jitter.
+
+    Attributes:
+        lost: Datagrams that got lost.
+    """
+
+    def __init__(self, drop: float, delay: float, jitter: float, rng: np.random.Generator) -> None:
+        self._drop, self._delay, self._jitter = drop / 100.0, delay, jitter
+        self._rng = rng
+        self._waiting: deque[tuple[float, Datagram]] = deque()
+        self._last = 0.0
+        self.lost = 0
+
+    def put(self, datagram: Datagram, time: float) -> None:
+        """Send a datagram off at a time [s]."""
+        if self._drop > 0.0 and self._rng.random() < self._drop:
+            self.lost += 1
+            return
+        due = time + self._delay
+        if self._jitter > 0.0:
+            due += self._jitter * self._rng.random()
+        self._last = max(self._last, due)
+        self._waiting.append((self._last, datagram))
+
+    def take(self, time: float) -> list[Datagram]:
+        """Return what has arrived by a time [s], oldest first."""
+        arrived = []
+        # Times are sums of periods: what is due now may be a rounding error away.
+        while self._waiting and self._waiting[0][0] <= time + 1e-9:
+            arrived.append(self._waiting.popleft()[1])
+        return arrived

@@ -1,0 +1,88 @@
+"""The terminal's keyboard as a wireless remote."""
+
+from __future__ import annotations
+
+import os
+import select
+import sys
+from typing import Any
+
+from surefoot._core import Button
+from surefoot.virtual_robot.remote import STICKS, Remote, RemoteEvent
+
+KEYS = (
+    "keys: w a s d left stick, i j k l right stick, space centres both; A B X Y (capitals), "
+    "arrows, Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
+)
+HOLD = 0.5  # [s] a terminal tells of keys that go down, never of keys that come up
+STEP = 0.25  # of a stick
+_STICK_KEYS = {
+    **{"a": ("lx", -STEP), "d": ("lx", STEP), "s": ("ly", -STEP), "w": ("ly", STEP)},
+    **{"j": ("rx", -STEP), "l": ("rx", STEP), "k": ("ry", -STEP), "i": ("ry", STEP)},
+}
+_BUTTON_KEYS = {
+    **{"A": Button.A, "B": Button.B, "X": Button.X, "Y": Button.Y, "F": Button.F1, "G": Button.F2},
+    **{"1": Button.L1, "2": Button.L2, "9": Button.R1, "0": Button.R2},
+    **{"\n": Button.START, "\r": Button.START, "\t": Button.SELECT},
+    **{"\x1b[A": Button.UP, "\x1b[B": Button.DOWN, "\x1b[C": Button.RIGHT, "\x1b[D": Button.LEFT},
+}
+
+
+class Keyboard:
+    """Reads keys without waiting for them; a context that leaves the terminal as it found it.
+
+    Without a terminal on stdin, or in the background of one, it does nothing.
+    """
+
+    def __init__(self, remote: Remote) -> None:
+        self._remote = remote
+        self._saved: list[Any] | None = None
+        self._down: dict[Button, float] = {}
+
+    @property
+    def present(self) -> bool:
+        """Whether there are keys to press."""
+        return self._saved is not None
+
+    def __enter__(self) -> Keyboard:
+        if sys.stdin is None or sys.stdin.closed or not sys.stdin.isatty():
+            return self
+        # A background process that touches its terminal is stopped by the system.
+        if os.tcgetpgrp(sys.stdin.fileno()) != os.getpgrp():
+            return self
+        import termios
+        import tty
+
+        self._saved = termios.tcgetattr(sys.stdin)
+        tty.setcbreak(sys.stdin)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._saved is not None:
+            import termios
+
+            termios.tcsetattr(sys.stdin, termios.TCSADRAIN, self._saved)
+
+    def poll(self, time: float) -> None:
+        """Read the keys pressed by now [s] and let go of buttons held long enough."""
+        if self.present and select.select([sys.stdin], [], [], 0.0)[0]:
+            self.type(os.read(sys.stdin.fileno(), 64).decode(errors="ignore"), time)
+        for button in [b for b, since in self._down.items() if time - since >= HOLD]:
+            del self._down[button]
+            self._remote.apply(RemoteEvent(time, "release", button))
+
+    def type(self, text: str, time: float) -> None:
+        """Press the keys of a text at a time [s]."""
+        while text:
+            key = text[:3] if text.startswith("\x1b[") else text[0]
+            text = text[len(key) :]
+            if key in _STICK_KEYS:
+                name, step = _STICK_KEYS[key]
+                value = max(-1.0, min(1.0, self._remote.stick(name) + step))
+                self._remote.apply(RemoteEvent(time, name, value=value))
+            elif key == " ":
+                for name in STICKS:
+                    self._remote.apply(RemoteEvent(time, name, value=0.0))
+            elif key in _BUTTON_KEYS:
+                self._down[_BUTTON_KEYS[key]] = time
+                self._remote.apply(RemoteEvent(time, "press", _BUTTON_KEYS[key]))

@@ -1,0 +1,104 @@
+"""The robot's end of the wire: frames in, frames out, and to whom."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot import protocol
+from surefoot._core import Error
+from surefoot.protocol import ReceivedLowCmd
+from surefoot.virtual_robot.channel import Channel
+from surefoot.virtual_robot.port import Address, Port
+from surefoot.virtual_robot.settings import VirtualRobotSettings
+
+MOST_PER_CYCLE = 32  # datagrams read: a peer that floods must not stall the physics
+_STREAM = 10  # of random numbers; the plant has 0 .. 3
+
+
+class Link:
+    """Receives commands and counts what is none; sends to whoever spoke last.
+
+    Args:
+        port: Where datagrams come from and go to.
+        settings: Generation, loss, delay, seed.
+
+    Attributes:
+        peer: Whom reports go to; None before anyone spoke.
+        received: Datagrams that arrived.
+        commands: Valid commands among them.
+        rejected: Number of the others by reason.
+        sent: Datagrams sent, those that get lost on the way among them.
+        unsent: Datagrams that could not be sent.
+    """
+
+    def __init__(self, port: Port, settings: VirtualRobotSettings) -> None:
+        self._port = port
+        self._generation = settings.generation
+        self._lengths = {protocol.frame_sizes(name)[0] for name in protocol.GENERATIONS}
+        flaws = settings.drop, settings.delay, settings.jitter
+        rngs = [np.random.default_rng([settings.seed, _STREAM + k]) for k in range(2)]
+        self._inward, self._outward = (Channel(*flaws, rng) for rng in rngs)
+        self.peer: Address | None = None
+        self.received = self.commands = self.sent = self.unsent = 0
+        self.rejected: dict[str, int] = {}
+
+    @property
+    def lost(self) -> tuple[int, int]:
+        """Datagrams that got lost on their way in and out."""
+        return self._inward.lost, self._outward.lost
+
+    def receive(self, time: float) -> ReceivedLowCmd | None:
+        """Return the newest valid command that arrived by a time [s], or None."""
+        for datagram in self._port.receive(MOST_PER_CYCLE):
+            self._inward.put(datagram, time)
+        newest = None
+        for data, sender in self._inward.take(time):
+            self.received += 1
+            if len(data) in self._lengths or is_blank(data):
+                self.peer = sender
+            newest = self._read(data) or newest
+        return newest
+
+    def send(self, frame: bytes, time: float) -> None:
+        """Send a frame to the peer at a time [s]; also what is due by now of earlier ones."""
+        if self.peer is not None:
+            self.sent += 1
+            self._outward.put((frame, self.peer), time)
+        for datagram in self._outward.take(time):
+            self.unsent += not self._port.send(*datagram)
+
+    def _read(self, data: bytes) -> ReceivedLowCmd | None:
+        try:
+            cmd = protocol.decode_low_cmd(data, self._generation)
+        except Error:
+            reason = why_rejected(data, self._generation)
+            self.rejected[reason] = self.rejected.get(reason, 0) + 1
+            return None
+        self.commands += 1
+        return cmd
+
+
+def is_blank(data: bytes) -> bool:
+    """Return whether a datagram is all zero, as the SDK sends before a program's first command."""
+    return 0 < len(data) == data.count(0)
+
+
+def why_rejected(data: bytes, generation: str) -> str:
+    """Return in two words why a datagram is no LowCmd of a generation.
+
+    protocol.decode_low_cmd() says it in a sentence with the numbers of the case; these can be
+    counted. go1-v3.8 and b1-v3.8 have LowCmds of one length, which nothing tells apart.
+    """
+    if is_blank(data):
+        return "blank"
+    if len(data) != protocol.frame_sizes(generation)[0]:
+        lengths = {protocol.frame_sizes(name)[0] for name in protocol.GENERATIONS}
+        return "wrong generation" if len(data) in lengths else "wrong length"
+    if generation.endswith("-v3.8"):  # the others' headers have neither of the two
+        if data[:2] != b"\xfe\xef":
+            return "wrong head"
+        if data[2] != 0xFF:
+            return "wrong level"
+    if int.from_bytes(data[-4:], "little") != protocol.crc32(data[:-4]):
+        return "wrong crc"
+    return "not finite"

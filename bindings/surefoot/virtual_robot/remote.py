@@ -1,0 +1,115 @@
+"""The wireless remote: its state, and a script that plays on it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from surefoot._core import Button, Error, WirelessRemote
+from surefoot.robot_table import suggest
+
+STICKS = ("lx", "ly", "rx", "ry", "L2")
+_BUTTONS = {name.upper(): button for name, button in Button.__members__.items()}
+
+
+@dataclass(frozen=True)
+class RemoteEvent:
+    """Something done to the remote.
+
+    Attributes:
+        time: When [s].
+        action: "press", "release", or a stick: "lx", "ly", "rx", "ry", "L2" (the trigger).
+        button: What is pressed or released.
+        value: Where the stick goes, -1 .. 1.
+    """
+
+    time: float
+    action: str
+    button: Button | None = None
+    value: float = 0.0
+
+
+def read_remote_script(path: str | Path) -> tuple[RemoteEvent, ...]:
+    """Read lines "TIME press A", "TIME release A", "TIME lx 0.5"; # begins a comment.
+
+    Raises:
+        Error: A file that cannot be read, or a line that says something else, by its number.
+    """
+    try:
+        lines = Path(path).read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as problem:
+        reason = getattr(problem, "strerror", None) or "it is not text"
+        raise Error(f"remote: cannot read '{path}': {reason}") from None
+    events = []
+    for number, line in enumerate(lines, start=1):
+        words = line.partition("#")[0].split()
+        if not words:
+            continue
+        try:
+            events.append(parse_event(words))
+        except Error as problem:
+            raise Error(f"remote: {path}, line {number}: {problem}") from None
+    return tuple(sorted(events, key=lambda event: event.time))
+
+
+def parse_event(words: Sequence[str]) -> RemoteEvent:
+    """Read the words of one line; raises Error."""
+    if len(words) != 3:
+        raise Error(f"got {len(words)} words, expected TIME press|release BUTTON or TIME STICK X")
+    time, action, what = _number("time", words[0], 0.0, 1e9), words[1], words[2]
+    if action in STICKS:
+        return RemoteEvent(time, action, value=_number(action, what, -1.0, 1.0))
+    if action not in ("press", "release"):
+        valid = ("press", "release", *STICKS)
+        raise Error(f"got '{action}'{suggest(action, valid)}, expected one of {', '.join(valid)}")
+    if what.upper() not in _BUTTONS:
+        raise Error(f"got button '{what}', expected one of {', '.join(_BUTTONS)}")
+    return RemoteEvent(time, action, _BUTTONS[what.upper()])
+
+
+def _number(name: str, word: str, low: float, high: float) -> float:
+    try:
+        value = float(word)
+    except ValueError:
+        value = float("nan")
+    if not low <= value <= high:
+        raise Error(f"{name}: got '{word}', expected a number from {low:g} to {high:g}")
+    return value
+
+
+class Remote:
+    """The remote as it is now.
+
+    Args:
+        events: What a script will do to it, in order of time.
+
+    Attributes:
+        bytes: The 40 bytes of LowState.wirelessRemote, or None while nothing was ever touched.
+    """
+
+    def __init__(self, events: Sequence[RemoteEvent] = ()) -> None:
+        self._events, self._next = events, 0
+        self._state = WirelessRemote()
+        self.bytes: bytes | None = None
+
+    def advance(self, time: float) -> None:
+        """Do what the script says up to a time [s]."""
+        while self._next < len(self._events) and self._events[self._next].time <= time:
+            self.apply(self._events[self._next])
+            self._next += 1
+
+    def apply(self, event: RemoteEvent) -> None:
+        """Do something to the remote."""
+        state = self._state
+        if event.button is None:
+            setattr(state, event.action, event.value)
+        elif event.action == "press":
+            state.press(event.button)
+        else:
+            state.buttons &= ~event.button.value & 0xFFFF
+        self.bytes = state.to_bytes()
+
+    def stick(self, name: str) -> float:
+        """Return where a stick is, -1 .. 1."""
+        return float(getattr(self._state, name))

@@ -1,0 +1,69 @@
+"""One line a second about how a virtual robot is doing."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from surefoot.sim.motors import SERVO
+from surefoot.virtual_robot.robot import VirtualRobot
+
+
+class StatusLine:
+    """Compares a robot with how it was at the last line.
+
+    Args:
+        robot: The robot, which is only read.
+    """
+
+    def __init__(self, robot: VirtualRobot) -> None:
+        self._robot = robot
+        self._before = (0.0, 0.0, 0, 0)
+        self._peak = 0.0
+
+    def observe(self) -> None:
+        """Look at the robot after one of its cycles."""
+        self._peak = max(self._peak, self._robot.power)
+
+    def line(self, elapsed: float) -> str:
+        """Return the line of the time since the last one; `elapsed` [s] by the clock in all."""
+        robot, link = self._robot, self._robot.link
+        now = (elapsed, robot.time, link.sent, link.commands)
+        seconds, simulated, sent, commands = (a - b for a, b in zip(now, self._before, strict=True))
+        seconds = max(seconds, 1e-9)
+        peak, self._before, self._peak = self._peak, now, 0.0
+        return " | ".join(
+            (
+                f"{robot.time:.1f} s",
+                f"reports {sent / seconds:.0f} Hz",
+                f"commands {commands / seconds:.0f} Hz, {link.commands} in all",
+                f"rejected {rejected_text(link.rejected)}",
+                mode_text(robot),
+                f"height {robot.height:.3f} m",
+                f"tilt {math.degrees(robot.tilt):.1f} deg",
+                f"power {robot.power:.0f} W, peak {peak:.0f} W",
+                f"real time x {simulated / seconds:.2f}",
+            )
+        )
+
+
+def rejected_text(rejected: dict[str, int]) -> str:
+    """Return how many datagrams were rejected and why, the commonest reason first."""
+    if not rejected:
+        return "0"
+    reasons = sorted(rejected.items(), key=lambda item: -item[1])
+    text = ", ".join(f"{reason} {count}" for reason, count in reasons)
+    return f"{sum(rejected.values())} ({text})"
+
+
+def mode_text(robot: VirtualRobot) -> str:
+    """Return what the motors do."""
+    if not robot.watchdog.heard:
+        return "motors hold, no command yet"
+    times = len(robot.watchdog.intervals)
+    if robot.watchdog.damping:
+        return f"motors DAMP, commands missing ({times} times)"
+    servo = int(np.count_nonzero(robot.plant.motors.law.mode == SERVO))
+    text = "servo" if servo == 12 else "damping" if servo == 0 else f"servo {servo} of 12"
+    return f"motors {text}" + (f" (commands missing {times} times)" if times else "")

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clients of a virtual robot: one without sockets or clock, one on UDP."""
+
+from __future__ import annotations
+
+import socket
+import time
+
+import surefoot
+from surefoot import protocol
+from surefoot.virtual_robot import VirtualRobot, VirtualRobotSettings
+
+CLIENT = ("client", 8090)
+BLANK = bytes(614)
+
+
+class MemoryPort:
+    """A port whose other end is a test."""
+
+    def __init__(self) -> None:
+        self.inbox: list[tuple[bytes, tuple[str, int]]] = []
+        self.outbox: list[tuple[bytes, tuple[str, int]]] = []
+
+    def receive(self, limit: int) -> list[tuple[bytes, tuple[str, int]]]:
+        taken, self.inbox = self.inbox[:limit], self.inbox[limit:]
+        return taken
+
+    def send(self, data: bytes, address: tuple[str, int]) -> bool:
+        self.outbox.append((data, address))
+        return True
+
+
+class Bench:
+    """A virtual robot whose time passes when a test says so."""
+
+    def __init__(self, robot: str = "go1", **settings) -> None:
+        self.port = MemoryPort()
+        self.lines: list[str] = []
+        self.settings = VirtualRobotSettings(robot=robot, **settings)
+        self.robot = VirtualRobot(self.settings, self.port, self.lines.append)
+
+    def hear(self, data: bytes, sender: tuple[str, int] = CLIENT) -> None:
+        self.port.inbox.append((data, sender))
+
+    def command(self, cmd: surefoot.LowCmd) -> None:
+        self.hear(protocol.encode_low_cmd(cmd, self.settings.generation))
+
+    def run(self, seconds: float, cmd: surefoot.LowCmd | None = None) -> None:
+        """Let time pass, repeating a command every 2 ms."""
+        for k in range(round(seconds * self.settings.rate)):
+            if cmd is not None and k % 2 == 0:
+                self.command(cmd)
+            self.robot.cycle()
+
+    def states(self) -> list[protocol.ReceivedLowState]:
+        """What was sent since the last call."""
+        frames, self.port.outbox = self.port.outbox, []
+        return [protocol.decode_low_state(f, self.settings.generation) for f, _ in frames]
+
+
+def servo(angles, kp: float = 20.0, kd: float = 1.0) -> surefoot.LowCmd:
+    """Position mode at three angles for every leg."""
+    cmd = surefoot.LowCmd()
+    for i in range(12):
+        motor = cmd.motorCmd[i]
+        motor.q, motor.dq, motor.Kp, motor.Kd = angles[i % 3], 0.0, kp, kd
+    return cmd
+
+
+class UdpClient:
+    """A small SDK program."""
+
+    def __init__(self, port: int, generation: str = "go1-v3.8") -> None:
+        self.generation = generation
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.connect(("127.0.0.1", port))
+        self.socket.settimeout(5.0)
+
+    def send(self, cmd: surefoot.LowCmd) -> None:
+        self.socket.send(protocol.encode_low_cmd(cmd, self.generation))
+
+    def receive(self) -> protocol.ReceivedLowState:
+        return protocol.decode_low_state(self.socket.recv(2048), self.generation)
+
+    def run(self, seconds: float, cmd: surefoot.LowCmd) -> list[protocol.ReceivedLowState]:
+        """Repeat a command with every other report for a while; return the reports."""
+        states, end = [], time.monotonic() + seconds
+        self.send(cmd)
+        while time.monotonic() < end:
+            states.append(self.receive())
+            if len(states) % 2 == 0:
+                self.send(cmd)
+        return states
