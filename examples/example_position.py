@@ -14,7 +14,7 @@ start = [0.0, 0.0, 0.0]
 
 
 def control(n: int, state: LowState, cmd: LowCmd) -> str:
-    """Read the pose till tick 9, go to POSE in 0.4 s, from tick 400 on swing the calf at 0.45 Hz."""
+    """Read the pose to tick 9, go to POSE in 0.4 s, from tick 400 swing the calf at 0.45 Hz."""
     if n < 10:
         start[:] = [state.motorState[FR_0 + k].q for k in range(3)]
         return ""

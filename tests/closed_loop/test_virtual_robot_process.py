@@ -2,31 +2,16 @@
 from __future__ import annotations
 
 import json
-import re
 import signal
 import socket
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from surefoot.cli import main
-from virtual_robot_helpers import UdpClient, servo
+from virtual_robot_helpers import UdpClient, servo, start
 
 POSE = (0.0, 1.2, -2.0)
-
-
-def start(*words: str) -> tuple[subprocess.Popen[str], int]:
-    """A virtual robot of its own process, and its port."""
-    command = [sys.executable, "-m", "surefoot.cli", "robot", "--port", "0", *words]
-    process = subprocess.Popen(
-        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    assert process.stdout is not None
-    found = re.match(r"listening on 127\.0\.0\.1:(\d+) as go1", process.stdout.readline())
-    assert found, process.communicate(timeout=10)
-    return process, int(found[1])
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT])

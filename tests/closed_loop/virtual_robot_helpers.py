@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+import re
 import socket
+import subprocess
+import sys
 import time
 
 import surefoot
@@ -91,3 +94,15 @@ class UdpClient:
             if len(states) % 2 == 0:
                 self.send(cmd)
         return states
+
+
+def start(*words: str) -> tuple[subprocess.Popen[str], int]:
+    """A virtual robot of its own process, and its port."""
+    command = [sys.executable, "-m", "surefoot.cli", "robot", "--port", "0", *words]
+    process = subprocess.Popen(
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    found = re.match(r"listening on 127\.0\.0\.1:(\d+) as", process.stdout.readline())
+    assert found, process.communicate(timeout=10)
+    return process, int(found[1])

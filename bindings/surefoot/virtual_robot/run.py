@@ -14,6 +14,7 @@ from surefoot.sim.checks import number
 from surefoot.virtual_robot.clock import RealTime
 from surefoot.virtual_robot.keyboard import KEYS, Keyboard
 from surefoot.virtual_robot.port import UdpPort
+from surefoot.virtual_robot.priority import RealTimePriority
 from surefoot.virtual_robot.record import Recorder, summarise
 from surefoot.virtual_robot.robot import VirtualRobot
 from surefoot.virtual_robot.settings import VirtualRobotSettings
@@ -76,6 +77,7 @@ def run_robot(
         say(f"listening on {host}:{bound} as {robot.plant.robot.name}, {generation}, {how}")
         if keyboard.present:
             say(KEYS)
+        say(stack.enter_context(RealTimePriority()).got)
         return _Run(robot, keyboard, viewer).until(lambda: stop.asked, options.duration, say)
 
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stand: the whole-body controller over UDP, with everything that the command surefoot run has.
+//   surefoot export go1 go1.robot; surefoot robot --robot go1 &
+//   example_stand go1.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <surefoot/surefoot.hpp>
+
+using namespace surefoot;
+
+int main(int argc, char** argv) {
+  UdpLinkOptions link;
+  RunOptions options;
+  options.duration = 10.0;
+  for (int k = 2; k + 1 < argc; k += 2) {
+    if (!std::strcmp(argv[k], "--host")) link.host = argv[k + 1];
+    if (!std::strcmp(argv[k], "--port")) link.port = std::atoi(argv[k + 1]);
+    if (!std::strcmp(argv[k], "--sdk")) link.generation = to_generation(argv[k + 1]);
+    if (!std::strcmp(argv[k], "--duration")) options.duration = std::atof(argv[k + 1]);
+  }
+  if (argc < 2) return std::puts("usage: example_stand NAME.robot [--port N] ..."), 2;
+  try {
+    const Robot robot = Robot::load(argv[1]);
+    StandRunner runner(robot, robot.config().gains, StandOptions(), link, options);
+    runner.run();
+    const RunSnapshot end = runner.snapshot();
+    std::printf("ended: %s; height %.3f m, tick %.0f us median, %.0f p99.9, %s\n",
+                to_string(end.reason), end.height, end.tick_p50, end.tick_p999,
+                runner.real_time().c_str());
+    return end.reason == RunReason::kAsked ? 0 : 3;
+  } catch (const Error& problem) {
+    return std::printf("%s\n", problem.what()), 1;
+  }
+}

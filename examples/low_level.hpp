@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the SDK's low-level examples share: a 500 Hz loop over UDP behind the power protection.
+#pragma once
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <surefoot/surefoot.hpp>
+#include <thread>
+
+namespace example {
+
+using namespace surefoot;
+constexpr std::chrono::milliseconds kPeriod(2);
+
+// Called in tick n = 1, 2 ...; writes cmd.
+using Control = std::function<void(int n, const LowState& state, LowCmd& cmd)>;
+
+inline void damp(UdpLink& link) {
+  for (int k = 0; k < 100; ++k, std::this_thread::sleep_for(kPeriod)) {
+    link.send(damping_low_cmd(3.0));
+  }
+}
+
+inline bool wait_for_robot(UdpLink& link) {
+  for (int k = 0; k < 1000; ++k, std::this_thread::sleep_for(kPeriod)) {
+    link.send(init_low_cmd());  // damping leaves: the robot is not known yet
+    if (link.receive()) return true;
+  }
+  return false;
+}
+
+// NAME.robot [--host A] [--port N] [--duration S]. Every tick from `protect_from` on is judged by
+// power_protect at level 1. Returns 0, 255 after a trip (the SDK's examples exit(-1)), 1 without a
+// robot.
+inline int run(int argc, char** argv, const Control& control, int protect_from) {
+  UdpLinkOptions options;
+  double duration = 10.0;
+  for (int k = 2; k + 1 < argc; k += 2) {
+    if (!std::strcmp(argv[k], "--host")) options.host = argv[k + 1];
+    if (!std::strcmp(argv[k], "--port")) options.port = std::atoi(argv[k + 1]);
+    if (!std::strcmp(argv[k], "--sdk")) options.generation = to_generation(argv[k + 1]);
+    if (!std::strcmp(argv[k], "--duration")) duration = std::atof(argv[k + 1]);
+  }
+  if (argc < 2) {
+    std::printf("usage: %s NAME.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]\n",
+                argv[0]);
+    return 2;
+  }
+  try {
+    Safety safety(Robot::load(argv[1]));
+    UdpLink link(options);
+    std::puts("Make sure the robot is hung up.");
+    if (!wait_for_robot(link)) {
+      std::printf("no robot: %s\n", to_text(link.last_reject()).c_str());
+      return 1;
+    }
+    LowCmd cmd = init_low_cmd();
+    const float hip_tau[] = {-0.65F, 0.65F, -0.65F, 0.65F};
+    auto due = std::chrono::steady_clock::now();
+    for (int n = 1; n <= duration / 0.002; ++n) {
+      link.receive();
+      for (int leg = 0; leg < kLegs; ++leg) cmd.motorCmd[3 * leg].tau = hip_tau[leg];
+      control(n, link.state(), cmd);
+      if (n >= protect_from && safety.power_protect(cmd, link.state(), 1) < 0) {
+        std::printf("tick %d: power protection, %.0f W; damping\n", n, safety.power());
+        damp(link);
+        return 255;
+      }
+      link.send(cmd);
+      std::this_thread::sleep_until(due += kPeriod);
+    }
+    damp(link);
+  } catch (const Error& problem) {
+    std::printf("%s\n", problem.what());
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace example
