@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import warnings
 from typing import Any
 
 import mujoco
@@ -62,7 +63,13 @@ def check_display() -> None:
 def _launcher() -> Any:
     check_display()
     try:
-        from mujoco import viewer  # opens a graphics library
+        import glfw
+        from mujoco import viewer
+
+        # MuJoCo would end the process where this fails.
+        with warnings.catch_warnings(action="ignore"):
+            if not glfw.init():
+                raise Error("view: cannot open a window: the display does not answer")
     except (ImportError, OSError) as problem:
         raise Error(f"view: cannot open a window: {problem}") from None
     return viewer.launch_passive
