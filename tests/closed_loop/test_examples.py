@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples over UDP against a hung virtual robot, judged from the robot's side."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import surefoot
+from virtual_robot_helpers import start
+
+ROOT = Path(__file__).parents[2]
+KEYS = ("time", "q", "dq", "height", *(f"command_{x}" for x in ("q", "dq", "tau", "kp", "kd")))
+CMAKE = Path(sys.executable).with_name("cmake")
+
+
+@cache
+def built() -> Path:
+    """The folder with every C++ example, built against the installed package."""
+    build = ROOT / "build" / "examples"
+    path = {"PATH": f"{CMAKE.parent}:{os.environ['PATH']}"}
+    prefix = f"-DCMAKE_PREFIX_PATH={surefoot.__path__[0]}"
+    for words in (
+        ["-S", str(ROOT / "examples"), "-B", str(build), prefix],
+        ["--build", str(build)],
+    ):
+        done = subprocess.run(
+            [CMAKE, *words], env={**os.environ, **path}, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+    surefoot.load_robot("go1").save(str(build / "go1.robot"))
+    return build
+
+
+def command(name: str, language: str) -> list[str]:
+    if language == "python":
+        return [sys.executable, str(ROOT / "examples" / f"{name}.py")]
+    return [str(built() / name), str(built() / "go1.robot")]
+
+
+def run_example(
+    name: str, language: str, tmp_path: Path, seconds: float, *robot_words: str
+) -> tuple[int, str, dict[str, np.ndarray], dict[str, Any]]:
+    """Exit status, what it said, the robot's log as arrays and its record."""
+    words = command(name, language)  # built before a robot waits
+    file = tmp_path / "robot.json"
+    robot, port = start(*robot_words, "--json", str(file))
+    done = subprocess.run(
+        [*words, "--port", str(port), "--duration", str(seconds)],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    robot.send_signal(signal.SIGTERM)
+    robot.wait(timeout=20)
+    record = json.loads(file.read_text())
+    rows = record["log"]
+    first = next(k for k, q in enumerate(rows["command_q"]) if q is not None)
+    log = {key: np.array(rows[key][first:], dtype=float) for key in KEYS}
+    log["time"] -= log["time"][0]
+    return done.returncode, done.stdout + done.stderr, log, record
+
+
+languages = pytest.mark.parametrize("language", ["python", "cpp"])
+
+
+@languages
+def test_position_goes_to_the_pose_and_swings_the_calf(language: str, tmp_path: Path) -> None:
+    status, said, log, record = run_example("example_position", language, tmp_path, 5.0, "--hung")
+    assert status == 0, said
+    assert record["rejected"] == {}
+    # Straight towards the pose: no step of the target is larger than its share.
+    steps = np.abs(np.diff(log["command_q"][log["time"] < 0.75, :3], axis=0))
+    steps = steps[(steps < 10).all(axis=1)]
+    assert steps.max() < 0.05
+    # 5 N.m/rad against the leg's weight and friction leaves it some way off.
+    assert np.abs(log["q"][(log["time"] > 0.7) & (log["time"] < 0.78), 1] - 1.2).max() < 0.25
+    late = (log["time"] > 1.0) & (log["time"] < 4.9)
+    target, calf = log["command_q"][late, 2], log["q"][late, 2]
+    assert target.min() == pytest.approx(-2.6, abs=0.01)
+    assert target.max() == pytest.approx(-1.4, abs=0.01)
+    assert calf.min() < -2.4 and calf.max() > -1.6
+    turns = np.flatnonzero(np.diff(np.sign(target + 2.0)))
+    assert np.diff(log["time"][late][turns]).mean() == pytest.approx(0.5 / 0.45, abs=0.03)
+
+
+@languages
+def test_torque_brings_the_thigh_to_zero_within_five_newton_metres(
+    language: str, tmp_path: Path
+) -> None:
+    status, said, log, _ = run_example("example_torque", language, tmp_path, 5.0, "--hung")
+    assert status == 0, said
+    on = (log["time"] > 1.1) & (log["time"] < 4.9)
+    assert np.abs(log["command_tau"][on, 1]).max() <= 5.0
+    assert (log["command_kp"][on, 1] == 0).all() and (log["command_kd"][on, 1] == 0).all()
+    assert np.abs(log["q"][(log["time"] > 3.5) & (log["time"] < 4.9), 1]).max() < 0.15
+
+
+@languages
+def test_velocity_follows_a_sine(language: str, tmp_path: Path) -> None:
+    status, said, log, _ = run_example("example_velocity", language, tmp_path, 6.0, "--hung")
+    assert status == 0, said
+    on = (log["time"] > 1.2) & (log["time"] < 5.9)
+    wanted, dq = log["command_dq"][on, 1], log["dq"][on, 1]
+    assert wanted.max() == pytest.approx(2.0, abs=0.02)
+    assert np.corrcoef(wanted, dq)[0, 1] > 0.9
+    assert 1.2 < dq.max() < 2.5
+
+
+@languages
+def test_a_leg_that_is_shaken_trips_the_protection_and_ends_the_example(
+    language: str, tmp_path: Path
+) -> None:
+    status, said, log, _ = run_example(
+        "example_torque", language, tmp_path, 6.0, "--hung", "--shake", "FR_1:20:6@2:3"
+    )
+    assert status == 255, said
+    assert "power protection" in said
+    assert log["command_kd"][:, 0].max() > 0.0  # it damped before it went
+
+
+@languages
+def test_the_stand_example_stands(language: str, tmp_path: Path) -> None:
+    status, said, log, _record = run_example("example_stand", language, tmp_path, 3.0)
+    assert status == 0, said
+    standing = log["height"][(log["time"] > 0.2) & (log["time"] < 2.8)]
+    assert np.ptp(standing) < 0.01
+
+
+@languages
+def test_an_example_without_a_robot_says_so(language: str) -> None:
+    done = subprocess.run(
+        [*command("example_torque", language), "--port", "9"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    assert "no robot" in done.stdout + done.stderr
