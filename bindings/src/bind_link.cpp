@@ -87,19 +87,28 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("missed", &RunSnapshot::missed, "Periods left out: a tick or the system was late.")
       .def_ro("dampings", &RunSnapshot::dampings, "Times that it latched.")
       .def_ro("rearms", &RunSnapshot::rearms, "Times that it began anew.")
-      .def_ro("power", &RunSnapshot::power, "[W] judged last.")
-      .def_ro("greatest_power", &RunSnapshot::greatest_power, "[W]")
+      .def_ro("power", &RunSnapshot::power, "[W] that the protection judged last.")
+      .def_ro("greatest_power", &RunSnapshot::greatest_power, "[W] that it ever judged.")
       .def_ro("height", &RunSnapshot::height, "[m] estimated.")
       .def_ro("tilt", &RunSnapshot::tilt, "[rad] estimated.")
-      .def_ro("tick_p50", &RunSnapshot::tick_p50, "[us] from waking to the command sent.")
-      .def_ro("tick_p90", &RunSnapshot::tick_p90, "[us]")
-      .def_ro("tick_p99", &RunSnapshot::tick_p99, "[us]")
-      .def_ro("tick_p999", &RunSnapshot::tick_p999, "[us]")
-      .def_ro("tick_max", &RunSnapshot::tick_max, "[us]")
-      .def_ro("wake_p50", &RunSnapshot::wake_p50, "[us] from the deadline to waking.")
-      .def_ro("wake_p99", &RunSnapshot::wake_p99, "[us]")
-      .def_ro("wake_p999", &RunSnapshot::wake_p999, "[us]")
-      .def_ro("wake_max", &RunSnapshot::wake_max, "[us]");
+      .def_ro("tick_p50", &RunSnapshot::tick_p50,
+              "[us] from waking to the command sent, of half of the ticks.")
+      .def_ro("tick_p90", &RunSnapshot::tick_p90,
+              "[us] from waking to the command sent, of 90 % of the ticks.")
+      .def_ro("tick_p99", &RunSnapshot::tick_p99,
+              "[us] from waking to the command sent, of 99 % of the ticks.")
+      .def_ro("tick_p999", &RunSnapshot::tick_p999,
+              "[us] from waking to the command sent, of 99.9 % of the ticks.")
+      .def_ro("tick_max", &RunSnapshot::tick_max,
+              "[us] from waking to the command sent, of all of the ticks.")
+      .def_ro("wake_p50", &RunSnapshot::wake_p50,
+              "[us] from the deadline to waking, of half of the ticks.")
+      .def_ro("wake_p99", &RunSnapshot::wake_p99,
+              "[us] from the deadline to waking, of 99 % of the ticks.")
+      .def_ro("wake_p999", &RunSnapshot::wake_p999,
+              "[us] from the deadline to waking, of 99.9 % of the ticks.")
+      .def_ro("wake_max", &RunSnapshot::wake_max,
+              "[us] from the deadline to waking, of all of the ticks.");
 }
 
 void bind_runner(nb::module_& m) {
