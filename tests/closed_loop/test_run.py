@@ -151,3 +151,33 @@ def test_what_cannot_be_run_is_one_clear_line(
     assert main(["run", *words]) == status
     error = capsys.readouterr().err
     assert said in error and error.count("\n") == 1
+
+
+def test_sticks_move_the_body_and_a_button_damps(tmp_path: Path) -> None:
+    script = tmp_path / "remote.txt"
+    script.write_text("1.5 press DOWN\n3.5 press B\n")
+    robot, port = start("--remote", str(script), "--json", str(tmp_path / "robot.json"))
+    run = controller(port, "--duration", "5", "--json", str(tmp_path / "run.json"))
+    out, _ = run.communicate(timeout=60)
+    robot.send_signal(signal.SIGTERM)
+    robot.wait(timeout=20)
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert (run.returncode, result["reason"]) == (3, "button"), out
+    log = json.loads((tmp_path / "robot.json").read_text())["log"]
+    heights = {round(t, 2): h for t, h in zip(log["time"], log["height"], strict=True)}
+    assert heights[3.4] - heights[1.4] == pytest.approx(-0.03, abs=0.005)
+
+
+def test_loss_and_delay_are_stood_and_loss_is_told_truly(tmp_path: Path) -> None:
+    robot, port = start("--drop", "5", "--delay-ms", "4", "--json", str(tmp_path / "robot.json"))
+    run = controller(port, "--duration", "4", "--json", str(tmp_path / "run.json"))
+    out, _ = run.communicate(timeout=60)
+    robot.send_signal(signal.SIGTERM)
+    robot.wait(timeout=20)
+    result = json.loads((tmp_path / "run.json").read_text())
+    record = json.loads((tmp_path / "robot.json").read_text())
+    assert (run.returncode, result["reason"]) == (0, "asked"), out
+    lost, came = result["link"]["lost"], result["link"]["valid"]
+    assert 0.03 < lost / (lost + came) < 0.07
+    # The robot lost a few more before the first and after the last that came.
+    assert lost <= record["lost_out"] < lost + 100

@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(the_cost_is_scaled_and_well_conditioned_at_default_gains) {
   for (int seed = 0; seed < 50; ++seed) {
     const RobotState state = random_state(robot, seed);
     const Dynamics dynamics = dynamics_at(robot, state);
-    BOOST_REQUIRE((writer.write(Gains(), dynamics, state, reference_at(robot, state), {},
-                                nullptr) == Status::kOk));
+    BOOST_REQUIRE((writer.write(Gains(), dynamics, state, reference_at(robot, state),
+                                Eigen::Vector4d::Zero(), nullptr) == Status::kOk));
     BOOST_REQUIRE(writer.terms().has_condensed);
     program.pose(writer.terms());
     const Eigen::MatrixXd H = program.problem().H;

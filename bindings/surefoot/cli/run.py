@@ -10,10 +10,18 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from typing import Any, TextIO
+from typing import TextIO
 
 from surefoot._core import RunOptions, RunSnapshot, StandOptions, StandRunner
 from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.run_text import (
+    Notices,
+    closing_text,
+    no_robot_text,
+    run_summary,
+    status_line,
+    why_damped,
+)
 from surefoot.cli.simulation import check_json_place, write_json
 from surefoot.cli.stand import read_form, read_gains
 from surefoot.protocol import default_generation
@@ -43,11 +51,12 @@ def run(arguments: argparse.Namespace) -> int:
         flush=True,
     )
     end = _supervise(runner, out)
-    result = _summary(runner, end, generation)
+    result = run_summary(end, generation, runner.real_time)
     write_json(arguments.json, result)
-    print(_closing_text(result), file=out, flush=True)
+    print(closing_text(result), file=out, flush=True)
+    where = f"{arguments.host}:{arguments.port}"
     if end.reason in ("no_state", "wrong_generation"):
-        print("surefoot: error:", _no_robot_text(arguments, end, generation), file=sys.stderr)
+        print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
         return NO_ROBOT
     return 0 if end.reason == "asked" else ENDED_DAMPED
 
@@ -103,90 +112,20 @@ def _supervise(runner: StandRunner, out: TextIO) -> RunSnapshot:
 
 
 def _watch(runner: StandRunner, alive: Callable[[], bool], out: TextIO) -> None:
-    said, phase = time.monotonic(), ""
+    said, phase, noticed = time.monotonic(), "", Notices(out)
     keys = sys.stdin.isatty() if sys.stdin else False
     while alive():
         time.sleep(_LOOK)
         if keys and select.select([sys.stdin], [], [], 0.0)[0] and "r" in sys.stdin.readline():
             runner.rearm()
         now = runner.snapshot()
+        noticed.look(now)
         if now.phase != phase:
+            if not phase:
+                print(f"{runner.real_time}", file=out, flush=True)
             phase = now.phase
-            why = f": {_why(now)}" if phase == "damping" else ""
+            why = f": {why_damped(now)}" if phase == "damping" else ""
             print(f"{now.time:7.2f} s {phase}{why}", file=out, flush=True)
         if time.monotonic() - said > _LINE:
             said = time.monotonic()
-            print(_status_line(now), file=out, flush=True)
-
-
-def _why(now: RunSnapshot) -> str:
-    if now.reason == "stale":
-        return f"stale: no LowState for {1000 * now.silence:.0f} ms"
-    if now.reason == "controller":
-        return f"the controller found {now.fault.name}"
-    if now.reason == "power_protect":
-        return f"power protection: {now.power:.0f} W"
-    return now.reason
-
-
-def _status_line(now: RunSnapshot) -> str:
-    link = now.link
-    return (
-        f"{now.time:7.2f} s {now.phase:8} height {now.height:.3f} m, tilt "
-        f"{math.degrees(now.tilt):.1f} deg, {now.power:.0f} W; states {link.valid}, lost "
-        f"{link.lost}, bad {link.corrupt + link.wrong_length + link.wrong_generation}, age "
-        f"{1000 * now.age:.0f} ms; tick {now.tick_p50:.0f} us, {now.tick_p999:.0f} p99.9"
-    )
-
-
-def _summary(runner: StandRunner, end: RunSnapshot, generation: str) -> dict[str, Any]:
-    names = [name for name in dir(end.link) if not name.startswith("_")]
-    times = [name for name in dir(end) if name.startswith(("tick_", "wake_"))]
-    return {
-        "generation": generation,
-        "phase": end.phase,
-        "reason": end.reason,
-        "fault": end.fault.name,
-        "reject": end.reject,
-        "time_s": end.time,
-        "ticks": end.ticks,
-        "usable_ticks": end.usable,
-        "bridged_ticks": end.bridged,
-        "saturated_ticks": end.saturated,
-        "missed_periods": end.missed,
-        "dampings": end.dampings,
-        "rearms": end.rearms,
-        "greatest_power_w": end.greatest_power,
-        "height_m": end.height,
-        "tilt_deg": math.degrees(end.tilt),
-        "age_s": end.age if math.isfinite(end.age) else None,
-        "link": {name: getattr(end.link, name) for name in names},
-        "us": {name: getattr(end, name) for name in times},
-        "real_time": runner.real_time,
-    }
-
-
-def _closing_text(result: dict[str, Any]) -> str:
-    us, link = result["us"], result["link"]
-    return (
-        f"ended after {result['time_s']:.2f} s: {result['reason']}; {result['ticks']} ticks, "
-        f"{result['bridged_ticks']} without a new state, "
-        f"{result['ticks'] - result['usable_ticks'] - result['bridged_ticks']} failed, "
-        f"{result['missed_periods']} periods missed\n"
-        f"  link  {link['valid']} states, {link['lost']} lost, {link['late']} late, "
-        f"{link['duplicate']} duplicate, {link['reordered']} reordered, {link['corrupt']} corrupt, "
-        f"{link['strangers']} from strangers, {link['floods']} floods\n"
-        f"  tick  {us['tick_p50']:.0f} us median, {us['tick_p90']:.0f} p90, {us['tick_p99']:.0f} "
-        f"p99, {us['tick_p999']:.0f} p99.9, {us['tick_max']:.0f} max; woken {us['wake_p50']:.0f} "
-        f"us late, {us['wake_p99']:.0f} p99, {us['wake_max']:.0f} max\n"
-        f"  {result['real_time']}"
-    )
-
-
-def _no_robot_text(arguments: argparse.Namespace, end: RunSnapshot, generation: str) -> str:
-    where = f"{arguments.host}:{arguments.port}"
-    if end.reason == "wrong_generation":
-        return f"the robot at {where} does not speak {generation}: {end.reject}; see --sdk"
-    if end.link.received:
-        return f"no valid LowState from {where}: {end.reject}"
-    return f"nobody answers at {where}; a virtual robot is started with surefoot robot"
+            print(status_line(now), file=out, flush=True)
