@@ -11,9 +11,9 @@ from surefoot.sim.rotations import Array
 CLEARANCE = 0.1  # [m] below the feet of straight legs
 # A base without its free joint would change what every index into qpos and qvel means; a weld would
 # be a spring and cost solver time. So it is heavy, and held by a damper that MuJoCo treats
-# implicitly: what the legs pull at it moves it by 0.3 um in ten minutes. More inertia instead of the
-# damper costs the solver its digits: at 1e8 it begins to miss the legs' accelerations, at 1e12 limits
-# and collisions throw joints about.
+# implicitly: the legs' weight moves it by less than 1 um in ten minutes. More inertia instead of
+# the damper costs the solver its digits: at 1e8 it begins to miss the legs' accelerations, at 1e12
+# joint limits and collisions throw legs about.
 _BASE_INERTIA = 1e6  # [kg], [kg.m^2]
 _BASE_DAMPING = 1e12  # [N.s/m], [N.m.s]
 
