@@ -205,6 +205,20 @@ def test_of_a_flood_a_part_is_read_and_the_newest_valid_command_wins() -> None:
     assert bench.robot.command.tau[0] == (read - 1) / 64
 
 
+def test_commands_that_no_motor_saw_and_commands_that_say_nothing_new_are_counted() -> None:
+    bench = Bench(hung=True)
+    first, second = servo(POSE), servo((0.0, 1.0, -2.0))
+    for cmd in (first, second, first):
+        bench.command(cmd)
+    bench.robot.cycle()
+    link = bench.robot.link
+    assert (link.commands, link.overtaken, link.repeated) == (3, 2, 0)
+    for cmd in (first, first, second):
+        bench.command(cmd)
+        bench.robot.cycle()
+    assert (link.commands, link.overtaken, link.repeated) == (6, 2, 2)
+
+
 def test_a_shaken_leg_costs_the_motors_power_while_it_is_shaken() -> None:
     from surefoot.virtual_robot import parse_shake
 

@@ -68,6 +68,7 @@ def test_loss_is_on_both_ways_and_counted() -> None:
     assert lost_in == pytest.approx(150, abs=45)
     assert lost_out == pytest.approx(300, abs=60)
     assert bench.robot.link.commands == 500 - lost_in
+    assert f"lost {lost_in} in, {lost_out} out" in StatusLine(bench.robot).line(1.0)
     assert len(bench.port.outbox) == bench.robot.link.sent - lost_out
     assert bench.robot.watchdog.intervals == []
 
@@ -195,5 +196,6 @@ def test_the_status_line_has_what_was_asked_for() -> None:
     line = status.line(1.001)
     for text in ("commands 250 Hz, 250", "rejected 1 (wrong length 1)", "motors servo", "x 0.50"):
         assert text in line
+    assert "249 repeated" in line and "lost" not in line and "overtaken" not in line
     bench.run(0.2)
     assert "DAMP" in status.line(1.3)

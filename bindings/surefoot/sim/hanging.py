@@ -9,10 +9,13 @@ from surefoot.sim.handles import Handles
 from surefoot.sim.rotations import Array
 
 CLEARANCE = 0.1  # [m] below the feet of straight legs
-# As heavy as a mountain: weight and legs move the base by less than 1 um in an hour, and the legs'
-# own rows of the equations stay as they are. A base without its free joint would change what every
-# index into qpos and qvel means; a weld would be a spring and cost solver time.
-_BASE_INERTIA = 1e12  # [kg], [kg.m^2]
+# A base without its free joint would change what every index into qpos and qvel means; a weld would
+# be a spring and cost solver time. So it is heavy, and held by a damper that MuJoCo treats
+# implicitly: the legs' weight moves it by less than 1 um in ten minutes. More inertia instead of
+# the damper costs the solver its digits: at 1e8 it begins to miss the legs' accelerations, at 1e12
+# joint limits and collisions throw legs about.
+_BASE_INERTIA = 1e6  # [kg], [kg.m^2]
+_BASE_DAMPING = 1e12  # [N.s/m], [N.m.s]
 
 
 def hang(model: mujoco.MjModel, handles: Handles) -> None:
@@ -23,6 +26,7 @@ def hang(model: mujoco.MjModel, handles: Handles) -> None:
     """
     start = int(model.body_dofadr[handles.root])
     model.dof_armature[start : start + 6] = _BASE_INERTIA
+    model.dof_damping[start : start + 6] = _BASE_DAMPING
 
 
 def hanging_height(

@@ -26,6 +26,9 @@ class Link:
         peer: Whom reports go to; None before anyone spoke.
         received: Datagrams that arrived.
         commands: Valid commands among them.
+        overtaken: Commands that a newer one of the same cycle made void: no motor saw them.
+        repeated: Commands that are byte for byte the one before. Many in a moving program mean that
+            it sends on what it no longer computes.
         rejected: Number of the others by reason.
         sent: Datagrams sent, those that get lost on the way among them.
         unsent: Datagrams that could not be sent.
@@ -39,7 +42,9 @@ class Link:
         rngs = [np.random.default_rng([settings.seed, _STREAM + k]) for k in range(2)]
         self._inward, self._outward = (Channel(*flaws, rng) for rng in rngs)
         self.peer: Address | None = None
-        self.received = self.commands = self.sent = self.unsent = 0
+        self.received = self.commands = self.overtaken = self.repeated = 0
+        self.sent = self.unsent = 0
+        self._latest = b""
         self.rejected: dict[str, int] = {}
 
     @property
@@ -56,7 +61,10 @@ class Link:
             self.received += 1
             if len(data) in self._lengths or is_blank(data):
                 self.peer = sender
-            newest = self._read(data) or newest
+            cmd = self._read(data)
+            if cmd is not None:
+                self.overtaken += newest is not None
+                newest = cmd
         return newest
 
     def send(self, frame: bytes, time: float) -> None:
@@ -75,6 +83,8 @@ class Link:
             self.rejected[reason] = self.rejected.get(reason, 0) + 1
             return None
         self.commands += 1
+        self.repeated += data == self._latest
+        self._latest = data
         return cmd
 
 

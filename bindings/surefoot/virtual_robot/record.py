@@ -97,6 +97,8 @@ def summarise(
         "duration": round(robot.time, _DIGITS),
         "received": link.received,
         "commands": link.commands,
+        "overtaken": link.overtaken,
+        "repeated": link.repeated,
         "rejected": dict(Counter(link.rejected).most_common()),
         "sent": link.sent,
         "unsent": link.unsent,

@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from surefoot.sim.motors import SERVO
+from surefoot.virtual_robot.link import Link
 from surefoot.virtual_robot.robot import VirtualRobot
 
 
@@ -37,7 +38,7 @@ class StatusLine:
             (
                 f"{robot.time:.1f} s",
                 f"reports {sent / seconds:.0f} Hz",
-                f"commands {commands / seconds:.0f} Hz, {link.commands} in all",
+                f"commands {commands / seconds:.0f} Hz, {commands_text(link)}",
                 f"rejected {rejected_text(link.rejected)}",
                 mode_text(robot),
                 f"height {robot.height:.3f} m",
@@ -46,6 +47,16 @@ class StatusLine:
                 f"real time x {simulated / seconds:.2f}",
             )
         )
+
+
+def commands_text(link: Link) -> str:
+    """Return how many commands there were, and what became of those that were of no use."""
+    lost_in, lost_out = link.lost
+    parts = [f"{link.commands} in all"]
+    parts += [f"{link.repeated} repeated"] if link.repeated else []
+    parts += [f"{link.overtaken} overtaken"] if link.overtaken else []
+    parts += [f"lost {lost_in} in, {lost_out} out"] if lost_in or lost_out else []
+    return ", ".join(parts)
 
 
 def rejected_text(rejected: dict[str, int]) -> str:
