@@ -17,6 +17,7 @@ namespace {
 constexpr double kFarewell = 0.2;         // [s] of damping frames at the end: UDP may lose some
 constexpr double kPublishing = 0.05;      // [s] between looks from outside
 constexpr std::uint64_t kConvinced = 10;  // datagrams of another generation
+constexpr int kSilentTicks = 4;           // in a row without a LowState, before its age counts
 
 }  // namespace
 
@@ -46,6 +47,7 @@ struct StandRunner::Impl {
   LatencyHistogram ticks, wakes;
   RunSnapshot now;  // the loop's own
   double start = 0.0, published = 0.0;
+  int silent_ticks = 0;
   std::atomic<bool> stop{false}, damp{false}, rearm{false};
   mutable std::mutex mutex;  // of what follows; the loop only ever tries it
   RunSnapshot seen;
@@ -126,6 +128,7 @@ void StandRunner::Impl::stand(bool newer) noexcept {
     bridge();
     return;
   }
+  silent_ticks = 0;
   const LowState& state = link.state();
   if (options.remote) obey_remote();
   const LowCmd& cmd = controller.update(state);
@@ -148,7 +151,9 @@ void StandRunner::Impl::stand(bool newer) noexcept {
 void StandRunner::Impl::bridge() noexcept {
   const double age = link.age();
   ++now.bridged;
-  if (age > kStaleTime) {
+  ++silent_ticks;
+  // When the system held this program up, the robot's reports may only just be coming.
+  if (age > kStaleTime && silent_ticks >= kSilentTicks) {
     now.silence = age;
     latch(RunReason::kStale);
   }
