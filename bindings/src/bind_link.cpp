@@ -24,6 +24,7 @@ void bind_counts(nb::module_& m) {
       .def_ro("late", &LinkCounts::late, "More than 10 ms after the one before.")
       .def_ro("duplicate", &LinkCounts::duplicate, "A tick that had come before.")
       .def_ro("reordered", &LinkCounts::reordered, "Older than one that had come before.")
+      .def_ro("restarts", &LinkCounts::restarts, "Times that the ticks began anew.")
       .def_ro("corrupt", &LinkCounts::corrupt, "Of the right length, but no valid frame.")
       .def_ro("wrong_generation", &LinkCounts::wrong_generation, "Frames of another generation.")
       .def_ro("wrong_length", &LinkCounts::wrong_length, "Of no generation's length.")
@@ -70,7 +71,7 @@ void bind_snapshot(nb::module_& m) {
       .def_prop_ro(
           "reason", [](const RunSnapshot& s) { return to_string(s.reason); },
           "Of the last damping or of the end: none, asked, no_state, wrong_generation, stale, "
-          "controller, power_protect or button.")
+          "restart, controller, power_protect or button.")
       .def_prop_ro(
           "reject", [](const RunSnapshot& s) { return to_text(s.reject); },
           "Why the last bad datagram was not taken.")

@@ -133,6 +133,15 @@ BOOST_FIXTURE_TEST_CASE(the_newest_state_wins_and_the_rest_is_counted, Linked) {
   BOOST_TEST(std::uint32_t(link.state().tick) == 7U);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_robot_that_begins_anew_is_followed_and_counted, Linked) {
+  robot.send_state(link, 50000);
+  BOOST_TEST(link.receive());
+  robot.send_state(link, 3);
+  BOOST_TEST(link.receive());
+  BOOST_TEST(std::uint32_t(link.state().tick) == 3U);
+  BOOST_TEST(link.counts().restarts == 1U);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_stranger_is_not_listened_to_and_a_flood_ends, Linked) {
   Peer stranger;
   stranger.send_state(link, 99);

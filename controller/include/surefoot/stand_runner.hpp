@@ -37,6 +37,7 @@ enum class RunReason {
   kNoState,          ///< no valid LowState came in time
   kWrongGeneration,  ///< the robot speaks another generation
   kStale,            ///< LowStates stopped coming
+  kRestart,          ///< the robot began anew: it is not the one that was armed
   kController,       ///< the controller damps: see StandController::fault()
   kPowerProtect,
   kButton

@@ -28,6 +28,7 @@ struct LinkCounts {
   std::uint64_t late = 0;         ///< the newest, but more than 10 ms after the one before
   std::uint64_t duplicate = 0;    ///< a tick that had come before
   std::uint64_t reordered = 0;    ///< older than one that had come before
+  std::uint64_t restarts = 0;     ///< times that the ticks began anew
   std::uint64_t corrupt = 0;      ///< of the right length, but not a valid frame
   std::uint64_t wrong_generation = 0;
   std::uint64_t wrong_length = 0;

@@ -79,6 +79,7 @@ bool UdpLink::Impl::take(std::size_t size) noexcept {
     ++counts.reordered;
     return false;
   }
+  if (verdict == TickSequence::Verdict::kRestarted) ++counts.restarts;
   const double time = now();
   if (known && time - arrived > kHoldTime) ++counts.late;
   known = true;

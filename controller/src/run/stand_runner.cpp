@@ -48,6 +48,7 @@ struct StandRunner::Impl {
   RunSnapshot now;  // the loop's own
   double start = 0.0, published = 0.0;
   int silent_ticks = 0;
+  std::uint64_t restarts = 0;  // of the robot, when control began
   std::atomic<bool> stop{false}, damp{false}, rearm{false};
   mutable std::mutex mutex;  // of what follows; the loop only ever tries it
   RunSnapshot seen;
@@ -119,6 +120,7 @@ void StandRunner::Impl::begin() noexcept {
   controller.reset();
   safety.reset();
   last = damping;
+  restarts = link.counts().restarts;
   now.phase = RunPhase::kStanding;
 }
 
@@ -129,6 +131,7 @@ void StandRunner::Impl::stand(bool newer) noexcept {
     return;
   }
   silent_ticks = 0;
+  if (link.counts().restarts != restarts) latch(RunReason::kRestart);
   const LowState& state = link.state();
   if (options.remote) obey_remote();
   const LowCmd& cmd = controller.update(state);
