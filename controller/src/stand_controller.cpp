@@ -4,21 +4,17 @@
 #include "estimator/delay_predictor.hpp"
 #include "reference/stand_reference.hpp"
 #include "safety/command_keeper.hpp"
-#include "safety/holding_torques.hpp"
-#include "safety/power_limiter.hpp"
 #include "safety/tick_clock.hpp"
+#include "safety/torque_command.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/state_estimator.hpp"
 #include "surefoot/whole_body_controller.hpp"
-#include "text.hpp"
-#include "wbc/limits.hpp"
 
 namespace surefoot {
 
 namespace {
 
 constexpr int kLatches = 3;
-constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 const Robot& twelve_joints(const Robot& robot) {
   if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
@@ -38,13 +34,13 @@ struct StandController::Impl {
         reference(r),
         predictor(r.nv(), o.delay),
         predicted(r),
-        controller(r, g, WholeBodyOptions{o.form}) {
+        controller(r, g, WholeBodyOptions{o.form}),
+        torques(r, o) {
     estimator.set_gains(g);
   }
   Status think(const LowState& low_state, double dt) noexcept;
   Status solve_predicted(const Reference& wanted) noexcept;
   Status solve(const Dynamics& dynamics, const RobotState& state, const Reference& wanted) noexcept;
-  LowCmd torque_command() const noexcept;
 
   Robot robot;
   StandOptions options;
@@ -54,7 +50,7 @@ struct StandController::Impl {
   DelayPredictor predictor;
   Dynamics predicted;  // at the state when the command acts
   WholeBodyController controller;
-  LimitedTorques limited;  // motor order
+  TorqueCommand torques;
   CommandKeeper keeper;
   double since_estimate = 0.0;  // [s]
   int latches = 0;
@@ -80,7 +76,7 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
   }
   if (is_usable(status)) {
     s.status = status;
-    return s.keeper.accept(s.torque_command());
+    return s.keeper.accept(s.torques.command());
   }
   if (status != Status::kDamping) s.fault = status;
   const LowCmd& command = s.keeper.refuse(elapsed, s.controller.gains().damping_kd);
@@ -120,40 +116,12 @@ Status StandController::Impl::solve_predicted(const Reference& wanted) noexcept 
   return solve(predicted, then, wanted);
 }
 
-// The program, then the power it may take. Where that is limited the robot does less than the plan,
-// of which the push observer and the delay predictor know nothing: the observer sees the rest as a
-// push that holds it back (at most gain push_max), the predictor carries the state too far by as
-// much of it as fits into the delay. Both end with the limiting.
+// The program, then the power that its torques may take.
 Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& state,
                                     const Reference& wanted) noexcept {
   const Solution& solution = controller.solve(dynamics, state, wanted);
   if (!is_usable(solution.status)) return solution.status;
-  Vector12 tau, dq;
-  for (int i = 0; i < kMotors; ++i) {
-    tau[i] = solution.torques[robot.motor_to_v()[i] - 6];
-    dq[i] = state.v[robot.motor_to_v()[i]];
-  }
-  const Eigen::Vector4d share = load_shares(controller.gains(), state.contact, wanted);
-  const Vector12 hold = holding_torques(dynamics, robot.mass(), share);
-  limited = limit_power(tau, hold, dq, options.power_limit, options.motor_damping);
-  // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
-  // the power on its way. The command goes as it is; the protection is there for the rest.
-  if (limited.exceeds) limited = limit_power(tau, hold, dq, kUnlimited, options.motor_damping);
-  return limited.scale < 1.0 ? Status::kSaturated : solution.status;
-}
-
-// Torque mode exactly; with motor damping the velocity loop is on and asks for rest.
-LowCmd StandController::Impl::torque_command() const noexcept {
-  LowCmd command = init_low_cmd();
-  for (int i = 0; i < kMotors; ++i) {
-    MotorCmd& motor = command.motorCmd[i];
-    motor.tau = static_cast<float>(limited.torques[i]);
-    if (options.motor_damping > 0.0) {
-      motor.dq = 0.0F;
-      motor.Kd = static_cast<float>(options.motor_damping);
-    }
-  }
-  return command;
+  return torques.take(solution, dynamics, state, wanted, controller.gains());
 }
 
 StandController::StandController(const Robot& robot)
@@ -177,8 +145,8 @@ bool StandController::foot_force_alive() const noexcept {
 Eigen::Vector4d StandController::torque_force() const noexcept {
   return impl_->estimator.torque_force();
 }
-double StandController::power() const noexcept { return impl_->limited.power; }
-double StandController::power_scale() const noexcept { return impl_->limited.scale; }
+double StandController::power() const noexcept { return impl_->torques.limited().power; }
+double StandController::power_scale() const noexcept { return impl_->torques.limited().scale; }
 void StandController::set_body_reference(const BodyReference& target) noexcept {
   impl_->reference.set_target(target);
 }
@@ -203,7 +171,7 @@ void StandController::reset() noexcept {
   s.reference.reset();
   s.controller.reset();
   s.predictor.reset();
-  s.limited = {};
+  s.torques.reset();
   s.keeper.reset();
   s.since_estimate = 0.0;
   s.latches = 0;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "safety/torque_command.hpp"
+
+#include <limits>
+
+#include "safety/holding_torques.hpp"
+#include "wbc/limits.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+}
+
+Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
+                           const RobotState& state, const Reference& reference,
+                           const Gains& gains) noexcept {
+  Vector12 tau, dq;
+  for (int i = 0; i < kMotors; ++i) {
+    tau[i] = solution.torques[robot_.motor_to_v()[i] - 6];
+    dq[i] = state.v[robot_.motor_to_v()[i]];
+  }
+  const Eigen::Vector4d share = load_shares(gains, state.contact, reference);
+  const Vector12 hold = holding_torques(dynamics, robot_.mass(), share);
+  limited_ = limit_power(tau, hold, dq, options_.power_limit, options_.motor_damping);
+  // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
+  // the power on its way. The command goes as it is; the protection is there for the rest.
+  if (limited_.exceeds) limited_ = limit_power(tau, hold, dq, kUnlimited, options_.motor_damping);
+  return limited_.scale < 1.0 ? Status::kSaturated : solution.status;
+}
+
+LowCmd TorqueCommand::command() const noexcept {
+  LowCmd command = init_low_cmd();
+  for (int i = 0; i < kMotors; ++i) {
+    MotorCmd& motor = command.motorCmd[i];
+    motor.tau = static_cast<float>(limited_.torques[i]);
+    if (options_.motor_damping > 0.0) {
+      motor.dq = 0.0F;
+      motor.Kd = static_cast<float>(options_.motor_damping);
+    }
+  }
+  return command;
+}
+
+}  // namespace surefoot
