@@ -117,14 +117,14 @@ def decode_low_cmd(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowCmd
             a wrong CRC or a number that is not finite. The message says which.
     """
     cmd = ReceivedLowCmd()
-    _core._decode_low_cmd(bytes(frame), generation, cmd, cmd.extras)
+    _core._decode_low_cmd(_bytes(frame), generation, cmd, cmd.extras)
     return cmd
 
 
 def decode_low_state(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowState:
     """Return the report in a frame; errors as decode_low_cmd()."""
     state = ReceivedLowState()
-    _core._decode_low_state(bytes(frame), generation, state, state.extras)
+    _core._decode_low_state(_bytes(frame), generation, state, state.extras)
     return state
 
 
@@ -139,7 +139,7 @@ def crc32(data: Bytes) -> int:
     Polynomial 0x04C11DB7, initial value 0xFFFFFFFF, nothing reflected, no final xor; the words are
     little-endian and enter most significant bit first.
     """
-    return _core._crc32(bytes(data))
+    return _core._crc32(_bytes(data))
 
 
 def default_generation(robot: str) -> str:
@@ -154,6 +154,12 @@ def default_generation(robot: str) -> str:
         f"robot '{robot}' has no UDP frames of its own that are known (a Go2 speaks DDS); name a "
         f"generation: {', '.join(GENERATIONS)}"
     )
+
+
+def _bytes(data: Bytes) -> bytes:
+    if not isinstance(data, bytes | bytearray | memoryview):
+        raise Error(f"frame: got {type(data).__name__}, expected bytes, bytearray or memoryview")
+    return bytes(data)
 
 
 def _extras_of(said: LowCmd | LowState, extras: FrameExtras | None) -> FrameExtras:

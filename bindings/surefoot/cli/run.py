@@ -120,9 +120,9 @@ def _watch(runner: StandRunner, alive: Callable[[], bool], out: TextIO) -> None:
             runner.rearm()
         now = runner.snapshot()
         noticed.look(now)
-        if now.phase != phase:
+        if now.phase != phase and now.time > 0.0:
             if not phase:
-                print(f"{runner.real_time}", file=out, flush=True)
+                print(runner.real_time, file=out, flush=True)
             phase = now.phase
             why = f": {why_damped(now)}" if phase == "damping" else ""
             print(f"{now.time:7.2f} s {phase}{why}", file=out, flush=True)
