@@ -250,3 +250,15 @@ def test_slower_reports_have_ticks_that_count_milliseconds() -> None:
     bench.hear(BLANK)
     bench.run(0.02)
     assert np.diff([state.tick for state in bench.states()]).tolist() == [2] * 9
+
+
+def test_a_stranger_does_not_take_the_reports_of_who_commands() -> None:
+    bench, stranger = Bench(), ("stranger", 1)
+    bench.run(0.01, surefoot.LowCmd())
+    bench.hear(bytes([7] * 614), stranger)
+    bench.run(0.002)
+    assert {address for _, address in bench.port.outbox} == {CLIENT}
+    bench.run(0.2)  # longer than the timeout: nobody commands any more
+    bench.hear(bytes([7] * 614), stranger)
+    bench.run(0.002)
+    assert bench.port.outbox[-1][1] == stranger

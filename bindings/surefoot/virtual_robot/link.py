@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from surefoot import protocol
@@ -16,7 +18,10 @@ _STREAM = 10  # of random numbers; the plant has 0 .. 3
 
 
 class Link:
-    """Receives commands and counts what is none; sends to whoever spoke last.
+    """Receives commands and counts what is none; sends to whom commands it.
+
+    Where nobody does, whoever spoke last in frames of any generation, or blank, is answered, so
+    that a program can tell what robot this is. While somebody does, nobody else is.
 
     Args:
         port: Where datagrams come from and go to.
@@ -45,6 +50,7 @@ class Link:
         self.received = self.commands = self.overtaken = self.repeated = 0
         self.sent = self.unsent = 0
         self._latest = b""
+        self._timeout, self._commanded = settings.timeout, -math.inf  # [s]
         self.rejected: dict[str, int] = {}
 
     @property
@@ -59,12 +65,13 @@ class Link:
         newest = None
         for data, sender in self._inward.take(time):
             self.received += 1
-            if len(data) in self._lengths or is_blank(data):
-                self.peer = sender
             cmd = self._read(data)
             if cmd is not None:
+                self.peer, self._commanded = sender, time
                 self.overtaken += newest is not None
                 newest = cmd
+            elif time - self._commanded > self._timeout and self._asks(data):
+                self.peer = sender
         return newest
 
     def send(self, frame: bytes, time: float) -> None:
@@ -74,6 +81,10 @@ class Link:
             self._outward.put((frame, self.peer), time)
         for datagram in self._outward.take(time):
             self.unsent += not self._port.send(*datagram)
+
+    def _asks(self, data: bytes) -> bool:
+        """Return whether a datagram is that of a program which does not know the robot yet."""
+        return len(data) in self._lengths or is_blank(data)
 
     def _read(self, data: bytes) -> ReceivedLowCmd | None:
         try:
