@@ -2,6 +2,7 @@
 // Stand: the whole-body controller over UDP, with everything that the command surefoot run has.
 //   surefoot export go1 go1.robot; surefoot robot --robot go1 &
 //   example_stand go1.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,20 +10,26 @@
 
 using namespace surefoot;
 
+StandRunner* running = nullptr;  // for the signal handler
+
 int main(int argc, char** argv) {
-  UdpLinkOptions link;
-  RunOptions options;
-  options.duration = 10.0;
-  for (int k = 2; k + 1 < argc; k += 2) {
-    if (!std::strcmp(argv[k], "--host")) link.host = argv[k + 1];
-    if (!std::strcmp(argv[k], "--port")) link.port = std::atoi(argv[k + 1]);
-    if (!std::strcmp(argv[k], "--sdk")) link.generation = to_generation(argv[k + 1]);
-    if (!std::strcmp(argv[k], "--duration")) options.duration = std::atof(argv[k + 1]);
-  }
   if (argc < 2) return std::puts("usage: example_stand NAME.robot [--port N] ..."), 2;
   try {
+    UdpLinkOptions link;
+    RunOptions options;
+    options.duration = 10.0;
+    for (int k = 2; k + 1 < argc; k += 2) {
+      if (!std::strcmp(argv[k], "--host")) link.host = argv[k + 1];
+      if (!std::strcmp(argv[k], "--port")) link.port = std::atoi(argv[k + 1]);
+      if (!std::strcmp(argv[k], "--sdk")) link.generation = to_generation(argv[k + 1]);
+      if (!std::strcmp(argv[k], "--duration")) options.duration = std::atof(argv[k + 1]);
+    }
     const Robot robot = Robot::load(argv[1]);
     StandRunner runner(robot, robot.config().gains, StandOptions(), link, options);
+    running = &runner;
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+      std::signal(number, [](int) { running->stop(); });  // it damps, and ends
+    }
     runner.run();
     const RunSnapshot end = runner.snapshot();
     std::printf("ended: %s; height %.3f m, tick %.0f us median, %.0f p99.9, %s\n",

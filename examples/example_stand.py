@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 import time
 
@@ -19,33 +20,58 @@ def main() -> int:
     parser.add_argument("--robot", default="go1")
     parser.add_argument("--sdk", choices=GENERATIONS, help="the robot's own, if not given")
     args = parser.parse_args()
-    robot = surefoot.load_robot(args.robot)
-    controller, safety = surefoot.StandController(robot), surefoot.Safety(robot)
-    link = surefoot.UdpLink(args.host, args.port, args.sdk or default_generation(args.robot))
-    begin = due = time.monotonic()
-    while (now := time.monotonic()) < begin + args.duration:
-        if link.receive():
-            command = controller.update(link.state)
-            if safety.power_protect(command, link.state, 1) < 0:
-                print(f"power protection, {safety.power:.0f} W", flush=True)
-                break
-            link.send(command)
-        elif not link.known:
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda *_: sys.exit(1))  # so that what follows damps
+    try:
+        robot = surefoot.load_robot(args.robot)
+        link = surefoot.UdpLink(args.host, args.port, args.sdk or default_generation(args.robot))
+    except surefoot.Error as problem:
+        print(problem, file=sys.stderr)
+        return 1
+    controller = surefoot.StandController(robot)
+    stood = True
+    try:
+        stood = loop(link, controller, surefoot.Safety(robot), args.duration)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        # The motors keep their last command for as long as the robot lets them.
+        for _ in range(100):
+            link.send(surefoot.damping_low_cmd(3.0))
+            time.sleep(0.002)
+    print(f"{controller.status.name}, height {controller.state.q[2]:.3f} m, ", end="")
+    print(f"{link.counts.valid} states, {link.counts.lost} lost", flush=True)
+    return 0 if stood and surefoot.is_usable(controller.status) else 1
+
+
+def loop(
+    link: surefoot.UdpLink,
+    controller: surefoot.StandController,
+    safety: surefoot.Safety,
+    duration: float,
+) -> bool:
+    """Control until the time is over: True; False if something says no before."""
+    end = due = time.monotonic()
+    end += duration
+    while (now := time.monotonic()) < end:
+        newer = link.receive()
+        if not link.known:
             link.send(surefoot.damping_low_cmd(3.0))  # so that the robot knows whom to answer
         elif link.age > 0.02:
             print(f"no LowState for {1000 * link.age:.0f} ms", flush=True)
-            break
+            return False
+        elif newer:
+            command = controller.update(link.state)
+            if safety.power_protect(command, link.state, 1) < 0:
+                print(f"power protection, {safety.power:.0f} W", flush=True)
+                return False
+            link.send(command)
         if controller.status == surefoot.Status.DAMPING:
             print(f"the controller damps: {controller.fault.name}", flush=True)
-            break
+            return False
         due = max(due + 0.002, now)
         time.sleep(max(0.0, due - time.monotonic()))
-    print(f"{controller.status.name} after {time.monotonic() - begin:.1f} s, ", end="")
-    print(f"height {controller.state.q[2]:.3f} m, {link.counts.lost} states lost", flush=True)
-    for _ in range(100):
-        link.send(surefoot.damping_low_cmd(3.0))
-        time.sleep(0.002)
-    return 0 if surefoot.is_usable(controller.status) and link.age < 0.5 else 1
+    return True
 
 
 sys.exit(main())

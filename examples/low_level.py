@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
 import time
 from collections.abc import Callable
@@ -11,6 +12,7 @@ import surefoot
 from surefoot.protocol import GENERATIONS, default_generation
 
 DT = 0.002  # [s]
+STALE = 0.02  # [s] of silence
 FAREWELL = 100  # ticks of damping at the end
 HIP_TAU = {surefoot.FR_0: -0.65, surefoot.FL_0: 0.65, surefoot.RR_0: -0.65, surefoot.RL_0: 0.65}
 
@@ -20,8 +22,8 @@ Control = Callable[[int, surefoot.LowState, surefoot.LowCmd], str]
 def run(control: Control, description: str, protect_from: int = 1) -> int:
     """Call control(n, state, cmd) in tick n = 1, 2 ...; it writes cmd and may return a line to say.
 
-    Every tick from `protect_from` on is judged by power_protect at level 1. Returns the exit
-    status: 0, 255 after a trip (the SDK's examples exit(-1)), 1 if there is no robot.
+    Every report from tick `protect_from` on is judged by power_protect at level 1. Returns the exit
+    status: 0, 255 after a trip (the SDK's examples exit(-1)), 1 without a robot that talks.
     """
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--host", default="127.0.0.1")
@@ -30,28 +32,53 @@ def run(control: Control, description: str, protect_from: int = 1) -> int:
     parser.add_argument("--robot", default="go1")
     parser.add_argument("--sdk", choices=GENERATIONS, help="the robot's own, if not given")
     args = parser.parse_args()
-    link = surefoot.UdpLink(args.host, args.port, args.sdk or default_generation(args.robot))
-    safety = surefoot.Safety(surefoot.load_robot(args.robot))
-    print(f"{description} Make sure the robot is hung up.", flush=True)
-    if not _wait_for_robot(link):
-        print(f"no robot at {args.host}:{args.port}: {link.last_reject}", file=sys.stderr)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda *_: sys.exit(1))  # so that what follows damps
+    try:
+        link = surefoot.UdpLink(args.host, args.port, args.sdk or default_generation(args.robot))
+        safety = surefoot.Safety(surefoot.load_robot(args.robot))
+    except surefoot.Error as problem:
+        print(problem, file=sys.stderr)
         return 1
-    status, cmd, due = 0, surefoot.LowCmd(), time.monotonic()
-    for n in range(1, round(args.duration / DT) + 1):
-        link.receive()
+    print(f"{description} Make sure the robot is hung up.", flush=True)
+    try:
+        if not _wait_for_robot(link):
+            why = link.last_reject if link.counts.received else "nobody answers"
+            print(f"no robot at {args.host}:{args.port}: {why}", file=sys.stderr)
+            return 1
+        return _loop(link, safety, control, args.duration, protect_from)
+    except KeyboardInterrupt:
+        return 0
+    finally:
+        # The motors keep their last command for as long as the robot lets them.
+        _damp(link)
+
+
+def _loop(
+    link: surefoot.UdpLink,
+    safety: surefoot.Safety,
+    control: Control,
+    duration: float,
+    protect_from: int,
+) -> int:
+    cmd, due = surefoot.LowCmd(), time.monotonic()
+    for n in range(1, round(duration / DT) + 1):
+        newer = link.receive()
+        if link.age > STALE:
+            print(f"tick {n}: no LowState for {1000 * link.age:.0f} ms; damping", flush=True)
+            return 1
         state = link.state
         for motor, tau in HIP_TAU.items():
             cmd.motorCmd[motor].tau = tau
         if line := control(n, state, cmd):
             print(line, flush=True)
-        if n >= protect_from and safety.power_protect(cmd, state, 1) < 0:
+        # Each report counts once.
+        if newer and n >= protect_from and safety.power_protect(cmd, state, 1) < 0:
             print(f"tick {n}: power protection, {safety.power:.0f} W; damping", flush=True)
-            status = 255
-            break
+            return 255
         link.send(cmd)
         due = _sleep_until(due + DT)
-    _damp(link)
-    return status
+    return 0
 
 
 def _wait_for_robot(link: surefoot.UdpLink) -> bool:

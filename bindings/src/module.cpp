@@ -19,5 +19,6 @@ NB_MODULE(_core, m) {
   bind_whole_body(m);
   bind_stand(m);
   bind_link(m);
+  bind_run(m);
   bind_safety(m);
 }

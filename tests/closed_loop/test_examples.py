@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
+import time
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -15,7 +18,8 @@ from typing import Any
 import numpy as np
 import pytest
 import surefoot
-from virtual_robot_helpers import start
+from surefoot import protocol
+from virtual_robot_helpers import start, wait_for
 
 ROOT = Path(__file__).parents[2]
 KEYS = ("time", "q", "dq", "height", *(f"command_{x}" for x in ("q", "dq", "tau", "kp", "kd")))
@@ -133,6 +137,39 @@ def test_the_stand_example_stands(language: str, tmp_path: Path) -> None:
     assert status == 0, said
     standing = log["height"][(log["time"] > 0.2) & (log["time"] < 2.8)]
     assert np.ptp(standing) < 0.01
+
+
+@languages
+@pytest.mark.parametrize("name", ["example_torque", "example_stand"])
+@pytest.mark.parametrize("ending", ["silent robot", "Ctrl-C"])
+def test_an_example_never_leaves_its_last_command(language: str, name: str, ending: str) -> None:
+    hung = ["--hung"] if name == "example_torque" else []
+    words = command(name, language)
+    robot, port = start(*hung)
+    example = subprocess.Popen(
+        [*words, "--port", str(port), "--duration", "20"], stdout=subprocess.PIPE, text=True
+    )
+    wait_for(robot, "first valid command")
+    time.sleep(0.5)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+        if ending == "Ctrl-C":
+            example.send_signal(signal.SIGINT)
+        else:
+            robot.kill()
+            robot.wait(timeout=20)
+            listener.bind(("127.0.0.1", port))  # in the robot's place
+            example.wait(timeout=20)
+            listener.setblocking(False)
+            heard = b""
+            with contextlib.suppress(BlockingIOError):
+                while True:
+                    heard = listener.recv(2000)
+            last = protocol.decode_low_cmd(heard, "go1-v3.8")
+            assert all(last.motorCmd[k].Kd > 0 and last.motorCmd[k].tau == 0 for k in range(12))
+        example.wait(timeout=20)
+    robot.kill()
+    robot.wait(timeout=20)
+    assert example.returncode == (0 if ending == "Ctrl-C" else 3 if "stand" in words[0] else 1)
 
 
 @languages

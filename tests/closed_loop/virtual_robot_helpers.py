@@ -106,3 +106,17 @@ def start(*words: str) -> tuple[subprocess.Popen[str], int]:
     found = re.match(r"listening on 127\.0\.0\.1:(\d+) as", process.stdout.readline())
     assert found, process.communicate(timeout=10)
     return process, int(found[1])
+
+
+def controller(port: int, *words: str) -> subprocess.Popen[str]:
+    """surefoot run as a process of its own."""
+    command = [sys.executable, "-m", "surefoot.cli", "run", "--port", str(port), *words]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def wait_for(process: subprocess.Popen[str], words: str) -> str:
+    """Read what a process says until a line has the words; return that."""
+    assert process.stdout is not None
+    while words not in (line := process.stdout.readline()):
+        assert line, f"ended without '{words}'"
+    return line

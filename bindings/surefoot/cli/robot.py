@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
+from surefoot.terminal import Speaker
 
 if TYPE_CHECKING:
     from surefoot.virtual_robot import VirtualRobotSettings
@@ -26,7 +28,7 @@ def robot(arguments: argparse.Namespace) -> None:
         raise Error("--json: got '-', expected a file: stdout has the status lines")
     check_json_place(arguments.json)
     options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
-    record = run_robot(read_settings(arguments), options, _Speaker())
+    record = run_robot(read_settings(arguments), options, Speaker(sys.stdout))
     write_json(arguments.json, record, indent=None)
 
 
@@ -51,18 +53,3 @@ def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
         log_rate=min(log_rate, arguments.rate) if arguments.json else 0.0,
         seed=arguments.seed,
     )
-
-
-class _Speaker:
-    """Prints lines at once; a reader that goes away must not end the robot."""
-
-    def __init__(self) -> None:
-        self._heard = True
-
-    def __call__(self, line: str) -> None:
-        if not self._heard:
-            return
-        try:
-            print(line, flush=True)
-        except BrokenPipeError:
-            self._heard = False

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any, TextIO
+from collections.abc import Callable
+from typing import Any
 
 from surefoot._core import RunSnapshot
 
@@ -11,8 +12,8 @@ from surefoot._core import RunSnapshot
 class Notices:
     """Says once, when it is seen first, what should not be on the wire."""
 
-    def __init__(self, out: TextIO) -> None:
-        self._out, self._said = out, set[str]()
+    def __init__(self, say: Callable[[str], None]) -> None:
+        self._say, self._said = say, set[str]()
 
     def look(self, now: RunSnapshot) -> None:
         """Look at the counts."""
@@ -27,13 +28,15 @@ class Notices:
             kind = text.split(":")[0]
             if count and kind not in self._said:
                 self._said.add(kind)
-                print(f"{now.time:7.2f} s {text}", file=self._out, flush=True)
+                self._say(f"{now.time:7.2f} s {text}")
 
 
 def why_damped(now: RunSnapshot) -> str:
     """Return what the damping is for."""
     if now.reason == "stale":
-        return f"stale: no LowState for {1000 * now.silence:.0f} ms"
+        return f"stale: no LowState for {1000 * now.gap:.0f} ms"
+    if now.reason == "away":
+        return f"away: this program stood still for {1000 * now.gap:.0f} ms"
     if now.reason == "controller":
         return f"the controller found {now.fault.name}"
     if now.reason == "power_protect":
@@ -70,6 +73,7 @@ def run_summary(end: RunSnapshot, generation: str, real_time: str) -> dict[str, 
         "missed_periods": end.missed,
         "dampings": end.dampings,
         "rearms": end.rearms,
+        "refused_rearms": end.refused_rearms,
         "greatest_power_w": end.greatest_power,
         "height_m": end.height,
         "tilt_deg": math.degrees(end.tilt),

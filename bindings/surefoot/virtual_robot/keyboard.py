@@ -8,6 +8,7 @@ import sys
 from typing import Any
 
 from surefoot._core import Button
+from surefoot.terminal import has_keyboard
 from surefoot.virtual_robot.remote import STICKS, Remote, RemoteEvent
 
 KEYS = (
@@ -45,10 +46,7 @@ class Keyboard:
         return self._saved is not None
 
     def __enter__(self) -> Keyboard:
-        if sys.stdin is None or sys.stdin.closed or not sys.stdin.isatty():
-            return self
-        # A background process that touches its terminal is stopped by the system.
-        if os.tcgetpgrp(sys.stdin.fileno()) != os.getpgrp():
+        if not has_keyboard():
             return self
         import termios
         import tty

@@ -11,8 +11,9 @@
 namespace surefoot {
 
 struct RunOptions {
-  double rate = 500.0;                                        ///< [Hz] of the control loop
-  double duration = std::numeric_limits<double>::infinity();  ///< [s] of control
+  double rate = 500.0;  ///< [Hz] of the control loop
+  double duration =
+      std::numeric_limits<double>::infinity();  ///< [s] from the first tick of control
   int power_level = 1;    ///< of Safety::power_protect(), 1 .. 10; 0 switches it off
   bool remote = true;     ///< sticks move the body, a button damps
   double patience = 5.0;  ///< [s] to wait for the first valid LowState
@@ -34,9 +35,10 @@ const char* to_string(RunPhase phase) noexcept;
 enum class RunReason {
   kNone,
   kAsked,            ///< stop(), or the duration is over
-  kNoState,          ///< no valid LowState came in time
+  kNoState,          ///< no valid LowState came in time, or before the end
   kWrongGeneration,  ///< the robot speaks another generation
   kStale,            ///< LowStates stopped coming
+  kAway,             ///< this program stood still: the robot went on without it
   kRestart,          ///< the robot began anew: it is not the one that was armed
   kController,       ///< the controller damps: see StandController::fault()
   kPowerProtect,
@@ -59,10 +61,11 @@ struct RunSnapshot {
   std::uint64_t bridged = 0;  ///< of those, without a new LowState
   std::uint64_t saturated = 0;
   std::uint64_t missed = 0;    ///< periods left out because a tick or the system took too long
-  double silence = 0.0;        ///< [s] that the robot had been silent when it was stale
+  double gap = 0.0;            ///< [s] that the robot, or this program, was silent: stale, away
   std::uint64_t dampings = 0;  ///< times that it latched
   std::uint64_t rearms = 0;
-  double power = 0.0;  ///< [W] that the protection judged last
+  std::uint64_t refused_rearms = 0;  ///< asked for while no LowState came
+  double power = 0.0;                ///< [W] that the protection judged last
   double greatest_power = 0.0;
   double height = 0.0;  ///< [m] estimated
   double tilt = 0.0;    ///< [rad] estimated
@@ -75,7 +78,9 @@ struct RunSnapshot {
 ///
 /// Deadlines are absolute; SCHED_FIFO and locked memory are used where permitted. It begins and
 /// ends with damping frames. Without a new LowState the last command is repeated for at most 10 ms,
-/// then the motors damp, and after 20 ms for good: a latched damping is left by rearm() alone.
+/// then the motors damp, and after 20 ms for good: a latched damping is left by rearm() alone. A
+/// program that the system kept from running for 50 ms damps for good as well; after less it goes
+/// on with the report that is new.
 class StandRunner {
  public:
   /// Throws surefoot::Error: an invalid option or gain, or what UdpLink throws.

@@ -14,7 +14,7 @@ struct UdpLinkOptions {
   int port = 8007;
   int local_port = 0;  ///< 0: any; the SDK's examples use 8080 or 8090
   Generation generation = Generation::kGo1v38;
-  double damping_kd = 3.0;  ///< [N.m.s/rad] of the frames that leave before the robot is known
+  double damping_kd = 3.0;  ///< [N.m.s/rad] 0.0625 .. 50, before the robot is known
 };
 
 /// What has come and gone since the link was opened.
@@ -24,11 +24,11 @@ struct LinkCounts {
   std::uint64_t refused = 0;      ///< commands that were not finite; damping left instead
   std::uint64_t received = 0;     ///< datagrams of the peer, good or bad
   std::uint64_t valid = 0;        ///< LowStates of the right generation
-  std::uint64_t lost = 0;         ///< missing in the row of ticks
+  std::uint64_t lost = 0;         ///< missing in the row of ticks, long silences included
   std::uint64_t late = 0;         ///< the newest, but more than 10 ms after the one before
   std::uint64_t duplicate = 0;    ///< a tick that had come before
-  std::uint64_t reordered = 0;    ///< older than one that had come before
-  std::uint64_t restarts = 0;     ///< times that the ticks began anew
+  std::uint64_t reordered = 0;    ///< older than the newest, and had not come yet
+  std::uint64_t restarts = 0;     ///< times that the ticks began anew: five in a row from behind
   std::uint64_t corrupt = 0;      ///< of the right length, but not a valid frame
   std::uint64_t wrong_generation = 0;
   std::uint64_t wrong_length = 0;
@@ -39,19 +39,22 @@ struct LinkCounts {
 /// The client's side of the robot's UDP port.
 ///
 /// Datagrams count only if they come from the peer. Until a valid LowState has shown that the robot
-/// speaks the generation that is expected, nothing but damping leaves, whatever is sent.
+/// speaks the generation that is expected, nothing but damping leaves, whatever is sent. The age of
+/// a state counts from its arrival on this machine: what waited while this program stood still is
+/// as old as it is.
 class UdpLink {
  public:
   /// Throws surefoot::Error: an unknown host, a peer that is not on this machine's loopback (not
-  /// before there is arming), a port that is out of range, taken or forbidden.
+  /// before there is arming), a port that is out of range, taken or forbidden, a damping_kd that is
+  /// out of range.
   explicit UdpLink(const UdpLinkOptions& options);
   ~UdpLink();
   UdpLink(UdpLink&&) noexcept;
 
   /// Read what is waiting, at most kMostAtOnce datagrams; the newest valid LowState wins.
-  /// Never blocks. Real-time: yes. @return has a newer one come?
+  /// Never blocks. Real-time: yes. @return has a newer one come? See age() for how new it is
   bool receive() noexcept;
-  static constexpr int kMostAtOnce = 128;
+  static constexpr int kMostAtOnce = 64;
 
   /// Put a command on the wire; damping instead until the robot is known(), or if the command is
   /// not finite. Never blocks. Real-time: yes.
@@ -61,7 +64,7 @@ class UdpLink {
   bool known() const noexcept;             ///< has a valid LowState come?
   const LowState& state() const noexcept;  ///< the newest
   const FrameExtras& extras() const noexcept;
-  double age() const noexcept;  ///< [s] since it came; infinite before the first
+  double age() const noexcept;  ///< [s] since it arrived; infinite before the first
   const LinkCounts& counts() const noexcept;
   const FrameReport& last_reject() const noexcept;  ///< why the last bad datagram was not taken
   int local_port() const noexcept;

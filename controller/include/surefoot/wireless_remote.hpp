@@ -41,7 +41,8 @@ struct WirelessRemote {
 };
 
 /// Read the remote. All zero is a remote at rest, or none; a stick that is not finite or beyond its
-/// range by more than a little makes all of it count as at rest. Real-time: yes.
+/// range by more than a little puts all sticks at rest. Buttons count nevertheless: a button may be
+/// what damps the robot. Real-time: yes.
 WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept;
 
 /// Write the remote; the head and the idle bytes are zero. Real-time: yes.

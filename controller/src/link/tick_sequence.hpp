@@ -6,6 +6,10 @@
 namespace surefoot {
 
 /// Tells from LowState::tick what became of the reports in between. Real-time: yes.
+///
+/// Ticks count milliseconds, so how many of them make one report is learnt: the step that comes
+/// time after time. A robot that begins anew is told from a report that was held up on the way by
+/// coming in a row: ticks that rise, all of them behind what came before.
 class TickSequence {
  public:
   enum class Verdict { kNewer, kDuplicate, kReordered, kRestarted };
@@ -17,9 +21,19 @@ class TickSequence {
   std::uint64_t lost() const noexcept { return lost_; }
 
  private:
+  void begin(std::uint32_t tick) noexcept;
+  Verdict take_ahead(std::uint32_t step) noexcept;
+  Verdict take_behind(std::uint32_t tick, std::uint32_t behind) noexcept;
+  void learn(std::uint32_t step) noexcept;
+
   bool started_ = false;
-  std::uint32_t last_ = 0;
-  std::uint32_t step_ = 0;  // [ms] between reports: the least that was seen
+  std::uint32_t last_ = 0;    // the newest
+  std::uint64_t seen_ = 0;    // bit k: has last_ - k come?
+  std::uint32_t period_ = 0;  // [ms] between reports; 0: not known yet
+  std::uint32_t step_ = 0;    // [ms] between the newest two
+  int steps_ = 0;             // how many of the same in a row
+  std::uint32_t old_ = 0;     // the newest of those in a row that are behind
+  int old_ones_ = 0;          // how many
   std::uint64_t lost_ = 0;
 };
 

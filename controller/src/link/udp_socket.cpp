@@ -5,19 +5,38 @@
 #include <netdb.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
+#include "clock.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
 
 namespace {
 
-// Small, so that a stalled program finds what is new and not seconds of what was.
+// Some hundred frames. When it is full the system drops what is new and keeps what is old, so that
+// a program that stood still finds the past first: arrival times tell.
 constexpr int kReceiveBuffer = 128 * 1024;
+
+// [s] on monotonic_time(); the system stamps arrivals with the wall clock.
+double arrival_time(msghdr& message) noexcept {
+  const double now = monotonic_time();
+  for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
+    if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;
+    timespec stamp, wall;
+    std::memcpy(&stamp, CMSG_DATA(c), sizeof(stamp));
+    clock_gettime(CLOCK_REALTIME, &wall);
+    const double age = static_cast<double>(wall.tv_sec - stamp.tv_sec) +
+                       1e-9 * static_cast<double>(wall.tv_nsec - stamp.tv_nsec);
+    return now - std::max(age, 0.0);
+  }
+  return now;
+}
 
 void check_port(const char* what, int port, int least) {
   if (port < least || port > 65535) {
@@ -60,6 +79,8 @@ UdpSocket::UdpSocket(const std::string& host, int port, int local_port) {
   fd_ = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (fd_ < 0) throw Error(std::string("UDP socket: ") + std::strerror(errno));
   setsockopt(fd_, SOL_SOCKET, SO_RCVBUF, &kReceiveBuffer, sizeof(kReceiveBuffer));
+  const int on = 1;
+  setsockopt(fd_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on));
   sockaddr_in local{};
   local.sin_family = AF_INET;
   local.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -79,13 +100,21 @@ UdpSocket::~UdpSocket() {
   if (fd_ >= 0) close(fd_);
 }
 
-UdpSocket::Read UdpSocket::read(std::uint8_t* data, std::size_t& size) noexcept {
+UdpSocket::Read UdpSocket::read(std::uint8_t* data, std::size_t& size, double& arrived) noexcept {
   sockaddr_in from{};
-  socklen_t from_size = sizeof(from);
-  const ssize_t got = recvfrom(fd_, data, size, MSG_DONTWAIT | MSG_TRUNC,
-                               reinterpret_cast<sockaddr*>(&from), &from_size);
+  iovec room{data, size};
+  alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
+  msghdr message{};
+  message.msg_name = &from;
+  message.msg_namelen = sizeof(from);
+  message.msg_iov = &room;
+  message.msg_iovlen = 1;
+  message.msg_control = control;
+  message.msg_controllen = sizeof(control);
+  const ssize_t got = recvmsg(fd_, &message, MSG_DONTWAIT | MSG_TRUNC);
   if (got < 0) return Read::kNothing;
   size = static_cast<std::size_t>(got);
+  arrived = arrival_time(message);
   const bool peer = from.sin_addr.s_addr == peer_address_ && from.sin_port == peer_port_;
   return peer ? Read::kPeer : Read::kStranger;
 }

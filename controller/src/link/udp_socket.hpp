@@ -17,8 +17,10 @@ class UdpSocket {
   UdpSocket& operator=(const UdpSocket&) = delete;
 
   enum class Read { kNothing, kPeer, kStranger };
-  /// Take one datagram. @param size in: room; out: its length, which may be more than the room
-  Read read(std::uint8_t* data, std::size_t& size) noexcept;
+  /// Take one datagram.
+  /// @param size in: room; out: its length, which may be more than the room
+  /// @param arrived [s] out: on monotonic_time(), when it reached this machine, not this program
+  Read read(std::uint8_t* data, std::size_t& size, double& arrived) noexcept;
 
   bool write(const std::uint8_t* data, std::size_t size) noexcept;
 

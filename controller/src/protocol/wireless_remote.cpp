@@ -26,10 +26,14 @@ constexpr Stick kSticks[] = {{4, &WirelessRemote::lx},
 WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept {
   WirelessRemote remote;
   std::memcpy(&remote.buttons, bytes.data() + kButtons, 2);
+  bool centred = false;
   for (const Stick& stick : kSticks) {
     float& value = remote.*stick.value;
     std::memcpy(&value, bytes.data() + stick.offset, 4);
-    if (!(std::abs(value) <= kFarthest)) return {};
+    centred |= !(std::abs(value) <= kFarthest);
+  }
+  if (centred) {
+    for (const Stick& stick : kSticks) remote.*stick.value = 0.0F;
   }
   return remote;
 }

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "clock.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -39,20 +41,15 @@ RealTimeScope::RealTimeScope() {
   // Under a limit, locking what is to come would make later allocations fail.
   const int what = MCL_CURRENT | (room.rlim_cur == RLIM_INFINITY ? MCL_FUTURE : 0);
   locked_ = mlockall(what) == 0;
-  memory_ = locked_ ? std::string("memory locked")
-                    : std::string("memory not locked (") + std::strerror(errno) + ")";
+  const char* all = (what & MCL_FUTURE) != 0 ? "memory locked" : "present memory locked";
+  memory_ =
+      locked_ ? std::string(all) : std::string("memory not locked (") + std::strerror(errno) + ")";
 }
 
 RealTimeScope::~RealTimeScope() {
   if (locked_) munlockall();
   sched_param ordinary{};
   if (scheduled_) pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
-}
-
-double monotonic_time() noexcept {
-  timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 PeriodicTimer::PeriodicTimer(double period) : period_(period), next_(monotonic_time()) {}

@@ -37,7 +37,4 @@ class PeriodicTimer {
   long missed_ = 0;
 };
 
-/// [s] on the clock that deadlines are on.
-double monotonic_time() noexcept;
-
 }  // namespace surefoot

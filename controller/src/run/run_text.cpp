@@ -46,6 +46,8 @@ const char* to_string(RunReason reason) noexcept {
       return "wrong_generation";
     case RunReason::kStale:
       return "stale";
+    case RunReason::kAway:
+      return "away";
     case RunReason::kRestart:
       return "restart";
     case RunReason::kController:

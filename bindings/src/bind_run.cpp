@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/stl/string.h>
+
+#include <chrono>
+#include <future>
+#include <limits>
+
+#include "bindings.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/stand_runner.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+using namespace surefoot;
+
+namespace {
+
+void bind_snapshot(nb::module_& m) {
+  nb::class_<RunSnapshot>(m, "RunSnapshot", "A look at a StandRunner's loop.")
+      .def_prop_ro(
+          "phase", [](const RunSnapshot& s) { return to_string(s.phase); },
+          "waiting, standing, damping or ended.")
+      .def_prop_ro(
+          "reason", [](const RunSnapshot& s) { return to_string(s.reason); },
+          "Of the last damping or of the end: none, asked, no_state, wrong_generation, stale, "
+          "away, restart, controller, power_protect or button.")
+      .def_prop_ro(
+          "reject", [](const RunSnapshot& s) { return to_text(s.reject); },
+          "Why the last bad datagram was not taken.")
+      .def_ro("status", &RunSnapshot::status, "Of the controller's last tick.")
+      .def_ro("fault", &RunSnapshot::fault, "Of the controller.")
+      .def_ro("link", &RunSnapshot::link, "Counts of the link.")
+      .def_ro("time", &RunSnapshot::time, "[s] since run() began.")
+      .def_ro("age", &RunSnapshot::age, "[s] of the newest LowState.")
+      .def_ro("ticks", &RunSnapshot::ticks, "Of control.")
+      .def_ro("usable", &RunSnapshot::usable, "Of those, with a fresh command.")
+      .def_ro("bridged", &RunSnapshot::bridged, "Of those, without a new LowState.")
+      .def_ro("gap", &RunSnapshot::gap, "[s] that robot or program was silent: stale, away.")
+      .def_ro("saturated", &RunSnapshot::saturated, "Of those, with a motor at its limit.")
+      .def_ro("missed", &RunSnapshot::missed, "Periods left out: a tick or the system was late.")
+      .def_ro("dampings", &RunSnapshot::dampings, "Times that it latched.")
+      .def_ro("rearms", &RunSnapshot::rearms, "Times that it began anew.")
+      .def_ro("refused_rearms", &RunSnapshot::refused_rearms, "Asked for while no state came.")
+      .def_ro("power", &RunSnapshot::power, "[W] that the protection judged last.")
+      .def_ro("greatest_power", &RunSnapshot::greatest_power, "[W] that it ever judged.")
+      .def_ro("height", &RunSnapshot::height, "[m] estimated.")
+      .def_ro("tilt", &RunSnapshot::tilt, "[rad] estimated.")
+      .def_ro("tick_p50", &RunSnapshot::tick_p50,
+              "[us] from waking to the command sent, of half of the ticks.")
+      .def_ro("tick_p90", &RunSnapshot::tick_p90,
+              "[us] from waking to the command sent, of 90 % of the ticks.")
+      .def_ro("tick_p99", &RunSnapshot::tick_p99,
+              "[us] from waking to the command sent, of 99 % of the ticks.")
+      .def_ro("tick_p999", &RunSnapshot::tick_p999,
+              "[us] from waking to the command sent, of 99.9 % of the ticks.")
+      .def_ro("tick_max", &RunSnapshot::tick_max,
+              "[us] from waking to the command sent, of all of the ticks.")
+      .def_ro("wake_p50", &RunSnapshot::wake_p50,
+              "[us] from the deadline to waking, of half of the ticks.")
+      .def_ro("wake_p99", &RunSnapshot::wake_p99,
+              "[us] from the deadline to waking, of 99 % of the ticks.")
+      .def_ro("wake_p999", &RunSnapshot::wake_p999,
+              "[us] from the deadline to waking, of 99.9 % of the ticks.")
+      .def_ro("wake_max", &RunSnapshot::wake_max,
+              "[us] from the deadline to waking, of all of the ticks.");
+}
+
+// Python's signal handlers run in its main thread only, between its own instructions.
+void run_and_heed_signals(StandRunner& runner) {
+  std::future<void> loop = std::async(std::launch::async, [&runner] { runner.run(); });
+  const auto ended = [&loop] {
+    const nb::gil_scoped_release others_may_run;
+    return loop.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready;
+  };
+  bool interrupted = false;
+  while (!ended()) {
+    if (interrupted || PyErr_CheckSignals() == 0) continue;
+    interrupted = true;
+    runner.stop();
+  }
+  if (interrupted) throw nb::python_error();
+  loop.get();
+}
+
+void bind_runner(nb::module_& m) {
+  nb::class_<RunOptions>(m, "RunOptions", "How a StandRunner's loop runs.")
+      .def(
+          "__init__",
+          [](RunOptions* o, double rate, double duration, int power_level, bool remote,
+             double patience) {
+            new (o) RunOptions{rate, duration, power_level, remote, patience};
+          },
+          "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
+          "power_level"_a = 1, "remote"_a = true, "patience"_a = 5.0)
+      .def_rw("rate", &RunOptions::rate, "[Hz] of the control loop.")
+      .def_rw("duration", &RunOptions::duration,
+              "[s] from the first tick of control; inf: until stop().")
+      .def_rw("power_level", &RunOptions::power_level, "Of power_protect(); 0 switches it off.")
+      .def_rw("remote", &RunOptions::remote, "Sticks move the body, button B damps.")
+      .def_rw("patience", &RunOptions::patience, "[s] to wait for the first valid LowState.");
+  nb::class_<StandRunner>(m, "StandRunner",
+                          "Runs a StandController over UDP at a fixed rate, behind the power "
+                          "protection.\n\n"
+                          "It begins and ends with damping frames; a latched damping is left by "
+                          "rearm() alone.")
+      .def(
+          "__init__",
+          [](StandRunner* self, const Robot& robot, const std::string& host, int port,
+             const std::string& generation, int local_port, const Gains* gains,
+             const StandOptions& stand, const RunOptions& options) {
+            const Gains& used = gains ? *gains : robot.config().gains;
+            new (self) StandRunner(
+                robot, used, stand,
+                {host, port, local_port, to_generation(generation), used.damping_kd}, options);
+          },
+          "robot"_a, "host"_a = "127.0.0.1", "port"_a = 8007, "generation"_a = "go1-v3.8",
+          "local_port"_a = 0, "gains"_a = nb::none(), "stand"_a = StandOptions(),
+          "options"_a = RunOptions(), "Raise Error: an invalid option, or what UdpLink raises.")
+      .def("run", &run_and_heed_signals,
+           "Run until stop(), the duration, or a robot that cannot be controlled.\n\n"
+           "The loop has a thread of its own; Ctrl-C damps and ends it, then raises "
+           "KeyboardInterrupt.")
+      .def("stop", &StandRunner::stop, "Damp, and end; from any thread.")
+      .def("damp", &StandRunner::damp, "Damp, and stay; from any thread.")
+      .def("rearm", &StandRunner::rearm, "Begin anew after a damping; from any thread.")
+      .def("snapshot", &StandRunner::snapshot, "What was last published, from any thread.")
+      .def_prop_ro("real_time", &StandRunner::real_time, "Scheduling and memory it got, in words.")
+      .def_prop_ro("local_port", &StandRunner::local_port, "Ours.");
+}
+
+}  // namespace
+
+void bind_run(nb::module_& m) {
+  bind_snapshot(m);
+  bind_runner(m);
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+
+namespace surefoot {
+
+/// [s] on the clock that never goes back: CLOCK_MONOTONIC. Real-time: yes.
+inline double monotonic_time() noexcept {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""surefoot run when it is held up, left alone, or nobody reads what it says."""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from virtual_robot_helpers import controller, start, wait_for
+
+
+def end(*processes: subprocess.Popen[str]) -> None:
+    for process in processes:
+        process.kill()
+        process.wait(timeout=20)
+
+
+def test_a_controller_that_stood_still_damps_until_it_is_armed_again(tmp_path: Path) -> None:
+    robot, port = start()
+    run = controller(port, "--json", str(tmp_path / "run.json"))
+    wait_for(run, "standing")
+    time.sleep(0.5)
+    run.send_signal(signal.SIGSTOP)
+    time.sleep(0.6)  # more reports than the system keeps
+    run.send_signal(signal.SIGCONT)
+    assert "damping: away" in wait_for(run, "damping")
+    time.sleep(0.5)
+    run.send_signal(signal.SIGUSR1)
+    wait_for(run, " standing")
+    time.sleep(0.3)
+    run.send_signal(signal.SIGINT)
+    run.communicate(timeout=20)
+    end(robot)
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert (run.returncode, result["dampings"], result["rearms"]) == (0, 1, 1)
+
+
+@pytest.mark.parametrize("rate", [100, 500, 1000])
+def test_a_silent_robot_is_stale_at_every_rate(rate: int) -> None:
+    robot, port = start()
+    run = controller(port, "--rate", str(rate))
+    wait_for(run, "standing")
+    time.sleep(0.3)
+    robot.send_signal(signal.SIGSTOP)
+    line = wait_for(run, "damping")
+    found = re.search(r"stale: no LowState for (\d+) ms", line)
+    # A tick of its own and the machine's leisure late; 10 ms is a tick at 100 Hz.
+    assert found and 20 <= int(found[1]) <= 60, line
+    run.send_signal(signal.SIGUSR1)
+    wait_for(run, "not re-armed: no LowState for")
+    end(run, robot)
+
+
+def test_a_controller_whose_reader_or_terminal_goes_away_goes_on(tmp_path: Path) -> None:
+    robot, port = start()
+    run = controller(port, "--json", str(tmp_path / "run.json"))
+    wait_for(run, "standing")
+    assert run.stdout is not None
+    run.stdout.close()
+    time.sleep(1.5)  # a status line goes to nobody
+    assert run.poll() is None
+    run.send_signal(signal.SIGHUP)
+    run.wait(timeout=20)
+    end(robot)
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert (run.returncode, result["reason"]) == (0, "asked")
+
+
+def test_ending_before_a_robot_has_come_is_no_success() -> None:
+    run = controller(9)
+    wait_for(run, "waiting")
+    run.send_signal(signal.SIGINT)
+    _, err = run.communicate(timeout=20)
+    assert run.returncode == 1 and "nobody answers" in err
+
+
+def test_the_duration_counts_from_the_first_tick_of_control(tmp_path: Path) -> None:
+    robot, port = start()
+    robot.send_signal(signal.SIGSTOP)
+    run = controller(port, "--duration", "1", "--json", str(tmp_path / "run.json"))
+    wait_for(run, "waiting")
+    time.sleep(1.2)
+    robot.send_signal(signal.SIGCONT)
+    run.communicate(timeout=20)
+    end(robot)
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert run.returncode == 0
+    assert result["ticks"] > 450 and result["time_s"] > 2.0
+
+
+RUNNER = """
+import surefoot, sys
+runner = surefoot.StandRunner(surefoot.load_robot("go1"), port=int(sys.argv[1]))
+print("running", flush=True)
+try:
+    runner.run()
+except KeyboardInterrupt:
+    print(runner.snapshot().phase, runner.snapshot().reason)
+"""
+
+
+def test_ctrl_c_ends_a_runner_in_the_main_thread_by_damping() -> None:
+    robot, port = start()
+    run = subprocess.Popen(
+        [sys.executable, "-c", RUNNER, str(port)], stdout=subprocess.PIPE, text=True
+    )
+    wait_for(run, "running")
+    time.sleep(0.5)
+    run.send_signal(signal.SIGINT)
+    out, _ = run.communicate(timeout=20)
+    end(robot)
+    assert out.split() == ["ended", "asked"]
