@@ -39,6 +39,8 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("saturated", &RunSnapshot::saturated, "Of those, with a motor at its limit.")
       .def_ro("missed", &RunSnapshot::missed, "Periods left out: a tick or the system was late.")
       .def_ro("dampings", &RunSnapshot::dampings, "Times that it latched.")
+      .def_ro("pauses", &RunSnapshot::pauses,
+              "Of those, left because the robot's clock had stood still with it.")
       .def_ro("rearms", &RunSnapshot::rearms, "Times that it began anew.")
       .def_ro("refused_rearms", &RunSnapshot::refused_rearms, "Asked for while no state came.")
       .def_ro("power", &RunSnapshot::power, "[W] that the protection judged last.")

@@ -38,7 +38,7 @@ def test_a_controller_that_stood_still_damps_until_it_is_armed_again(tmp_path: P
     run.communicate(timeout=20)
     end(robot)
     result = json.loads((tmp_path / "run.json").read_text())
-    assert (run.returncode, result["dampings"], result["rearms"]) == (0, 1, 1)
+    assert (run.returncode, result["dampings"] - result["pauses"], result["rearms"]) == (0, 1, 1)
 
 
 @pytest.mark.parametrize("rate", [100, 500, 1000])
@@ -55,6 +55,24 @@ def test_a_silent_robot_is_stale_at_every_rate(rate: int) -> None:
     run.send_signal(signal.SIGUSR1)
     wait_for(run, "not re-armed: no LowState for")
     end(run, robot)
+
+
+def test_a_robot_whose_clock_stood_still_with_it_is_forgiven(tmp_path: Path) -> None:
+    robot, port = start()
+    run = controller(port, "--json", str(tmp_path / "run.json"))
+    wait_for(run, "standing")
+    time.sleep(0.3)
+    robot.send_signal(signal.SIGSTOP)
+    time.sleep(0.04)
+    robot.send_signal(signal.SIGCONT)
+    wait_for(run, "going on")
+    time.sleep(0.5)
+    run.send_signal(signal.SIGINT)
+    run.communicate(timeout=20)
+    end(robot)
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert (run.returncode, result["reason"], result["rearms"]) == (0, "asked", 0)
+    assert result["pauses"] >= 1 and result["tilt_deg"] < 2.0
 
 
 def test_a_controller_whose_reader_or_terminal_goes_away_goes_on(tmp_path: Path) -> None:

@@ -45,7 +45,7 @@ class _Watch:
         self._notices = Notices(say)
         self._keys = has_keyboard()
         self._said, self._phase = time.monotonic(), ""
-        self._refused = 0
+        self._refused = self._pauses = 0
 
     def rearm(self) -> None:
         """Ask for it; the loop says no while no LowState comes."""
@@ -62,6 +62,9 @@ class _Watch:
         if now.refused_rearms > self._refused:
             self._refused = now.refused_rearms
             self._say(f"{now.time:7.2f} s not re-armed: no LowState for {1000 * now.age:.0f} ms")
+        if now.pauses > self._pauses:
+            self._pauses = now.pauses
+            self._say(f"{now.time:7.2f} s going on: the robot's clock had stood still as well")
         if now.phase != self._phase and now.time > 0.0:
             if not self._phase:
                 self._say(self._runner.real_time)

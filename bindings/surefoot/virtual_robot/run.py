@@ -98,7 +98,11 @@ class _Run:
             robot.cycle()
             self._recorder.observe()
             self._status.observe()
+            slipped = clock.slipped
             clock.wait()
+            if clock.slipped > slipped:
+                held = 1000.0 * (clock.slipped - slipped)
+                say(f"{robot.time:.3f} s: this machine held the robot up for {held:.0f} ms")
             if clock.cycles % glance == 0 and not self._glance():
                 break
             elapsed = clock.elapsed

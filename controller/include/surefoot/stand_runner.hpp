@@ -63,6 +63,7 @@ struct RunSnapshot {
   std::uint64_t missed = 0;    ///< periods left out because a tick or the system took too long
   double gap = 0.0;            ///< [s] that the robot, or this program, was silent: stale, away
   std::uint64_t dampings = 0;  ///< times that it latched
+  std::uint64_t pauses = 0;    ///< of those, left because the robot's clock had stood still as well
   std::uint64_t rearms = 0;
   std::uint64_t refused_rearms = 0;  ///< asked for while no LowState came
   double power = 0.0;                ///< [W] that the protection judged last
@@ -78,7 +79,8 @@ struct RunSnapshot {
 ///
 /// Deadlines are absolute; SCHED_FIFO and locked memory are used where permitted. It begins and
 /// ends with damping frames. Without a new LowState the last command is repeated for at most 10 ms,
-/// then the motors damp, and after 20 ms for good: a latched damping is left by rearm() alone. A
+/// then the motors damp, and after 20 ms for good: a latched damping is left by rearm() alone, or
+/// within 100 ms when LowState::tick says that the robot's clock stood still with it. A
 /// program that the system kept from running for 50 ms damps for good as well; after less it goes
 /// on with the report that is new.
 class StandRunner {

@@ -4,18 +4,20 @@
 namespace surefoot {
 
 void RunBoard::publish(const RunSnapshot& now, const LatencyHistogram& ticks,
-                       const LatencyHistogram& wakes) noexcept {
+                       const LatencyHistogram& wakes, long missed) noexcept {
   const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;
   seen_ = now;
+  seen_.missed = static_cast<std::uint64_t>(missed);
   ticks_ = ticks;
   wakes_ = wakes;
 }
 
 void RunBoard::publish_last(const RunSnapshot& now, const LatencyHistogram& ticks,
-                            const LatencyHistogram& wakes) {
+                            const LatencyHistogram& wakes, long missed) {
   const std::lock_guard<std::mutex> lock(mutex_);
   seen_ = now;
+  seen_.missed = static_cast<std::uint64_t>(missed);
   ticks_ = ticks;
   wakes_ = wakes;
 }

@@ -13,11 +13,11 @@ namespace surefoot {
 class RunBoard {
  public:
   /// From the loop; skipped while someone looks. Real-time: yes.
-  void publish(const RunSnapshot& now, const LatencyHistogram& ticks,
-               const LatencyHistogram& wakes) noexcept;
+  void publish(const RunSnapshot& now, const LatencyHistogram& ticks, const LatencyHistogram& wakes,
+               long missed) noexcept;
   /// At the end of the loop; waits for whoever looks.
   void publish_last(const RunSnapshot& now, const LatencyHistogram& ticks,
-                    const LatencyHistogram& wakes);
+                    const LatencyHistogram& wakes, long missed);
   void set_real_time(const std::string& words);
 
   /// From other threads: what was published last, with the percentiles of then.
