@@ -81,7 +81,7 @@ struct RunSnapshot {
 /// ends with damping frames. Without a new LowState the last command is repeated for at most 10 ms,
 /// then the motors damp, and after 20 ms for good: a latched damping is left by rearm() alone, or
 /// within 100 ms when LowState::tick says that the robot's clock stood still with it. A
-/// program that the system kept from running for 50 ms damps for good as well; after less it goes
+/// program that the system kept from running for 100 ms damps for good as well; after less it goes
 /// on with the report that is new.
 class StandRunner {
  public:
