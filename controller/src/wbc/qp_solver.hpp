@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "surefoot/qp_problem.hpp"
 #include "surefoot/types.hpp"
-#include "wbc/qp_problem.hpp"
 
 namespace surefoot {
 

@@ -76,6 +76,8 @@ const ElasticSolver& WholeBodySolver::elastic() const noexcept {
   return form_ == Form::kCondensed ? condensed_solver_ : general_solver_;
 }
 
+const QpProblem& WholeBodySolver::solved() const noexcept { return elastic().solved(problem()); }
+
 void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
                             Solution& out) noexcept {
   const bool condensed = form_ == Form::kCondensed;
