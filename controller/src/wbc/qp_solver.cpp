@@ -3,6 +3,7 @@
 
 // clang-format off: this one must come before the solver
 #include "wbc/proxqp_no_malloc.hpp"
+#include "surefoot/stage_clock.hpp"
 #include <proxsuite/proxqp/dense/dense.hpp>
 // clang-format on
 
@@ -81,6 +82,7 @@ void QpSolver::set_tolerance(double tolerance) noexcept {
 }
 
 QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
+  const StageScope stage(Stage::kSolve);
   QpResult result;
   if (!finite(problem)) {
     result.status = Status::kNonFinite;
@@ -171,6 +173,7 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
 
 // Our own residuals on the program as we posed it; the solver's word decides nothing.
 QpResult QpSolver::check(const QpProblem& problem) noexcept {
+  const StageScope stage(Stage::kCheck);
   auto& [qp, Ax, Cx, gradient] = *workspace_;
   const auto& results = qp.results;
   Cx.noalias() = problem.C * results.x;
