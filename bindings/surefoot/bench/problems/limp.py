@@ -18,6 +18,7 @@ from surefoot._core import (
     WholeBodyOptions,
     is_usable,
 )
+from surefoot.robot_files import RobotDescription
 from surefoot.sim import Plant, PlantSettings
 
 LIFTED = 0  # FR
@@ -50,7 +51,9 @@ def limp_at(time: float) -> Limp:
     return Limp(over, load, _ease((t - SHIFT - UNLOAD) / LIFT))
 
 
-def run_limp(robot: str, form: Form, rate: float, seed: int) -> Iterator[tuple[int, QpProblem]]:
+def run_limp(
+    robot: str | RobotDescription, form: Form, rate: float, seed: int
+) -> Iterator[tuple[int, QpProblem]]:
     """Yield (tick, program) of a controller that is given the true state; raises Error if it falls.
 
     Estimation is not what is recorded, and the stand controller keeps all its feet down.
@@ -70,7 +73,9 @@ def run_limp(robot: str, form: Form, rate: float, seed: int) -> Iterator[tuple[i
         foot.p_world = anchor + HEIGHT * limp.up * UP
         solution = controller.update(true_state(plant, limp), reference)
         if plant.truth.fell or not is_usable(solution.status):
-            raise Error(f"limp: got a {robot} {solution.status.name} at {plant.time:.2f} s")
+            raise Error(
+                f"limp: got a {plant.robot.name} {solution.status.name} at {plant.time:.2f} s"
+            )
         yield tick, controller.program
         plant.step(torque_command(plant.robot, solution.torques))
 

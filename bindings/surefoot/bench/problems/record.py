@@ -11,6 +11,7 @@ from surefoot._core import Error, Form, QpProblem, StandController, StandOptions
 from surefoot.bench.problems.limp import run_limp
 from surefoot.bench.problems.scenarios import SCENARIOS, Scenario
 from surefoot.bench.problems.sequence import Sequence, make_sequence
+from surefoot.robot_files import RobotDescription
 
 LIMP = "limp"
 NAMES = (*SCENARIOS, LIMP)
@@ -18,12 +19,12 @@ _PACKAGES = ("surefoot", "pin", "mujoco", "example-robot-data")
 
 
 def record_problems(
-    robot: str, scenario: str, form: Form, rate: float = 500.0, seed: int = 1
+    robot: str | RobotDescription, scenario: str, form: Form, rate: float = 500.0, seed: int = 1
 ) -> list[Sequence]:
     """Run a scenario and keep every program that was solved.
 
     Args:
-        robot: A name of surefoot.available_robots().
+        robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
         scenario: One of NAMES.
         form: CONDENSED or GENERAL.
         rate: Ticks per second [Hz].
@@ -48,7 +49,7 @@ def record_problems(
         problems.append(program)
     least = min(found)
     meta: dict[str, Any] = {
-        "robot": robot,
+        "robot": robot if isinstance(robot, str) else robot.name,
         "scenario": scenario,
         "form": form.name.lower(),
         "rate": rate,
@@ -61,7 +62,7 @@ def record_problems(
 
 
 def run_stand(
-    robot: str, scenario: Scenario, form: Form, rate: float, seed: int
+    robot: str | RobotDescription, scenario: Scenario, form: Form, rate: float, seed: int
 ) -> Iterator[tuple[int, QpProblem]]:
     """Yield (tick, program) of the stand controller; a robot that falls ends the sequence."""
     plant = scenario.plant(robot, rate, seed)

@@ -15,6 +15,7 @@ from surefoot._core import (
     StandController,
     WholeBodyController,
 )
+from surefoot.robot_files import RobotDescription
 from surefoot.sim import Plant, PlantSettings, Push
 
 PUSH_LENGTH = 0.1  # [s]
@@ -77,7 +78,7 @@ class Scenario:
             config.tau_max = np.minimum(config.tau_max, self.strength * _standing_torque(robot))
         return Robot.from_serialized_model(robot.serialized_model(), config)
 
-    def plant(self, robot: str, rate: float, seed: int) -> Plant:
+    def plant(self, robot: str | RobotDescription, rate: float, seed: int) -> Plant:
         """Return the robot and its ground."""
         friction = 0.8 if self.friction is None else self.friction
         plant = Plant(robot, PlantSettings(control_rate=rate, seed=seed, friction=friction))
