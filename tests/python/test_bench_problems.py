@@ -51,9 +51,9 @@ def test_the_general_form_has_equalities():
 def test_a_limping_robot_takes_all_load_off_a_foot():
     (s,) = record_problems("go1", "limp", Form.CONDENSED)
     assert len(s) == 3000
-    # In the air the foot's normal force is held between zero and zero.
+    # In the air the foot's forces are held between zero and zero.
     fixed = (s.l == s.u).sum(axis=1)
-    assert fixed[0] == 0 and fixed[1100] == 1 and fixed[-1] == 0
+    assert fixed[0] == 0 and fixed[1100] > 0 and fixed[-1] == 0
 
 
 def test_a_file_gives_back_what_was_saved(pushed, tmp_path):
