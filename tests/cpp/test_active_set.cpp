@@ -12,18 +12,17 @@ namespace {
 using Outcome = ActiveSet::Outcome;
 
 struct Solved {
-  explicit Solved(const QpProblem& p) : method(int(p.g.size()), int(p.l.size())), x(p.g), z(p.l) {
+  explicit Solved(const QpProblem& p)
+      : method(int(p.g.size()), int(p.b.size()), int(p.l.size())), x(p.g), y(p.b), z(p.l) {
     z.setZero();
-    outcome = method.solve(p, 1e-10, x, z);
+    outcome = method.solve(p, 1e-10, x, y, z);
   }
   ActiveSet method;
-  Eigen::VectorXd x, z;
+  Eigen::VectorXd x, y, z;
   Outcome outcome;
 };
 
-double residual(const QpProblem& p, const Solved& s) {
-  return kkt_residual(p, s.x, Eigen::VectorXd(), s.z);
-}
+double residual(const QpProblem& p, const Solved& s) { return kkt_residual(p, s.x, s.y, s.z); }
 
 // Minimise |x - target|^2 / 2 within rows.
 QpProblem nearest(const Eigen::VectorXd& target, int rows) {
@@ -53,9 +52,18 @@ BOOST_AUTO_TEST_CASE(the_rows_of_the_answer_are_the_answers_again_at_once) {
     const RandomProgram random(seed);
     Solved s(random.problem);
     const Eigen::VectorXd x = s.x;
-    BOOST_TEST((s.method.solve(random.problem, 1e-10, s.x, s.z) == Outcome::kSolved));
+    BOOST_TEST((s.method.solve(random.problem, 1e-10, s.x, s.y, s.z) == Outcome::kSolved));
     BOOST_TEST(s.method.iterations() == 1);
     BOOST_TEST((s.x - x).norm() < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(equalities_hold_whatever_their_multipliers) {
+  for (int seed = 0; seed < 100; ++seed) {
+    const RandomProgram random(seed, 30, 18, 88);
+    const Solved s(random.problem);
+    BOOST_TEST((s.outcome == Outcome::kSolved));
+    BOOST_TEST(residual(random.problem, s) < 1e-8);
   }
 }
 
@@ -63,9 +71,9 @@ BOOST_AUTO_TEST_CASE(any_rows_to_begin_with_lead_to_the_same_answer) {
   for (int seed = 0; seed < 100; ++seed) {
     const RandomProgram random(seed), other(seed + 1000);
     const Solved s(random.problem), wrong(other.problem);
-    ActiveSet method(12, int(random.problem.l.size()));
-    Eigen::VectorXd x = s.x, z = wrong.z;
-    BOOST_TEST((method.solve(random.problem, 1e-10, x, z) == Outcome::kSolved));
+    ActiveSet method(12, 0, int(random.problem.l.size()));
+    Eigen::VectorXd x = s.x, y, z = wrong.z;
+    BOOST_TEST((method.solve(random.problem, 1e-10, x, y, z) == Outcome::kSolved));
     BOOST_TEST((s.x - x).norm() < 1e-8);
   }
 }

@@ -8,31 +8,20 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kDependent = 1e-9;  // of a row's squared length: less than that is new in it
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kShare = 0.1;  // of the tolerance: violated
 
+double bound_of(const QpProblem& problem, int row, double side) noexcept {
+  return side > 0.0 ? problem.u[row] : -problem.l[row];
+}
+
 }  // namespace
 
-ActiveSet::ActiveSet(int n, int n_in)
-    : n_(n),
-      n_in_(n_in),
-      H_(n),
-      free_(Eigen::VectorXd::Zero(n)),
-      rows_(static_cast<std::size_t>(n), 0),
-      sides_(free_),
-      bounds_(free_),
-      multipliers_(free_),
-      V_(Eigen::MatrixXd::Zero(n, n)),
-      R_(V_),
-      x_(free_),
-      Cx_(Eigen::VectorXd::Zero(n_in)),
-      v_(free_),
-      l_(free_),
-      step_(free_) {}
+ActiveSet::ActiveSet(int n, int n_eq, int n_in)
+    : n_eq_(n_eq), rows_(n), x_(Eigen::VectorXd::Zero(n)), Cx_(Eigen::VectorXd::Zero(n_in)) {}
 
 ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
-                                    Eigen::VectorXd& z) noexcept {
+                                    Eigen::VectorXd& y, Eigen::VectorXd& z) noexcept {
   changes_ = 0;
   if (!begin(problem, z)) return Outcome::kGaveUp;
   drop_pulling_rows();
@@ -44,59 +33,55 @@ ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, 
     if (added != Outcome::kSolved) return added;
   }
   x = x_;
+  y = rows_.multipliers().head(n_eq_);
   z.setZero();
-  for (Eigen::Index k = 0; k < count_; ++k) z[rows_[k]] = sides_[k] * multipliers_[k];
+  for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
+    z[rows_.row(k)] = rows_.side(k) * rows_.multiplier(k);
+  }
   return Outcome::kSolved;
 }
 
 bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept {
-  count_ = 0;
-  if (!problem.H.allFinite()) return false;  // half of it would not be looked at
-  H_.compute(problem.H);
-  if (H_.info() != Eigen::Success) return false;
-  free_ = -problem.g;
-  H_.matrixL().solveInPlace(free_);
-  for (int row = 0; row < n_in_; ++row) {
+  if (!rows_.start(problem)) return false;
+  for (int row = 0; row < n_eq_; ++row) {
+    rows_.look_at(problem.A.row(row), 1.0);
+    if (!rows_.append(row, 1.0, problem.b[row], 0.0)) return false;
+  }
+  for (int row = 0; row < z.size(); ++row) {
     if (z[row] == 0.0) continue;
     const double side = z[row] > 0.0 ? 1.0 : -1.0;
-    const double bound = side * (side > 0.0 ? problem.u[row] : problem.l[row]);
+    const double bound = bound_of(problem, row, side);
     if (!(std::abs(bound) < kNoBound)) continue;
-    direct(problem, row, side);
-    append(row, side, bound, 0.0);  // what depends on the rows before is left out
+    rows_.look_at(problem.C.row(row), side);
+    rows_.append(row, side, bound, 0.0);  // what depends on the rows before is left out
   }
   return true;
 }
 
 // Until every multiplier pushes, the rows are no set that the method can begin with.
 void ActiveSet::drop_pulling_rows() noexcept {
-  while (count_ > 0) {
-    solve_multipliers();
-    Eigen::Index worst = 0;
-    if (multipliers_.head(count_).minCoeff(&worst) >= 0.0) return;
-    remove(worst);
+  for (;;) {
+    rows_.solve_multipliers();
+    Eigen::Index worst = -1;
+    double least = 0.0;
+    for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
+      if (rows_.multiplier(k) >= least) continue;
+      least = rows_.multiplier(k);
+      worst = k;
+    }
+    if (worst < 0) return;
+    rows_.remove(worst);
     ++changes_;
   }
 }
 
-// With w = free_: V'V m = V'w - b.
-void ActiveSet::solve_multipliers() noexcept {
-  auto m = multipliers_.head(count_);
-  const auto R = R_.topLeftCorner(count_, count_);
-  m.noalias() = V_.leftCols(count_).transpose() * free_;
-  m -= bounds_.head(count_);
-  R.triangularView<Eigen::Lower>().solveInPlace(m);
-  R.transpose().triangularView<Eigen::Upper>().solveInPlace(m);
-}
-
-// x = L'^-1 (w - V m), and where it is furthest outside.
+// Where x is furthest outside.
 ActiveSet::Violation ActiveSet::worst(const QpProblem& problem, double tolerance) noexcept {
-  x_ = free_;
-  x_.noalias() -= V_.leftCols(count_) * multipliers_.head(count_);
-  H_.matrixU().solveInPlace(x_);
+  x_ = rows_.solve_x();
   Cx_.noalias() = problem.C * x_;
   Violation found;
   found.amount = tolerance;
-  for (int row = 0; row < n_in_; ++row) {
+  for (int row = 0; row < Cx_.size(); ++row) {
     const double above = Cx_[row] - problem.u[row], below = problem.l[row] - Cx_[row];
     if (std::isnan(above) || std::isnan(below)) return {kNotFinite, 0.0, 0.0};
     if (above > found.amount) found = {row, 1.0, above};
@@ -106,79 +91,29 @@ ActiveSet::Violation ActiveSet::worst(const QpProblem& problem, double tolerance
 }
 
 // Move towards the row until it holds, or until another row's multiplier is used up: that one goes.
-ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, Violation violation) noexcept {
-  const auto [row, side, amount] = violation;
-  const double bound = side * (side > 0.0 ? problem.u[row] : problem.l[row]);
+ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& violation) noexcept {
+  const auto& [row, side, amount] = violation;
   double missing = amount, multiplier = 0.0;
   for (;;) {
     if (++changes_ > kMostChanges) return Outcome::kGaveUp;
-    direct(problem, row, side);
-    const bool dependent = !(length_ > kDependent * v_.squaredNorm());
-    double length = dependent ? kInfinite : missing / length_;
+    rows_.look_at(problem.C.row(row), side);
+    const bool dependent = rows_.is_dependent();
+    double length = dependent ? kInfinite : missing / rows_.length();
     Eigen::Index blocking = -1;
-    for (Eigen::Index k = 0; k < count_; ++k) {
-      if (step_[k] * length > multipliers_[k] && step_[k] > 0.0) {
-        length = multipliers_[k] / step_[k];
-        blocking = k;
-      }
+    for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
+      if (rows_.share(k) <= 0.0 || rows_.share(k) * length <= rows_.multiplier(k)) continue;
+      length = rows_.multiplier(k) / rows_.share(k);
+      blocking = k;
     }
     if (!(length < kInfinite)) return Outcome::kInfeasible;
-    multipliers_.head(count_) -= length * step_.head(count_);
+    rows_.step(length);
     multiplier += length;
     if (blocking < 0) {
-      return append(row, side, bound, multiplier) ? Outcome::kSolved : Outcome::kGaveUp;
+      const bool joined = rows_.append(row, side, bound_of(problem, row, side), multiplier);
+      return joined ? Outcome::kSolved : Outcome::kGaveUp;
     }
-    if (!dependent) missing -= length * length_;
-    remove(blocking);
-  }
-}
-
-void ActiveSet::direct(const QpProblem& problem, int row, double side) noexcept {
-  v_ = side * problem.C.row(row);
-  H_.matrixL().solveInPlace(v_);
-  auto l = l_.head(count_);
-  auto step = step_.head(count_);
-  const auto R = R_.topLeftCorner(count_, count_);
-  l.noalias() = V_.leftCols(count_).transpose() * v_;
-  R.triangularView<Eigen::Lower>().solveInPlace(l);
-  length_ = v_.squaredNorm() - l.squaredNorm();
-  step = l;
-  R.transpose().triangularView<Eigen::Upper>().solveInPlace(step);
-}
-
-// What direct() looked at becomes active.
-bool ActiveSet::append(int row, double side, double bound, double multiplier) noexcept {
-  if (count_ == n_ || !(length_ > kDependent * v_.squaredNorm())) return false;
-  rows_[count_] = row;
-  sides_[count_] = side;
-  bounds_[count_] = bound;
-  multipliers_[count_] = multiplier;
-  V_.col(count_) = v_;
-  R_.row(count_).head(count_) = l_.head(count_);
-  R_(count_, count_) = std::sqrt(length_);
-  ++count_;
-  return true;
-}
-
-void ActiveSet::remove(Eigen::Index gone) noexcept {
-  for (Eigen::Index k = gone; k + 1 < count_; ++k) {
-    rows_[k] = rows_[k + 1];
-    sides_[k] = sides_[k + 1];
-    bounds_[k] = bounds_[k + 1];
-    multipliers_[k] = multipliers_[k + 1];
-    V_.col(k) = V_.col(k + 1);
-  }
-  --count_;
-  factorise();
-}
-
-void ActiveSet::factorise() noexcept {
-  for (Eigen::Index k = 0; k < count_; ++k) {
-    auto l = l_.head(k);
-    l.noalias() = V_.leftCols(k).transpose() * V_.col(k);
-    R_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(l);
-    R_.row(k).head(k) = l;
-    R_(k, k) = std::sqrt(std::max(V_.col(k).squaredNorm() - l.squaredNorm(), 1e-300));
+    if (!dependent) missing -= length * rows_.length();
+    rows_.remove(blocking);
   }
 }
 

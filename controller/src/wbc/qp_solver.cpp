@@ -40,7 +40,7 @@ struct QpSolver::Workspace {
         Ax(n_eq),
         Cx(n_in),
         gradient(n),
-        active_set(n, n_in) {}
+        active_set(n, n_eq, n_in) {}
   proxqp::dense::QP<double> qp;
   Eigen::VectorXd Ax, Cx, gradient;
   ActiveSet active_set;
@@ -86,13 +86,10 @@ void QpSolver::set_tolerance(double tolerance) noexcept {
 
 QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasibility) noexcept {
   const StageScope stage(Stage::kSolve);
-  auto& results = workspace_->qp.results;
   QpResult result;
   if (!has_answer_) forget();
-  if (results.y.size() == 0) {
-    result = try_active_set(problem);
-    if (result.status == Status::kOk) return result;
-  }
+  result = try_active_set(problem);
+  if (result.status == Status::kOk) return result;
   if (!finite(problem)) {
     result.status = Status::kNonFinite;
     return result;
@@ -120,7 +117,7 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasi
 QpResult QpSolver::try_active_set(const QpProblem& problem) noexcept {
   auto& results = workspace_->qp.results;
   ActiveSet& active_set = workspace_->active_set;
-  const auto outcome = active_set.solve(problem, tolerance_, results.x, results.z);
+  const auto outcome = active_set.solve(problem, tolerance_, results.x, results.y, results.z);
   QpResult result;
   if (outcome == ActiveSet::Outcome::kSolved) result = check(problem);
   if (outcome == ActiveSet::Outcome::kInfeasible) result.status = Status::kInfeasible;

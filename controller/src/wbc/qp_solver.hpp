@@ -23,8 +23,8 @@ enum class Feasibility { kCertain, kDoubtful };
 /// An active-set method with ProxQP behind it, behind a small interface: fixed size, warm start,
 /// our own residual check of either's answer.
 ///
-/// Programs without equalities are tried by the rows that were active last (ActiveSet); where that
-/// does not end or our check fails, and for programs with equalities, ProxQP solves.
+/// A program is tried by the rows that were active last (ActiveSet); where that does not end or our
+/// check fails, ProxQP solves it.
 /// The problem must come scaled (trace(H) = n, condition a few hundred at most): there is no
 /// preconditioner. Real-time: solve() yes, allocates nothing.
 class QpSolver {

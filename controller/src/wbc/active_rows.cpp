@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/active_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+constexpr double kDependent = 1e-9;  // of a row's squared length: less than that is new in it
+}
+
+ActiveRows::ActiveRows(int n)
+    : H_(n),
+      w_(Eigen::VectorXd::Zero(n)),
+      x_(w_),
+      rows_(static_cast<std::size_t>(n), 0),
+      sides_(w_),
+      bounds_(w_),
+      multipliers_(w_),
+      V_(Eigen::MatrixXd::Zero(n, n)),
+      R_(V_),
+      v_(w_),
+      l_(w_),
+      shares_(w_) {}
+
+bool ActiveRows::start(const QpProblem& problem) noexcept {
+  count_ = 0;
+  if (!problem.H.allFinite()) return false;  // half of it would not be looked at
+  H_.compute(problem.H);
+  if (H_.info() != Eigen::Success) return false;
+  w_ = -problem.g;
+  H_.matrixL().solveInPlace(w_);
+  return true;
+}
+
+void ActiveRows::look() noexcept {
+  H_.matrixL().solveInPlace(v_);
+  auto l = l_.head(count_);
+  auto shares = shares_.head(count_);
+  const auto R = R_.topLeftCorner(count_, count_);
+  l.noalias() = V_.leftCols(count_).transpose() * v_;
+  R.triangularView<Eigen::Lower>().solveInPlace(l);
+  length_ = v_.squaredNorm() - l.squaredNorm();
+  shares = l;
+  R.transpose().triangularView<Eigen::Upper>().solveInPlace(shares);
+}
+
+bool ActiveRows::is_dependent() const noexcept {
+  return !(length_ > kDependent * v_.squaredNorm());
+}
+
+bool ActiveRows::append(int row, double side, double bound, double multiplier) noexcept {
+  if (count_ == V_.cols() || is_dependent()) return false;
+  rows_[static_cast<std::size_t>(count_)] = row;
+  sides_[count_] = side;
+  bounds_[count_] = bound;
+  multipliers_[count_] = multiplier;
+  V_.col(count_) = v_;
+  R_.row(count_).head(count_) = l_.head(count_);
+  R_(count_, count_) = std::sqrt(length_);
+  ++count_;
+  return true;
+}
+
+void ActiveRows::remove(Eigen::Index gone) noexcept {
+  for (Eigen::Index k = gone; k + 1 < count_; ++k) {
+    rows_[static_cast<std::size_t>(k)] = row(k + 1);
+    sides_[k] = sides_[k + 1];
+    bounds_[k] = bounds_[k + 1];
+    multipliers_[k] = multipliers_[k + 1];
+    V_.col(k) = V_.col(k + 1);
+  }
+  --count_;
+  factorise(gone);
+}
+
+void ActiveRows::factorise(Eigen::Index from) noexcept {
+  for (Eigen::Index k = from; k < count_; ++k) {
+    auto l = l_.head(k);
+    l.noalias() = V_.leftCols(k).transpose() * V_.col(k);
+    R_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(l);
+    R_.row(k).head(k) = l;
+    R_(k, k) = std::sqrt(std::max(V_.col(k).squaredNorm() - l.squaredNorm(), 1e-300));
+  }
+}
+
+void ActiveRows::solve_multipliers() noexcept {
+  auto m = multipliers_.head(count_);
+  const auto R = R_.topLeftCorner(count_, count_);
+  m.noalias() = V_.leftCols(count_).transpose() * w_;
+  m -= bounds_.head(count_);
+  R.triangularView<Eigen::Lower>().solveInPlace(m);
+  R.transpose().triangularView<Eigen::Upper>().solveInPlace(m);
+}
+
+const Eigen::VectorXd& ActiveRows::solve_x() noexcept {
+  x_ = w_;
+  x_.noalias() -= V_.leftCols(count_) * multipliers_.head(count_);
+  H_.matrixU().solveInPlace(x_);
+  return x_;
+}
+
+}  // namespace surefoot
