@@ -1,0 +1,145 @@
+"""The one problem that every side solves, and the files that tell a worker about it."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surefoot._core import Gains, Reference, Robot, RobotState, StandController, WholeBodyController
+from surefoot.bench.recording import Recording
+
+GRAVITY = 9.81
+# One stiffness and damping for all axes of a task: PlaCo's tasks know no others. [1/s^2], [1/s]
+STIFFNESS = {"com": (100.0, 20.0), "base": (400.0, 40.0), "foot": (2500.0, 50.0)}
+POSTURE = (100.0, 20.0)
+# The peers' weights, per unit of squared acceleration (com, base, posture) and force. The body's
+# tasks decide; posture and forces fill in, so that answers hardly depend on the weights' ratios.
+WEIGHTS = {"com": 1.0, "base": 0.1, "posture": 4e-6, "force": 1e-6}
+WEIGHT_POSTURE = 1e-4  # ours, in the program's own units
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Robot, states, and what is asked for.
+
+    Attributes:
+        robot: As it is: our whole tick's.
+        point_robot: The same with its contact points at the foot frames, where the peers have
+            theirs: for state to torque.
+        q: Estimated states of the run, Pinocchio's order, shape (n, nq).
+        v: Shape (n, nv).
+        reference: Stay where the first state is.
+        gains: Ours with the peers' stiffness; see same_gains().
+        urdf: The robot's.
+    """
+
+    robot: Robot
+    point_robot: Robot
+    q: NDArray[np.float64]
+    v: NDArray[np.float64]
+    reference: Reference
+    gains: Gains
+    urdf: Path
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+    def states(self) -> list[RobotState]:
+        """Return the states for our controller: four feet down, nobody pushes as far as it knows.
+
+        The peers are told no force from outside, so ours is not either.
+        """
+        return [_state(self.robot, q, v) for q, v in zip(self.q, self.v, strict=True)]
+
+
+def make_problem(recording: Recording, urdf: Path) -> Problem:
+    """Estimate the states of a recorded run and ask that the first be held."""
+    robot = recording.robot
+    controller = StandController(robot)
+    q, v = [], []
+    for report in recording.reports:
+        controller.update(report)
+        state = controller.state
+        q.append(state.q)
+        v.append(state.v)
+    config = robot.config
+    config.foot_radius = 0.0
+    point_robot = Robot.from_serialized_model(robot.serialized_model(), config)
+    gains = same_gains(robot.config.gains)
+    reference = WholeBodyController(point_robot, gains).hold(_state(robot, q[0], v[0]))
+    return Problem(robot, point_robot, np.array(q), np.array(v), reference, gains, urdf)
+
+
+def same_gains(gains: Gains) -> Gains:
+    """Return ours with the peers' stiffness, a posture task, and nothing that peers do not do."""
+    gains.com_kp_horizontal = gains.com_kp_vertical = STIFFNESS["com"][0]
+    gains.com_kd_horizontal = gains.com_kd_vertical = STIFFNESS["com"][1]
+    gains.base_kp_tilt = gains.base_kp_yaw = STIFFNESS["base"][0]
+    gains.base_kd_tilt = gains.base_kd_yaw = STIFFNESS["base"][1]
+    gains.foot_kp, gains.foot_kd = STIFFNESS["foot"]
+    gains.posture_kp, gains.posture_kd = POSTURE
+    gains.weight_com_vertical = gains.weight_com_horizontal
+    gains.weight_base_yaw = gains.weight_base_tilt
+    gains.weight_posture = WEIGHT_POSTURE
+    gains.edge_tilt = 1.0
+    gains.hold_down = 0.0
+    return gains
+
+
+def write_problem(problem: Problem, folder: Path) -> Path:
+    """Write the problem for workers: lines of a name and its values, and binary states.
+
+    Returns:
+        The file of lines; folder is where it and all it names are, without the folder's name.
+    """
+    robot, reference = problem.robot, problem.reference
+    np.hstack([problem.q, problem.v]).astype("<f8").tofile(folder / "states.bin")
+    _write_bare_urdf(problem.urdf, folder / "robot.urdf")
+    config, order = robot.config, np.argsort(robot.motor_to_v)
+    weight = robot.mass * GRAVITY
+    lines: dict[str, Iterable[Any]] = {
+        "size": (len(problem), robot.nq, robot.nv),
+        "joints": [config.joint_names[i] for i in order],
+        "feet": config.foot_frames,
+        "tau_max": config.tau_max[order],
+        "armature": config.armature[order],
+        "friction": (config.friction,),
+        "force_max": (problem.gains.force_max_contact * weight,),
+        "force": (weight / 4,),
+        "com": reference.p_com,
+        "quaternion": reference.quat_world_base,
+        "anchors": np.ravel([reference.foot(leg).p_world for leg in range(4)]),
+        "posture": robot.q_standing()[7:],
+        **{f"{name}_gains": gains for name, gains in STIFFNESS.items()},
+        "posture_gains": POSTURE,
+        **{f"{name}_weight": (weight,) for name, weight in WEIGHTS.items()},
+    }
+    file = folder / "problem.txt"
+    text = [" ".join([name, *map(_word, values)]) for name, values in lines.items()]
+    file.write_text("\n".join(text) + "\n", encoding="utf-8")
+    return file
+
+
+def _word(value: Any) -> str:
+    return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def _state(robot: Robot, q: Any, v: Any) -> RobotState:
+    state = RobotState(robot.nq, robot.nv)
+    state.q, state.v = q, v
+    return state
+
+
+def _write_bare_urdf(urdf: Path, out: Path) -> None:
+    """Write the URDF without shapes: no peer needs its meshes, and some would look for them."""
+    tree = ET.parse(urdf)
+    for link in tree.iter("link"):
+        for shape in [*link.findall("visual"), *link.findall("collision")]:
+            link.remove(shape)
+    tree.write(out, encoding="utf-8", xml_declaration=True)

@@ -1,0 +1,82 @@
+"""PlaCo's tick: update_kinematics, solve."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import placo
+from worker_loop import Problem, serve
+
+
+class Placo:
+    """The problem as a DynamicsSolver."""
+
+    def __init__(self, problem: Problem) -> None:
+        robot = placo.RobotWrapper(problem.urdf, placo.Flags.ignore_collisions)
+        self.robot = robot
+        problem.check_joints(list(robot.joint_names()))
+        for joint, inertia in zip(problem.names("joints"), problem.array("armature"), strict=True):
+            robot.set_rotor_inertia(joint, inertia)
+            robot.set_gear_ratio(joint, 1.0)
+        self.load(problem.q[0], problem.v[0])
+        robot.update_kinematics()
+        self.solver = placo.DynamicsSolver(robot)
+        self.contacts = [
+            self._contact(problem, leg, foot) for leg, foot in enumerate(problem.names("feet"))
+        ]
+        self._add_tasks(problem)
+        for joint, limit in zip(problem.names("joints"), problem.array("tau_max"), strict=True):
+            self.solver.set_torque_limit(joint, limit)
+        self.solver.enable_torque_limits(True)
+        self.solver.torque_cost = 0.0  # nobody else is asked for small torques
+
+    def _contact(self, problem: Problem, leg: int, foot: str) -> Any:
+        anchor = problem.array("anchors")[3 * leg : 3 * leg + 3]
+        task = self.solver.add_position_task(foot, anchor)
+        task.configure(foot, "hard", 1.0)
+        task.kp, task.kd = problem.array("foot_gains")
+        contact = self.solver.add_unilateral_point_contact(task)
+        contact.mu = problem.number("friction")
+        contact.weight_forces = problem.number("force_weight")
+        return contact
+
+    def _add_tasks(self, problem: Problem) -> None:
+        x, y, z, w = problem.array("quaternion")
+        rotation = np.array(
+            [
+                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+            ]
+        )
+        posture = self.solver.add_joints_task()
+        pose = zip(problem.names("joints"), problem.array("posture").tolist(), strict=True)
+        posture.set_joints(dict(pose))
+        tasks = {
+            "com": self.solver.add_com_task(problem.array("com")),
+            "base": self.solver.add_orientation_task("root_joint", rotation),
+            "posture": posture,
+        }
+        for name, task in tasks.items():
+            task.configure(name, "soft", problem.number(f"{name}_weight"))
+            task.kp, task.kd = problem.array(f"{name}_gains")
+
+    def load(self, q: Any, v: Any) -> None:
+        """Hand the state over."""
+        self.robot.state.q = q
+        self.robot.state.qd = v
+
+    def tick(self) -> None:
+        """Compute one tick."""
+        self.robot.update_kinematics()
+        self.solution = self.solver.solve()
+
+    def answer(self) -> tuple[bool, Any, Any]:
+        """Return solved, forces (12,), torques."""
+        forces = [np.ravel(contact.wrench) for contact in self.contacts]
+        return self.solution.success, np.concatenate(forces), self.solution.tau[6:]
+
+
+if __name__ == "__main__":
+    serve(Placo, ["placo", "pin", "numpy"])

@@ -1,0 +1,95 @@
+"""TSID's tick: computeProblemData, solve, getActuatorForces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pinocchio as pin
+import tsid
+from worker_loop import Problem, serve
+
+UP = np.array([0.0, 0.0, 1.0])
+
+
+class Tsid:
+    """The problem as InverseDynamicsFormulationAccForce on eiquadprog-fast."""
+
+    def __init__(self, problem: Problem) -> None:
+        model = pin.buildModelFromUrdf(problem.urdf, pin.JointModelFreeFlyer())
+        problem.check_joints(list(model.names)[2:])  # behind the universe and the root
+        model.armature = np.concatenate([np.zeros(6), problem.array("armature")])
+        self.robot = tsid.RobotWrapper(model, False)
+        self.formulation = tsid.InverseDynamicsFormulationAccForce("tsid", self.robot, False)
+        self.formulation.computeProblemData(0.0, problem.q[0], np.zeros(problem.nv))
+        self.keep: list[Any] = []  # the formulation holds references only
+        self.feet = problem.names("feet")
+        for leg, foot in enumerate(self.feet):
+            self._add_contact(problem, foot, problem.array("anchors")[3 * leg : 3 * leg + 3])
+        self._add_body(problem)
+        self._add_joints(problem)
+        formulation = self.formulation
+        self.solver = tsid.SolverHQuadProgFast("solver")
+        self.solver.resize(formulation.nVar, formulation.nEq, formulation.nIn)
+
+    def _add_contact(self, problem: Problem, foot: str, anchor: Any) -> None:
+        limit, mu = problem.number("force_max"), problem.number("friction")
+        contact = tsid.ContactPoint(foot, self.robot, foot, UP, mu, 0.0, limit)
+        stiffness, damping = problem.array("foot_gains")
+        contact.setKp(stiffness * np.ones(3))
+        contact.setKd(damping * np.ones(3))
+        contact.useLocalFrame(False)  # else forces and cone turn with the foot
+        contact.setReference(pin.SE3(np.eye(3), anchor))
+        contact.setRegularizationTaskWeightVector(np.ones(3))
+        contact.setForceReference(problem.number("force") * UP)
+        self.formulation.addRigidContact(contact, problem.number("force_weight"))
+        self.keep.append(contact)
+
+    def _add_body(self, problem: Problem) -> None:
+        com = tsid.TaskComEquality("com", self.robot)
+        still = tsid.TrajectorySample(3)
+        still.value(problem.array("com"))
+        self._add_motion(problem, com, "com", 3, still)
+        base = tsid.TaskSE3Equality("base", self.robot, "root_joint")
+        base.setMask(np.array([0.0, 0.0, 0.0, 1.0, 1.0, 1.0]))
+        rotation = pin.Quaternion(problem.array("quaternion")).toRotationMatrix()
+        level = tsid.TrajectorySample(12, 6)
+        level.value(np.concatenate([problem.array("com"), rotation.flatten(order="F")]))
+        self._add_motion(problem, base, "base", 6, level)
+
+    def _add_joints(self, problem: Problem) -> None:
+        posture = tsid.TaskJointPosture("posture", self.robot)
+        pose = tsid.TrajectorySample(problem.nv - 6)
+        pose.value(problem.array("posture"))
+        self._add_motion(problem, posture, "posture", problem.nv - 6, pose)
+        bounds = tsid.TaskActuationBounds("torques", self.robot)
+        bounds.setBounds(-problem.array("tau_max"), problem.array("tau_max"))
+        self.formulation.addActuationTask(bounds, 1.0, 0, 0.0)
+        self.keep.append(bounds)
+
+    def _add_motion(self, problem: Problem, task: Any, name: str, size: int, sample: Any) -> None:
+        stiffness, damping = problem.array(f"{name}_gains")
+        task.setKp(stiffness * np.ones(size))
+        task.setKd(damping * np.ones(size))
+        task.setReference(sample)
+        self.formulation.addMotionTask(task, problem.number(f"{name}_weight"), 1, 0.0)
+        self.keep.append(task)
+
+    def load(self, q: Any, v: Any) -> None:
+        """Keep the state for the tick."""
+        self.q, self.v = q, v
+
+    def tick(self) -> None:
+        """Compute one tick: kinematics are in computeProblemData."""
+        data = self.formulation.computeProblemData(0.0, self.q, self.v)
+        self.solution = self.solver.solve(data)
+        self.torques = self.formulation.getActuatorForces(self.solution)
+
+    def answer(self) -> tuple[bool, Any, Any]:
+        """Return solved, forces (12,), torques."""
+        forces = [self.formulation.getContactForce(foot, self.solution) for foot in self.feet]
+        return self.solution.status == 0, np.concatenate(forces), self.torques
+
+
+if __name__ == "__main__":
+    serve(Tsid, ["tsid", "libtsid", "pin", "eiquadprog", "numpy"])
