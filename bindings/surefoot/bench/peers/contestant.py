@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from surefoot._core import LowState, StandController, WholeBodyController, is_usable
-from surefoot.bench.peers.problem import WEIGHT_POSTURE, Problem
+from surefoot.bench.peers.problem import Problem
 
 WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3
 TORQUES = FORCES + 12
@@ -38,7 +38,7 @@ class StateToTorque:
     """Ours from a state: WholeBodyController.update()."""
 
     def __init__(self, problem: Problem) -> None:
-        self._controller = WholeBodyController(problem.point_robot, problem.gains)
+        self._controller = WholeBodyController(problem.point_robot)
         self._reference = problem.reference
         self._states = problem.states()
 
@@ -61,15 +61,10 @@ class StateToTorque:
 
 
 class WholeTick:
-    """Ours from the sensors: StandController.update(), estimator and protections included.
-
-    The robot's own gains, but for a posture task as the others have one.
-    """
+    """Ours from the sensors: StandController.update(), estimator and protections included."""
 
     def __init__(self, problem: Problem, reports: list[LowState]) -> None:
-        gains = problem.robot.config.gains
-        gains.weight_posture = WEIGHT_POSTURE
-        self._controller = StandController(problem.robot, gains)
+        self._controller = StandController(problem.robot)
         self._width = tick_width(problem)
         self._reports = reports
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -45,6 +46,12 @@ class Environment:
         version = f"python{sys.version_info.major}.{sys.version_info.minor}"
         return folder / "lib" / version / "site-packages"
 
+    def versions(self, names: Sequence[str]) -> dict[str, str]:
+        """Return the versions that are pinned for some of its packages."""
+        words = [word for step in self.steps for word in step if "==" in word]
+        pins = dict(word.split("==", 1) for word in words)
+        return {name: pins[name] for name in names}
+
     def prepare(self, options: PeerOptions) -> Path:
         """Install it unless it is complete; return its interpreter, or raise PeerProblem."""
         python, mark = self.python(options), self.folder(options) / _MARK
@@ -75,7 +82,12 @@ TSID = Environment(
             "--no-deps",
             *("tsid==1.9.0", "pin==3.9.0", "libpinocchio==3.9.0", "eigenpy==3.12.0"),
             *("coal==3.0.2", "libcoal==3.0.2", "eiquadprog==1.3.0", "proxsuite==0.7.2"),
-            *("cmeel==0.59.0", "cmeel-assimp==6.0.2", "cmeel-boost==1.89.0"),
+            *(
+                "cmeel==0.59.0",
+                "cmeel-assimp==6.0.2",
+                "cmeel-boost==1.89.0",
+                "cmeel-eigen==3.4.0.2",
+            ),
             *("cmeel-console-bridge==1.0.2.3", "cmeel-octomap==1.10.0", "cmeel-qhull==8.0.2.1"),
             *("cmeel-tinyxml2==10.0.0", "cmeel-urdfdom==4.0.1", "cmeel-zlib==1.3.1"),
             *("numpy==2.3.5", "scipy==1.17.1"),

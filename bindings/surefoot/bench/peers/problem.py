@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -11,7 +11,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from surefoot._core import Gains, Reference, Robot, RobotState, StandController, WholeBodyController
+from surefoot._core import (
+    Gains,
+    LowState,
+    Reference,
+    Robot,
+    RobotState,
+    StandController,
+    WholeBodyController,
+)
 from surefoot.bench.recording import Recording
 
 GRAVITY = 9.81
@@ -29,13 +37,12 @@ class Problem:
     """Robot, states, and what is asked for.
 
     Attributes:
-        robot: As it is: our whole tick's.
-        point_robot: The same with its contact points at the foot frames, where the peers have
-            theirs: for state to torque.
+        robot: For our whole tick: with its own gains, but for a posture task as the others have.
+        point_robot: For state to torque: contact points at the foot frames, where the peers have
+            theirs, and their stiffness; see same_gains().
         q: Estimated states of the run, Pinocchio's order, shape (n, nq).
         v: Shape (n, nv).
         reference: Stay where the first state is.
-        gains: Ours with the peers' stiffness; see same_gains().
         urdf: The robot's.
     """
 
@@ -44,7 +51,6 @@ class Problem:
     q: NDArray[np.float64]
     v: NDArray[np.float64]
     reference: Reference
-    gains: Gains
     urdf: Path
 
     def __len__(self) -> int:
@@ -68,12 +74,11 @@ def make_problem(recording: Recording, urdf: Path) -> Problem:
         state = controller.state
         q.append(state.q)
         v.append(state.v)
-    config = robot.config
-    config.foot_radius = 0.0
-    point_robot = Robot.from_serialized_model(robot.serialized_model(), config)
-    gains = same_gains(robot.config.gains)
-    reference = WholeBodyController(point_robot, gains).hold(_state(robot, q[0], v[0]))
-    return Problem(robot, point_robot, np.array(q), np.array(v), reference, gains, urdf)
+    point_robot = _changed(robot, same_gains(robot.config.gains), foot_radius=0.0)
+    gains = robot.config.gains
+    gains.weight_posture = WEIGHT_POSTURE
+    reference = WholeBodyController(point_robot).hold(_state(robot, q[0], v[0]))
+    return Problem(_changed(robot, gains), point_robot, np.array(q), np.array(v), reference, urdf)
 
 
 def same_gains(gains: Gains) -> Gains:
@@ -92,15 +97,21 @@ def same_gains(gains: Gains) -> Gains:
     return gains
 
 
-def write_problem(problem: Problem, folder: Path) -> Path:
-    """Write the problem for workers: lines of a name and its values, and binary states.
+def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -> Path:
+    """Write the problem for workers; returns the file of lines, the rest is beside it.
 
-    Returns:
-        The file of lines; folder is where it and all it names are, without the folder's name.
+    Args:
+        problem: Becomes problem.txt, lines of a name and its values; states.bin, float64, a row of
+            q and v a tick; robot.urdf; whole.robot and point.robot, with gains, for ours.
+        reports: Become reports.bin, one struct after the other.
+        folder: Where.
     """
     robot, reference = problem.robot, problem.reference
     np.hstack([problem.q, problem.v]).astype("<f8").tofile(folder / "states.bin")
     _write_bare_urdf(problem.urdf, folder / "robot.urdf")
+    robot.save(str(folder / "whole.robot"))
+    problem.point_robot.save(str(folder / "point.robot"))
+    (folder / "reports.bin").write_bytes(b"".join(report.to_bytes() for report in reports))
     config, order = robot.config, np.argsort(robot.motor_to_v)
     weight = robot.mass * GRAVITY
     lines: dict[str, Iterable[Any]] = {
@@ -110,7 +121,7 @@ def write_problem(problem: Problem, folder: Path) -> Path:
         "tau_max": config.tau_max[order],
         "armature": config.armature[order],
         "friction": (config.friction,),
-        "force_max": (problem.gains.force_max_contact * weight,),
+        "force_max": (config.gains.force_max_contact * weight,),
         "force": (weight / 4,),
         "com": reference.p_com,
         "quaternion": reference.quat_world_base,
@@ -128,6 +139,15 @@ def write_problem(problem: Problem, folder: Path) -> Path:
 
 def _word(value: Any) -> str:
     return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def _changed(robot: Robot, gains: Gains, **fields: Any) -> Robot:
+    """Return the same robot with other gains and other fields of its configuration."""
+    config = robot.config
+    config.gains = gains
+    for name, value in fields.items():
+        setattr(config, name, value)
+    return Robot.from_serialized_model(robot.serialized_model(), config)
 
 
 def _state(robot: Robot, q: Any, v: Any) -> RobotState:

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
-from surefoot.bench.peers.bout import Bout
-from surefoot.bench.peers.contestant import StateToTorque, WholeTick, tick_width
 from surefoot.bench.peers.interleave import one_processor
+from surefoot.bench.peers.languages import cpp_bout, python_bout
 from surefoot.bench.peers.options import PeerOptions
 from surefoot.bench.peers.peer import PEERS, Peer
 from surefoot.bench.peers.problem import GRAVITY, Problem, make_problem, write_problem
-from surefoot.bench.peers.worker import python_worker, worker_maker
 from surefoot.bench.recording import Recording
 from surefoot.robot_files import describe_robot
 
@@ -70,38 +67,18 @@ def _play(
     peers: Sequence[Peer],
     folder: Path,
 ) -> tuple[list[dict[str, Any]], int | None]:
-    file = write_problem(problem, folder)
+    file = write_problem(problem, recording.reports, folder)
     weight = problem.robot.mass * GRAVITY
     quiet = int(recording.push.time / recording.period)
-    bouts = [_python_bout(problem, recording, options, peers, file)]
+    bouts = [python_bout(problem, recording, options, peers, file)]
+    if options.cpp:
+        bouts.append(cpp_bout(problem, options, peers, file))
     rows = []
     for bout in bouts:
         options.say("peers: playing")
         with one_processor() as processor:
             rows += bout.play(len(problem), options.block, weight, quiet)
     return rows, processor
-
-
-def _python_bout(
-    problem: Problem,
-    recording: Recording,
-    options: PeerOptions,
-    peers: Sequence[Peer],
-    file: Path,
-) -> Bout:
-    def command(peer: Peer) -> list[str]:
-        python = peer.environment.prepare(options)
-        return [*python_worker(python, peer.script), str(file)]
-
-    width = tick_width(problem)
-    return Bout(
-        "python",
-        {
-            "state_to_torque": lambda: StateToTorque(problem),
-            "tick": lambda: WholeTick(problem, recording.reports),
-        },
-        {peer: worker_maker(partial(command, peer), width, options.patience) for peer in peers},
-    )
 
 
 def _ratios(rows: list[dict[str, Any]]) -> dict[str, Any]:

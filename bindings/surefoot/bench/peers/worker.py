@@ -11,7 +11,6 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -140,11 +139,6 @@ def worker_maker(
 
         return refuse
     return lambda: Worker(words, width, patience)
-
-
-def python_worker(python: Path, script: str) -> list[str]:
-    """Return the command of a worker script of this package."""
-    return [str(python), "-W", "ignore", str(Path(__file__).parent / "workers" / script)]
 
 
 def _environment() -> dict[str, str]:

@@ -18,8 +18,9 @@ class Tsid:
     def __init__(self, problem: Problem) -> None:
         model = pin.buildModelFromUrdf(problem.urdf, pin.JointModelFreeFlyer())
         problem.check_joints(list(model.names)[2:])  # behind the universe and the root
-        model.armature = np.concatenate([np.zeros(6), problem.array("armature")])
         self.robot = tsid.RobotWrapper(model, False)
+        self.robot.set_rotor_inertias(problem.array("armature"))
+        self.robot.set_gear_ratios(np.ones(problem.nv - 6))
         self.formulation = tsid.InverseDynamicsFormulationAccForce("tsid", self.robot, False)
         self.formulation.computeProblemData(0.0, problem.q[0], np.zeros(problem.nv))
         self.keep: list[Any] = []  # the formulation holds references only

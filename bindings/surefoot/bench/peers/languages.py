@@ -1,0 +1,71 @@
+"""Who plays in which language, and how each is started."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from surefoot.bench.peers.bout import Bout
+from surefoot.bench.peers.contestant import StateToTorque, WholeTick, tick_width
+from surefoot.bench.peers.options import PeerOptions
+from surefoot.bench.peers.peer import OUR_PROGRAM, OUR_TICKS, Peer
+from surefoot.bench.peers.problem import Problem
+from surefoot.bench.peers.worker import worker_maker
+from surefoot.bench.recording import Recording
+
+PACKAGE = Path(__file__).parents[2]
+VERSIONS = ("tsid", "libtsid", "libpinocchio", "eiquadprog")
+
+
+def python_bout(
+    problem: Problem,
+    recording: Recording,
+    options: PeerOptions,
+    peers: Sequence[Peer],
+    file: Path,
+) -> Bout:
+    """Ours in this process, the peers in interpreters of their own."""
+
+    def command(peer: Peer) -> list[str]:
+        python = peer.environment.prepare(options)
+        script = Path(__file__).parent / "workers" / peer.script
+        return [str(python), "-W", "ignore", str(script), str(file)]
+
+    width = tick_width(problem)
+    return Bout(
+        "python",
+        {
+            "state_to_torque": lambda: StateToTorque(problem),
+            "tick": lambda: WholeTick(problem, recording.reports),
+        },
+        {peer: worker_maker(partial(command, peer), width, options.patience) for peer in peers},
+    )
+
+
+def cpp_bout(problem: Problem, options: PeerOptions, peers: Sequence[Peer], file: Path) -> Bout:
+    """Every side a compiled process; peers without a C++ worker do not play."""
+
+    def command(peer: Peer) -> list[str]:
+        assert peer.program is not None
+        peer.environment.prepare(options)
+        prefix = peer.environment.site(options) / "cmeel.prefix"
+        versions = json.dumps(peer.environment.versions(VERSIONS))
+        return [str(peer.program.build([prefix], options)), str(file), versions]
+
+    def our_command(tick: str) -> list[str]:
+        # Pinocchio's prefix lies beside the package, as surefootConfig.cmake has it too.
+        prefixes = [PACKAGE, PACKAGE.parent / "cmeel.prefix"]
+        return [str(OUR_PROGRAM.build(prefixes, options)), str(file), tick]
+
+    width, patience = tick_width(problem), options.patience
+    return Bout(
+        "c++",
+        {tick: worker_maker(partial(our_command, tick), width, patience) for tick in OUR_TICKS},
+        {
+            peer: worker_maker(partial(command, peer), width, patience)
+            for peer in peers
+            if peer.program is not None
+        },
+    )
