@@ -32,7 +32,7 @@ class PeerOptions:
     folder: Path = FOLDER
     block: int = 25
     cpp: bool = True
-    patience: float = 60.0
+    patience: float = 30.0
     say: Callable[[str], None] = _say_nothing
 
     def __post_init__(self) -> None:

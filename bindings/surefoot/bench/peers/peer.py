@@ -34,7 +34,7 @@ PEERS = (
         "tsid",
         TSID,
         "tsid_worker.py",
-        Program("tsid_tick.cpp", ("tsid", "pinocchio_default")),
+        Program("tsid_tick.cpp", ("tsid", "eiquadprog", "pinocchio_default")),
         "computeProblemData (kinematics in it), solve with eiquadprog-fast, getActuatorForces",
         "four facets of friction a foot (ours 14), constant torque limits, hard (ours by the "
         "torque-speed curve, elastic), no limits of joint positions and velocities",

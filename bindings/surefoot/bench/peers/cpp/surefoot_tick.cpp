@@ -57,9 +57,7 @@ class WholeTick {
 
   void tick() { controller_.update(*report_); }
 
-  void answer(peers::Answer& out) const {
-    out.solved = surefoot::is_usable(controller_.status());
-  }
+  void answer(peers::Answer& out) const { out.solved = surefoot::is_usable(controller_.status()); }
 
  private:
   surefoot::StandController controller_;

@@ -71,8 +71,8 @@ class Tsid {
     contact->Kp(gains[0] * Vector3d::Ones());
     contact->Kd(gains[1] * Vector3d::Ones());
     contact->useLocalFrame(false);  // else forces and cone turn with the foot
-    contact->setReference(pinocchio::SE3(Eigen::Matrix3d::Identity(),
-                                         problem_.array("anchors").segment<3>(3 * leg)));
+    const Vector3d anchor = problem_.array("anchors").segment<3>(3 * leg);
+    contact->setReference(pinocchio::SE3(Eigen::Matrix3d::Identity(), anchor));
     contact->setRegularizationTaskWeightVector(Vector3d::Ones());
     contact->setForceReference(problem_.number("force") * up);
     formulation_->addRigidContact(*contact, problem_.number("force_weight"));
@@ -92,7 +92,7 @@ class Tsid {
     base_->setMask(turning);
     const VectorXd xyzw = problem_.array("quaternion");
     const Eigen::Quaterniond level(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
-    base_->setReference(pinocchio::SE3(level.toRotationMatrix(), problem_.array("com")));
+    base_->setReference(pinocchio::SE3(level, Vector3d::Zero()));
     add_motion(*base_, "base", 6);
   }
 

@@ -84,7 +84,7 @@ void serve(const Problem& problem, Peer& peer, const std::string& versions) {
   answer.torques = Eigen::VectorXd::Zero(problem.nv - 6);
   std::vector<double> reply;
   int first = 0, count = 0;
-  while (std::scanf("play %d %d\n", &first, &count) == 2) {
+  while (std::scanf(" play %d %d", &first, &count) == 2) {
     reply.clear();
     for (int k = first; k < first + count; ++k) {
       peer.load(k);
