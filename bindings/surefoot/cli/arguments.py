@@ -70,6 +70,11 @@ def _add_bench_options(parser: _Parser) -> None:
     add_robot_options(parser, "go1")
     parser.add_argument("--ticks", type=int, default=5000, metavar="N", help="of the run (5000)")
     add_form_option(parser)
+    parser.add_argument(
+        "--peers",
+        action="store_true",
+        help="whole ticks beside TSID's and PlaCo's too; installs them in .venv-peers",
+    )
     parser.add_argument("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -47,10 +48,10 @@ class Environment:
         return folder / "lib" / version / "site-packages"
 
     def versions(self, names: Sequence[str]) -> dict[str, str]:
-        """Return the versions that are pinned for some of its packages."""
+        """Return the versions that are pinned, of the packages named that are."""
         words = [word for step in self.steps for word in step if "==" in word]
         pins = dict(word.split("==", 1) for word in words)
-        return {name: pins[name] for name in names}
+        return {name: pins[name] for name in names if name in pins}
 
     def prepare(self, options: PeerOptions) -> Path:
         """Install it unless it is complete; return its interpreter, or raise PeerProblem."""
@@ -98,6 +99,11 @@ TSID = Environment(
 PLACO = Environment("placo", (("placo==0.10.2",),))
 
 
+def own_variables() -> dict[str, str]:
+    """Return the system's variables without Python's: PYTHONPATH would bring in our packages."""
+    return {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
+
+
 def _run(words: list[str]) -> None:
     """Run a command quietly; raises PeerProblem with the last thing that it said."""
     try:
@@ -108,6 +114,7 @@ def _run(words: list[str]) -> None:
             text=True,
             errors="replace",
             timeout=LONGEST_INSTALL,
+            env=own_variables(),
             check=False,
         )
     except (OSError, subprocess.TimeoutExpired) as problem:

@@ -31,7 +31,7 @@ def python_bout(
     def command(peer: Peer) -> list[str]:
         python = peer.environment.prepare(options)
         script = Path(__file__).parent / "workers" / peer.script
-        return [str(python), "-W", "ignore", str(script), str(file)]
+        return [str(python), "-B", "-W", "ignore", str(script), str(file)]
 
     width = tick_width(problem)
     return Bout(

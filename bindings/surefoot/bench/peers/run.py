@@ -12,7 +12,15 @@ from surefoot.bench.peers.interleave import one_processor
 from surefoot.bench.peers.languages import cpp_bout, python_bout
 from surefoot.bench.peers.options import PeerOptions
 from surefoot.bench.peers.peer import PEERS, Peer
-from surefoot.bench.peers.problem import GRAVITY, Problem, make_problem, write_problem
+from surefoot.bench.peers.problem import (
+    GRAVITY,
+    POSTURE,
+    STIFFNESS,
+    WEIGHTS,
+    Problem,
+    make_problem,
+    write_problem,
+)
 from surefoot.bench.recording import Recording
 from surefoot.robot_files import describe_robot
 
@@ -22,6 +30,23 @@ RATIOS = {
     "ratio_tick_over_tsid": ("tick", "tsid"),
     "ratio_state_to_torque_over_placo": ("state_to_torque", "placo"),
 }
+
+
+# What every side is asked for; docs/peers.md says it at length.
+TASKS = {
+    "what": "stay where the first state is: centre of mass, base orientation, posture, even "
+    "forces; four feet down, friction, bounds of normal force and torque",
+    "stiffness_and_damping": {**STIFFNESS, "posture": POSTURE},
+    "weights_of_peers": WEIGHTS,
+}
+
+
+def add_peers(
+    result: dict[str, Any], recording: Recording, options: PeerOptions | None = None
+) -> None:
+    """Run the comparison and put it under "peers" of a bench's result, its ratios beside."""
+    result["peers"] = run_peers(recording, options)
+    result.update({name: result["peers"][name] for name in RATIOS})
 
 
 def run_peers(
@@ -55,6 +80,8 @@ def run_peers(
     return {
         **_ratios(rows),
         "rows": rows,
+        "tasks": TASKS,
+        "ticks": len(recording.reports),
         "block": options.block,
         "processor": processor,
     }

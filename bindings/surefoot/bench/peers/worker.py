@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import select
 import signal
 import subprocess
@@ -16,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from surefoot.bench.peers.contestant import Ticks
+from surefoot.bench.peers.environment import own_variables
 from surefoot.bench.peers.options import PeerProblem
 
 
@@ -46,7 +46,7 @@ class Worker:
                 stdout=subprocess.PIPE,
                 stderr=self._errors,
                 bufsize=0,
-                env=_environment(),
+                env={**own_variables(), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
             )
         except OSError as problem:
             self._errors.close()
@@ -139,9 +139,3 @@ def worker_maker(
 
         return refuse
     return lambda: Worker(words, width, patience)
-
-
-def _environment() -> dict[str, str]:
-    """Keep our own packages out of the peer's interpreter, and everybody on one thread."""
-    variables = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
-    return {**variables, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
