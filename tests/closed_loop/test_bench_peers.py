@@ -11,9 +11,10 @@ from surefoot.bench import BenchSettings, peers, record
 from surefoot.bench.peers import RATIOS, PeerOptions, PeerProblem, compiled, run_peers
 from surefoot.bench.peers.contestant import SOLVED, StateToTorque, WholeTick, tick_width
 from surefoot.bench.peers.environment import Environment
+from surefoot.bench.peers.files import write_problem
 from surefoot.bench.peers.languages import PACKAGE
 from surefoot.bench.peers.peer import OUR_PROGRAM, PEERS, Peer
-from surefoot.bench.peers.problem import make_problem, write_problem
+from surefoot.bench.peers.problem import make_problem
 from surefoot.bench.peers.worker import Worker
 from surefoot.robot_files import describe_robot
 
@@ -30,7 +31,7 @@ class Fake:
     def __init__(self, problem):
         self.answers, self.k = np.load({answers!r}), -1
         print("a library that prints where it should not")
-    def load(self, q, v):
+    def load(self, k):
         self.k += 1
     def tick(self):
         self.row = self.answers[self.k % len(self.answers)].copy()

@@ -42,7 +42,7 @@ class Bout:
             ticks: Of the recording.
             block: Ticks until it is the next one's turn.
             weight: Of the robot [N].
-            quiet: Ticks before the push.
+            quiet: Ticks before anything is asked to move.
         """
         contestants, reasons = self._start()
         try:

@@ -39,13 +39,12 @@ class StateToTorque:
 
     def __init__(self, problem: Problem) -> None:
         self._controller = WholeBodyController(problem.point_robot)
-        self._reference = problem.reference
-        self._states = problem.states()
+        self._asked = list(zip(problem.states(), problem.references(), strict=True))
 
     def play(self, first: int, count: int) -> Ticks:
         """See Contestant."""
-        update, reference, rows = self._controller.update, self._reference, []
-        for state in self._states[first : first + count]:
+        update, rows = self._controller.update, []
+        for state, reference in self._asked[first : first + count]:
             cpu = thread_time_ns()
             wall = perf_counter_ns()
             solution = update(state, reference)

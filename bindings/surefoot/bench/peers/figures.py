@@ -9,7 +9,7 @@ import numpy as np
 from surefoot.bench.peers.contestant import CPU, FORCES, SOLVED, TORQUES, WALL, Ticks
 from surefoot.bench.timing import distribution
 
-WEIGHT_SHARE = 0.03  # by which the feet's forces may miss the weight while the robot stands quietly
+WEIGHT_SHARE = 0.03  # by which forces on all feet may differ while the robot stands quietly
 TORQUE_SHARE = 0.05  # of the greatest quiet torque, by which answers may differ
 
 
@@ -34,7 +34,7 @@ def answers(ours: Ticks, theirs: Ticks, weight: float, quiet: int) -> dict[str, 
         ours: State to torque.
         theirs: The same ticks.
         weight: Of the robot [N].
-        quiet: How many ticks there are before the push.
+        quiet: How many ticks there are before anything is asked to move.
 
     Returns:
         Shares, greatest differences, and in "verdict" in words whether the answer is the same.
@@ -45,8 +45,8 @@ def answers(ours: Ticks, theirs: Ticks, weight: float, quiet: int) -> dict[str, 
     greatest = float(np.abs(ours[:quiet, TORQUES:]).max())
     quiet_torque = float(torque[:quiet].max())
     verdict = "same answer"
-    if abs(forces[1] - weight) > WEIGHT_SHARE * weight:
-        verdict = f"another answer: carries {forces[1]:.1f} N, expected about {weight:.1f} N"
+    if abs(forces[1] - forces[0]) > WEIGHT_SHARE * weight:
+        verdict = f"another answer: carries {forces[1]:.1f} N where ours carries {forces[0]:.1f} N"
     elif quiet_torque > TORQUE_SHARE * greatest:
         verdict = (
             f"another answer: torques differ by up to {quiet_torque:.3g} N.m of {greatest:.3g} N.m"

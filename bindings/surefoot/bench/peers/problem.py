@@ -1,9 +1,7 @@
-"""The one problem that every side solves, and the files that tell a worker about it."""
+"""The one problem that every side solves."""
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,13 +11,13 @@ from numpy.typing import NDArray
 
 from surefoot._core import (
     Gains,
-    LowState,
     Reference,
     Robot,
     RobotState,
     StandController,
     WholeBodyController,
 )
+from surefoot.bench.peers.motion import body_motion, quiet_ticks
 from surefoot.bench.recording import Recording
 
 GRAVITY = 9.81
@@ -42,7 +40,9 @@ class Problem:
             theirs, and their stiffness; see same_gains().
         q: Estimated states of the run, Pinocchio's order, shape (n, nq).
         v: Shape (n, nv).
-        reference: Stay where the first state is.
+        targets: Centre of mass [m] and base orientation (quaternion x y z w) that are asked for,
+            shape (n, 7); see body_motion().
+        hold: Stay where the first state is.
         urdf: The robot's.
     """
 
@@ -50,7 +50,8 @@ class Problem:
     point_robot: Robot
     q: NDArray[np.float64]
     v: NDArray[np.float64]
-    reference: Reference
+    targets: NDArray[np.float64]
+    hold: Reference
     urdf: Path
 
     def __len__(self) -> int:
@@ -63,9 +64,17 @@ class Problem:
         """
         return [_state(self.robot, q, v) for q, v in zip(self.q, self.v, strict=True)]
 
+    def references(self) -> list[Reference]:
+        """Return what our controller is asked for, tick by tick."""
+        controller, first = WholeBodyController(self.point_robot), self.states()[0]
+        references = [controller.hold(first) for _ in self.targets]
+        for reference, target in zip(references, self.targets, strict=True):
+            reference.p_com, reference.quat_world_base = target[:3], target[3:]
+        return references
+
 
 def make_problem(recording: Recording, urdf: Path) -> Problem:
-    """Estimate the states of a recorded run and ask that the first be held."""
+    """Estimate the states of a recorded run, and ask for the first pose and a motion from it."""
     robot = recording.robot
     controller = StandController(robot)
     q, v = [], []
@@ -77,8 +86,11 @@ def make_problem(recording: Recording, urdf: Path) -> Problem:
     point_robot = _changed(robot, same_gains(robot.config.gains), foot_radius=0.0)
     gains = robot.config.gains
     gains.weight_posture = WEIGHT_POSTURE
-    reference = WholeBodyController(point_robot).hold(_state(robot, q[0], v[0]))
-    return Problem(_changed(robot, gains), point_robot, np.array(q), np.array(v), reference, urdf)
+    hold = WholeBodyController(point_robot).hold(_state(robot, q[0], v[0]))
+    targets = body_motion(hold, len(q), quiet_ticks(recording))
+    return Problem(
+        _changed(robot, gains), point_robot, np.array(q), np.array(v), targets, hold, urdf
+    )
 
 
 def same_gains(gains: Gains) -> Gains:
@@ -97,50 +109,6 @@ def same_gains(gains: Gains) -> Gains:
     return gains
 
 
-def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -> Path:
-    """Write the problem for workers; returns the file of lines, the rest is beside it.
-
-    Args:
-        problem: Becomes problem.txt, lines of a name and its values; states.bin, float64, a row of
-            q and v a tick; robot.urdf; whole.robot and point.robot, with gains, for ours.
-        reports: Become reports.bin, one struct after the other.
-        folder: Where.
-    """
-    robot, reference = problem.robot, problem.reference
-    np.hstack([problem.q, problem.v]).astype("<f8").tofile(folder / "states.bin")
-    _write_bare_urdf(problem.urdf, folder / "robot.urdf")
-    robot.save(str(folder / "whole.robot"))
-    problem.point_robot.save(str(folder / "point.robot"))
-    (folder / "reports.bin").write_bytes(b"".join(report.to_bytes() for report in reports))
-    config, order = robot.config, np.argsort(robot.motor_to_v)
-    weight = robot.mass * GRAVITY
-    lines: dict[str, Iterable[Any]] = {
-        "size": (len(problem), robot.nq, robot.nv),
-        "joints": [config.joint_names[i] for i in order],
-        "feet": config.foot_frames,
-        "tau_max": config.tau_max[order],
-        "armature": config.armature[order],
-        "friction": (config.friction,),
-        "force_max": (config.gains.force_max_contact * weight,),
-        "force": (weight / 4,),
-        "com": reference.p_com,
-        "quaternion": reference.quat_world_base,
-        "anchors": np.ravel([reference.foot(leg).p_world for leg in range(4)]),
-        "posture": robot.q_standing()[7:],
-        **{f"{name}_gains": gains for name, gains in STIFFNESS.items()},
-        "posture_gains": POSTURE,
-        **{f"{name}_weight": (weight,) for name, weight in WEIGHTS.items()},
-    }
-    file = folder / "problem.txt"
-    text = [" ".join([name, *map(_word, values)]) for name, values in lines.items()]
-    file.write_text("\n".join(text) + "\n", encoding="utf-8")
-    return file
-
-
-def _word(value: Any) -> str:
-    return repr(float(value)) if isinstance(value, float) else str(value)
-
-
 def _changed(robot: Robot, gains: Gains, **fields: Any) -> Robot:
     """Return the same robot with other gains and other fields of its configuration."""
     config = robot.config
@@ -154,12 +122,3 @@ def _state(robot: Robot, q: Any, v: Any) -> RobotState:
     state = RobotState(robot.nq, robot.nv)
     state.q, state.v = q, v
     return state
-
-
-def _write_bare_urdf(urdf: Path, out: Path) -> None:
-    """Write the URDF without shapes: no peer needs its meshes, and some would look for them."""
-    tree = ET.parse(urdf)
-    for link in tree.iter("link"):
-        for shape in [*link.findall("visual"), *link.findall("collision")]:
-            link.remove(shape)
-    tree.write(out, encoding="utf-8", xml_declaration=True)

@@ -8,8 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
+from surefoot.bench.peers.files import write_problem
 from surefoot.bench.peers.interleave import one_processor
 from surefoot.bench.peers.languages import cpp_bout, python_bout
+from surefoot.bench.peers.motion import quiet_ticks
 from surefoot.bench.peers.options import PeerOptions
 from surefoot.bench.peers.peer import PEERS, Peer
 from surefoot.bench.peers.problem import (
@@ -19,7 +21,6 @@ from surefoot.bench.peers.problem import (
     WEIGHTS,
     Problem,
     make_problem,
-    write_problem,
 )
 from surefoot.bench.recording import Recording
 from surefoot.robot_files import describe_robot
@@ -34,9 +35,10 @@ RATIOS = {
 
 # What every side is asked for; docs/peers.md says it at length.
 TASKS = {
-    "what": "stay where the first state is: centre of mass, base orientation, posture, even "
-    "forces; four feet down, friction, bounds of normal force and torque",
-    "stiffness_and_damping": {**STIFFNESS, "posture": POSTURE},
+    "what": "centre of mass, base orientation, posture, even forces; four feet down, friction, "
+    "bounds of normal force and torque",
+    "motion": "a quarter standing still, a quarter asked to bow, half a push and what follows",
+    "stiffness_and_damping": {k: list(v) for k, v in {**STIFFNESS, "posture": POSTURE}.items()},
     "weights_of_peers": WEIGHTS,
 }
 
@@ -96,7 +98,6 @@ def _play(
 ) -> tuple[list[dict[str, Any]], int | None]:
     file = write_problem(problem, recording.reports, folder)
     weight = problem.robot.mass * GRAVITY
-    quiet = int(recording.push.time / recording.period)
     bouts = [python_bout(problem, recording, options, peers, file)]
     if options.cpp:
         bouts.append(cpp_bout(problem, options, peers, file))
@@ -104,7 +105,7 @@ def _play(
     for bout in bouts:
         options.say("peers: playing")
         with one_processor() as processor:
-            rows += bout.play(len(problem), options.block, weight, quiet)
+            rows += bout.play(len(problem), options.block, weight, quiet_ticks(recording))
     return rows, processor
 
 

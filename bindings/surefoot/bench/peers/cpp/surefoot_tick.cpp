@@ -13,13 +13,16 @@ class StateToTorque {
       : problem_(problem),
         controller_(surefoot::Robot::load(problem.folder + "point.robot")),
         state_(problem.nq, problem.nv) {
-    load(0);
+    state_.q = problem.q(0);
+    state_.v = problem.v(0);
     reference_ = controller_.hold(state_);
   }
 
   void load(int tick) {
     state_.q = problem_.q(tick);
     state_.v = problem_.v(tick);
+    reference_.p_com = problem_.com(tick);
+    reference_.R_world_base = problem_.base(tick);
   }
 
   void tick() { solution_ = &controller_.update(state_, reference_); }

@@ -36,6 +36,10 @@ class Tsid {
   void load(int tick) {
     q_ = problem_.q(tick);
     v_ = problem_.v(tick);
+    tsid::trajectories::TrajectorySample place(3);
+    place.setValue(problem_.com(tick));
+    com_->setReference(place);
+    base_->setReference(pinocchio::SE3(problem_.base(tick), Vector3d::Zero()));
   }
 
   void tick() {
@@ -81,18 +85,12 @@ class Tsid {
 
   void add_body() {
     com_ = std::make_unique<tsid::tasks::TaskComEquality>("com", robot_);
-    tsid::trajectories::TrajectorySample still(3);
-    still.setValue(problem_.array("com"));
-    com_->setReference(still);
-    add_motion(*com_, "com", 3);
-
     base_ = std::make_unique<tsid::tasks::TaskSE3Equality>("base", robot_, "root_joint");
     VectorXd turning(6);
     turning << 0.0, 0.0, 0.0, 1.0, 1.0, 1.0;
     base_->setMask(turning);
-    const VectorXd xyzw = problem_.array("quaternion");
-    const Eigen::Quaterniond level(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
-    base_->setReference(pinocchio::SE3(level, Vector3d::Zero()));
+    load(0);
+    add_motion(*com_, "com", 3);
     add_motion(*base_, "base", 6);
   }
 

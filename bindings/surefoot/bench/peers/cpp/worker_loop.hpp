@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdio>
 #include <fstream>
 #include <map>
@@ -32,7 +33,7 @@ class Problem {
     ticks = int(size[0]);
     nq = int(size[1]);
     nv = int(size[2]);
-    states_.resize(nq + nv, ticks);
+    states_.resize(nq + nv + 7, ticks);
     std::ifstream states(folder + "states.bin", std::ios::binary);
     if (!states.read(reinterpret_cast<char*>(states_.data()), states_.size() * sizeof(double))) {
       throw std::runtime_error(folder + "states.bin: too short");
@@ -49,7 +50,11 @@ class Problem {
   double number(const std::string& key) const { return std::stod(names(key).at(0)); }
 
   Eigen::VectorXd q(int tick) const { return states_.col(tick).head(nq); }
-  Eigen::VectorXd v(int tick) const { return states_.col(tick).tail(nv); }
+  Eigen::VectorXd v(int tick) const { return states_.col(tick).segment(nq, nv); }
+  Eigen::Vector3d com(int tick) const { return states_.col(tick).segment<3>(nq + nv); }
+  Eigen::Quaterniond base(int tick) const {
+    return Eigen::Quaterniond(Eigen::Vector4d(states_.col(tick).tail<4>()));  // x y z w
+  }
 
   std::string folder;
   int ticks = 0, nq = 0, nv = 0;

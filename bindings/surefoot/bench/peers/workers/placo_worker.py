@@ -19,7 +19,8 @@ class Placo:
         for joint, inertia in zip(problem.names("joints"), problem.array("armature"), strict=True):
             robot.set_rotor_inertia(joint, inertia)
             robot.set_gear_ratio(joint, 1.0)
-        self.load(problem.q[0], problem.v[0])
+        self.problem = problem
+        robot.state.q, robot.state.qd = problem.q[0], problem.v[0]
         robot.update_kinematics()
         self.solver = placo.DynamicsSolver(robot)
         self.contacts = [
@@ -42,30 +43,22 @@ class Placo:
         return contact
 
     def _add_tasks(self, problem: Problem) -> None:
-        x, y, z, w = problem.array("quaternion")
-        rotation = np.array(
-            [
-                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-            ]
-        )
         posture = self.solver.add_joints_task()
         pose = zip(problem.names("joints"), problem.array("posture").tolist(), strict=True)
         posture.set_joints(dict(pose))
-        tasks = {
-            "com": self.solver.add_com_task(problem.array("com")),
-            "base": self.solver.add_orientation_task("root_joint", rotation),
-            "posture": posture,
-        }
+        self.com = self.solver.add_com_task(problem.com[0])
+        self.base = self.solver.add_orientation_task("root_joint", problem.rotation[0])
+        tasks = {"com": self.com, "base": self.base, "posture": posture}
         for name, task in tasks.items():
             task.configure(name, "soft", problem.number(f"{name}_weight"))
             task.kp, task.kd = problem.array(f"{name}_gains")
 
-    def load(self, q: Any, v: Any) -> None:
-        """Hand the state over."""
-        self.robot.state.q = q
-        self.robot.state.qd = v
+    def load(self, k: int) -> None:
+        """Hand state and targets over."""
+        self.robot.state.q = self.problem.q[k]
+        self.robot.state.qd = self.problem.v[k]
+        self.com.target_world = self.problem.com[k]
+        self.base.R_world_frame = self.problem.rotation[k]
 
     def tick(self) -> None:
         """Compute one tick."""

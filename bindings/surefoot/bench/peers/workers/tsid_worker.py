@@ -16,6 +16,7 @@ class Tsid:
     """The problem as InverseDynamicsFormulationAccForce on eiquadprog-fast."""
 
     def __init__(self, problem: Problem) -> None:
+        self.problem = problem
         model = pin.buildModelFromUrdf(problem.urdf, pin.JointModelFreeFlyer())
         problem.check_joints(list(model.names)[2:])  # behind the universe and the root
         self.robot = tsid.RobotWrapper(model, False)
@@ -47,38 +48,40 @@ class Tsid:
         self.keep.append(contact)
 
     def _add_body(self, problem: Problem) -> None:
-        com = tsid.TaskComEquality("com", self.robot)
-        still = tsid.TrajectorySample(3)
-        still.value(problem.array("com"))
-        self._add_motion(problem, com, "com", 3, still)
-        base = tsid.TaskSE3Equality("base", self.robot, "root_joint")
-        base.setMask(np.array([0.0, 0.0, 0.0, 1.0, 1.0, 1.0]))
-        rotation = pin.Quaternion(problem.array("quaternion")).toRotationMatrix()
-        level = tsid.TrajectorySample(12, 6)
-        level.value(np.concatenate([problem.array("com"), rotation.flatten(order="F")]))
-        self._add_motion(problem, base, "base", 6, level)
+        self.com = tsid.TaskComEquality("com", self.robot)
+        self.base = tsid.TaskSE3Equality("base", self.robot, "root_joint")
+        self.base.setMask(np.array([0.0, 0.0, 0.0, 1.0, 1.0, 1.0]))
+        self.load(0)
+        self._add_motion(problem, self.com, "com", 3)
+        self._add_motion(problem, self.base, "base", 6)
 
     def _add_joints(self, problem: Problem) -> None:
         posture = tsid.TaskJointPosture("posture", self.robot)
         pose = tsid.TrajectorySample(problem.nv - 6)
         pose.value(problem.array("posture"))
-        self._add_motion(problem, posture, "posture", problem.nv - 6, pose)
+        posture.setReference(pose)
+        self._add_motion(problem, posture, "posture", problem.nv - 6)
         bounds = tsid.TaskActuationBounds("torques", self.robot)
         bounds.setBounds(-problem.array("tau_max"), problem.array("tau_max"))
         self.formulation.addActuationTask(bounds, 1.0, 0, 0.0)
         self.keep.append(bounds)
 
-    def _add_motion(self, problem: Problem, task: Any, name: str, size: int, sample: Any) -> None:
+    def _add_motion(self, problem: Problem, task: Any, name: str, size: int) -> None:
         stiffness, damping = problem.array(f"{name}_gains")
         task.setKp(stiffness * np.ones(size))
         task.setKd(damping * np.ones(size))
-        task.setReference(sample)
         self.formulation.addMotionTask(task, problem.number(f"{name}_weight"), 1, 0.0)
         self.keep.append(task)
 
-    def load(self, q: Any, v: Any) -> None:
-        """Keep the state for the tick."""
-        self.q, self.v = q, v
+    def load(self, k: int) -> None:
+        """Keep the state for the tick, and set the targets."""
+        self.q, self.v = self.problem.q[k], self.problem.v[k]
+        place = tsid.TrajectorySample(3)
+        place.value(self.problem.com[k])
+        self.com.setReference(place)
+        pose = tsid.TrajectorySample(12, 6)
+        pose.value(np.concatenate([np.zeros(3), self.problem.rotation[k].flatten(order="F")]))
+        self.base.setReference(pose)
 
     def tick(self) -> None:
         """Compute one tick: kinematics are in computeProblemData."""

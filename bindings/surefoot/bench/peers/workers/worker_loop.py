@@ -28,9 +28,11 @@ class Problem:
         rows = [line.split() for line in file.read_text(encoding="utf-8").splitlines()]
         self._rows = {row[0]: row[1:] for row in rows}
         n, nq, nv = (int(word) for word in self._rows["size"])
-        states = np.fromfile(file.parent / "states.bin").reshape(n, nq + nv)
+        states = np.fromfile(file.parent / "states.bin").reshape(n, nq + nv + 7)
         self.q = [np.array(row[:nq]) for row in states]
-        self.v = [np.array(row[nq:]) for row in states]
+        self.v = [np.array(row[nq : nq + nv]) for row in states]
+        self.com = [np.array(row[nq + nv : nq + nv + 3]) for row in states]
+        self.rotation = [rotation(*row[nq + nv + 3 :]) for row in states]
         self.nv = nv
         self.urdf = str(file.parent / "robot.urdf")
 
@@ -52,12 +54,23 @@ class Problem:
         return float(self._rows[key][0])
 
 
+def rotation(x: float, y: float, z: float, w: float) -> Any:
+    """Return the matrix of a unit quaternion, shape (3, 3)."""
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
 def serve(make: Callable[[Problem], Any], packages: list[str]) -> None:
     """Build the peer's solver and play ticks until standard input ends.
 
     Args:
-        make: Returns an object with load(q, v), outside the clock; tick(), inside;
-            answer() -> solved, forces (12,), torques (nv - 6,).
+        make: Returns an object with load(k), outside the clock: state and target of tick k;
+            tick(), inside; answer() -> solved, forces (12,), torques (nv - 6,).
         packages: Whose versions are told.
     """
     # Libraries may print: what they say must not get between the numbers.
@@ -77,7 +90,7 @@ def serve(make: Callable[[Problem], Any], packages: list[str]) -> None:
 
 
 def _play(peer: Any, problem: Problem, k: int) -> Any:
-    peer.load(problem.q[k], problem.v[k])
+    peer.load(k)
     tick = peer.tick
     cpu = thread_time_ns()
     wall = perf_counter_ns()
