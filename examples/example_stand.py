@@ -57,7 +57,7 @@ def loop(
         newer = link.receive()
         if not link.known:
             link.send(surefoot.damping_low_cmd(3.0))  # so that the robot knows whom to answer
-        elif link.age > 0.05:
+        elif link.age > 0.1:
             print(f"no LowState for {1000 * link.age:.0f} ms", flush=True)
             return False
         elif newer:

@@ -12,7 +12,7 @@ import surefoot
 from surefoot.protocol import GENERATIONS, default_generation
 
 DT = 0.002  # [s]
-STALE = 0.05  # [s] of silence
+STALE = 0.1  # [s] of silence: as long as robots wait
 FAREWELL = 100  # ticks of damping at the end
 HIP_TAU = {surefoot.FR_0: -0.65, surefoot.FL_0: 0.65, surefoot.RR_0: -0.65, surefoot.RL_0: 0.65}
 

@@ -111,6 +111,9 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro(
           "reference", [](const StandController& c) { return Reference(c.reference()); }, "A copy.")
       .def_prop_ro(
+          "program", [](const StandController& c) { return QpProblem(c.program()); },
+          "The program that the last tick solved: a copy.")
+      .def_prop_ro(
           "solution", [](const StandController& c) { return Solution(c.solution()); }, "A copy.")
       .def_prop_ro("torque_force", &StandController::torque_force,
                    "Normal force per foot from torques [N].")

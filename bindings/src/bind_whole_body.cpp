@@ -25,10 +25,25 @@ void bind_options(nb::module_& m) {
       .def_rw("tolerance", &WholeBodyOptions::tolerance, "Of the program's scaled residuals.");
 }
 
+void bind_program(nb::module_& m) {
+  nb::class_<QpProblem>(m, "QpProblem",
+                        "A quadratic program: minimise 1/2 x'H x + g'x  subject to  A x = b,  "
+                        "l <= C x <= u.\n\n"
+                        "Bounds of 1e20 and beyond are none. Arrays are copies.")
+      .def_ro("H", &QpProblem::H, nb::rv_policy::copy, "Shape (n, n), symmetric.")
+      .def_ro("g", &QpProblem::g, nb::rv_policy::copy, "Shape (n,).")
+      .def_ro("A", &QpProblem::A, nb::rv_policy::copy, "Shape (equalities, n).")
+      .def_ro("b", &QpProblem::b, nb::rv_policy::copy, "Shape (equalities,).")
+      .def_ro("C", &QpProblem::C, nb::rv_policy::copy, "Shape (inequalities, n).")
+      .def_ro("l", &QpProblem::l, nb::rv_policy::copy, "Shape (inequalities,).")
+      .def_ro("u", &QpProblem::u, nb::rv_policy::copy, "Shape (inequalities,).");
+}
+
 }  // namespace
 
 void bind_whole_body(nb::module_& m) {
   bind_options(m);
+  bind_program(m);
   nb::class_<WholeBodyController>(m, "WholeBodyController",
                                   "State and reference in, joint torques out.\n\n"
                                   "For people who bring their own estimator or planner.")
@@ -57,5 +72,8 @@ void bind_whole_body(nb::module_& m) {
            "Raise Error if one is invalid.")
       .def_prop_ro(
           "gains", [](const WholeBodyController& c) { return Gains(c.gains()); }, "A copy.")
+      .def_prop_ro(
+          "program", [](const WholeBodyController& c) { return QpProblem(c.program()); },
+          "The program that the last tick solved, with slacks where something gave: a copy.")
       .def("reset", &WholeBodyController::reset, "Forget the warm start.");
 }

@@ -139,6 +139,7 @@ const Reference& StandController::reference() const noexcept {
   return impl_->reference.reference();
 }
 const Solution& StandController::solution() const noexcept { return impl_->controller.solution(); }
+const QpProblem& StandController::program() const noexcept { return impl_->controller.program(); }
 bool StandController::foot_force_alive() const noexcept {
   return impl_->estimator.foot_force_alive();
 }

@@ -18,7 +18,7 @@ from surefoot.bench.peers.problem import make_problem
 from surefoot.bench.peers.worker import Worker
 from surefoot.robot_files import describe_robot
 
-TICKS = 130
+TICKS = 600  # with the first push in it, at 1 s
 WORKERS = Path(peers.__file__).parent / "workers"
 # A peer that has the answers from a file, and spoils them from tick 60 on in a way of its own.
 FAKE = """
@@ -53,7 +53,8 @@ class Here(Environment):
 
 @pytest.fixture(scope="module")
 def recording():
-    return record(BenchSettings(ticks=TICKS))
+    whole = record(BenchSettings(), "push50")
+    return replace(whole, reports=whole.reports[:TICKS])
 
 
 @pytest.fixture(scope="module")
@@ -93,6 +94,16 @@ def test_a_peer_that_answers_is_compared_pair_by_pair(recording, fake, options):
         assert row["answers"]["verdict"] == "same answer"
         assert row["answers"]["greatest_torque_difference_nm"]["all"] < 1e-3
     assert "tsid (python)" in peers.peers_text(result)
+
+
+def test_runs_are_pooled_and_who_fails_in_one_has_failed(recording, fake, options):
+    short = replace(recording, reports=recording.reports[:50])
+    both = [fake("tsid", "os._exit(3)"), fake("placo")]
+    result = run_peers([short, recording], options, both)
+    assert result["scenarios"] == {"push50": TICKS}
+    failed, played = result["rows"]
+    assert failed["reason"].startswith("ended with status 3")
+    assert played["reason"] is None and played["pairs"] == TICKS + 50
 
 
 @pytest.mark.parametrize(

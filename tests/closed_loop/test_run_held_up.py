@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 
 import pytest
-from virtual_robot_helpers import controller, start, wait_for
+from virtual_robot_helpers import controller, heed_ctrl_c, start, wait_for
 
 
 def end(*processes: subprocess.Popen[str]) -> None:
@@ -126,7 +126,10 @@ except KeyboardInterrupt:
 def test_ctrl_c_ends_a_runner_in_the_main_thread_by_damping() -> None:
     robot, port = start()
     run = subprocess.Popen(
-        [sys.executable, "-c", RUNNER, str(port)], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", RUNNER, str(port)],
+        stdout=subprocess.PIPE,
+        text=True,
+        preexec_fn=heed_ctrl_c,
     )
     wait_for(run, "running")
     time.sleep(0.5)

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import signal
 import socket
 import subprocess
 import sys
@@ -120,3 +121,8 @@ def wait_for(process: subprocess.Popen[str], words: str) -> str:
     while words not in (line := process.stdout.readline()):
         assert line, f"ended without '{words}'"
     return line
+
+
+def heed_ctrl_c() -> None:
+    """For Popen(preexec_fn=...): a process started in the background would ignore SIGINT."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wbc/qp_problem.hpp"
+#include "surefoot/qp_problem.hpp"
 
 /// Karush, Kuhn and Tucker, written here from the definition: the greatest violation of
 /// stationarity, feasibility, signs and complementarity.

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from surefoot._core import Error, LowState, Robot, StandController
-from surefoot.bench.settings import PUSH_LENGTH, PUSH_SHARE, BenchSettings
-from surefoot.sim import Plant, PlantSettings, Push
-
-PUSH_AT = 0.5  # of the run: half of it quiet standing, half a push and what comes after
+from surefoot._core import LowState, Robot, StandController
+from surefoot.bench.problems import SCENARIOS
+from surefoot.bench.settings import BenchSettings
 
 
 @dataclass(frozen=True)
@@ -16,39 +14,37 @@ class Recording:
     """What the sensors said, report after report.
 
     Attributes:
-        robot: The controller's model.
-        reports: One LowState per tick.
+        scenario: A name in SCENARIOS.
+        robot: The model that the controller was given.
+        reports: One LowState per tick, from standing to the end or to the fall.
         period: From report to report [s].
-        push: The push in it.
+        fell: Did the robot fall at the end?
     """
 
+    scenario: str
     robot: Robot
     reports: list[LowState]
     period: float
-    push: Push
+    fell: bool
 
 
-def record(settings: BenchSettings) -> Recording:
-    """Let the robot stand and be pushed, and keep every report; raises Error if it falls.
+def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
+    """Run a scenario and keep every report.
 
     The controller chooses its form as it does by itself, whatever form is timed later: every form
     is timed on the same reports.
     """
-    plant = Plant(settings.robot, PlantSettings(control_rate=settings.rate, seed=settings.seed))
-    duration = settings.ticks / settings.rate
-    impulse = PUSH_SHARE * plant.lip_limit("lateral", PUSH_LENGTH)
-    push = Push("lateral", impulse, PUSH_LENGTH, PUSH_AT * duration)
-    plant.add_push(push)
-    controller = StandController(plant.robot)
+    asked = SCENARIOS[scenario]
+    plant = asked.plant(settings.robot, settings.rate, settings.seed)
+    robot = asked.robot(plant.robot)
+    controller = StandController(robot)
     report = plant.reset()
     reports = []
-    for _ in range(settings.ticks):
+    for tick in range(round(asked.duration * settings.rate)):
         # A copy: whose memory the next report takes is the plant's business.
         reports.append(LowState.from_bytes(report.to_bytes()))
+        asked.steer(controller, tick / settings.rate)
         report = plant.step(controller.update(report))
         if plant.truth.fell:
-            raise Error(
-                f"bench: got a {plant.robot.name} that fell after {plant.time:g} s, expected one "
-                f"that stands a push of {100 * PUSH_SHARE:.0f} %"
-            )
-    return Recording(plant.robot, reports, 1.0 / settings.rate, push)
+            break
+    return Recording(scenario, robot, reports, 1.0 / settings.rate, plant.truth.fell)

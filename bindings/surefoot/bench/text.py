@@ -4,42 +4,30 @@ from __future__ import annotations
 
 from typing import Any
 
-from surefoot.bench.settings import PUSH_SHARE
-from surefoot.bench.timing import PERCENTILES
+from surefoot.bench.figures import PERCENTILES
 
-STAGES = {
-    "tick": "StandController.update()",
-    "estimate": "StateEstimator.update() alone",
-    "whole_body": "WholeBodyController.update() alone, holding the first pose",
-    "null": "an empty Python call",
+ROWS = {
+    "tick": "LowState to LowCmd: StandController::update()",
+    "state_to_torque": "WholeBodyController::update() alone",
+    "null": "a loop that computes nothing, as long as a tick: its tail is the machine's",
 }
 NOTE = (
-    "Wall time of calls from Python: each includes the clock's share, which the empty call shows, "
-    "and\nthe binding's overhead of about a microsecond. The first call is among them. Parts run "
-    "alone, so they\nneed not add up to a tick. Where other programs share the processor, the "
-    "tail is theirs."
+    "C++ from C++. Wall time; columns cpu have the thread's own CPU time. Stages are timed in "
+    "passes\nof their own. Where other programs share the processor, the tail is theirs."
 )
 FAILED = "SOME CALLS FAILED: what they took is not the time of a tick that was solved."
 
 
 def bench_text(b: dict[str, Any]) -> str:
-    """Return what run_bench() returned for people to read."""
-    head = ["[us]", "n", *PERCENTILES, "iterations", "failed", "what"]
-    rows = [_row(b, stage) for stage in STAGES]
-    widths = [max(len(row[k]) for row in (head, *rows)) for k in range(len(head))]
-    lines = []
-    for row in (head, *rows):
-        name, *numbers, what = (
-            cell.ljust(width) if k in (0, len(head) - 1) else cell.rjust(width)
-            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
-        )
-        lines.append("  ".join([name, *numbers, what]).rstrip())
-    title = (
-        f"{b['robot']}, {b['form']} form: {b['ticks']} reports at {b['rate']:g} Hz, real sensors, "
-        f"half-way a push of {b['push_ns']:.2f} N.s ({100 * PUSH_SHARE:.0f} %)"
-    )
-    notes = [FAILED, NOTE] if any(b["failures"].values()) else [NOTE]
-    return "\n".join([title, machine_line(b["machine"]), "", *lines, "", *notes])
+    """Return a bench's figures for people to read."""
+    lines = [f"{b['robot']}, {b['form']} form, {b['rate']:g} Hz", machine_line(b["machine"])]
+    for name, scenario in b["scenarios"].items():
+        fell = ", and the robot falls" if scenario["fell"] else ""
+        lines += ["", f"{name}: {scenario['reports']} reports{fell}"]
+        lines += _table([_HEAD, *(_row(row, scenario[row]) for row in ROWS)])
+        lines.append("  " + _stages(scenario["stages_wall_us"]))
+    failed = any(s[row]["failures"] for s in b["scenarios"].values() for row in ROWS)
+    return "\n".join([*lines, "", *([FAILED] if failed else []), NOTE])
 
 
 def machine_line(m: dict[str, Any]) -> str:
@@ -47,13 +35,54 @@ def machine_line(m: dict[str, Any]) -> str:
     versions = ", ".join(f"{name} {v}" for name, v in m["versions"].items() if v is not None)
     governor = f"governor {m['governor'] or 'unknown'}"
     parts = [m["cpu"] or "unknown processor", f"{m['cores']} cores", governor]
-    return ", ".join([*parts, m["system"], f"Python {m['python']}", versions])
+    return ", ".join([*parts, m["system"], versions, m["build"]])
 
 
-def _row(b: dict[str, Any], stage: str) -> list[str]:
-    times = b[f"{stage}_us"]
-    spread = b["iterations"].get(stage)
-    iterations = f"{spread['mean']:.2f}, max {spread['max']}" if spread else "-"
-    failed = str(b["failures"].get(stage, "-"))
-    numbers = [f"{times[name]:.1f}" for name in PERCENTILES]
-    return [stage, str(times["n"]), *numbers, iterations, failed, STAGES[stage]]
+_CPU = ("p50", "p99", "p99.9", "max")
+_HEAD = [
+    "[us]",
+    "n",
+    *PERCENTILES,
+    *(f"cpu {name}" for name in _CPU),
+    "> 1 ms",
+    "iterations",
+    "heap",
+    "faults",
+    "failed",
+    "what",
+]
+
+
+def _row(name: str, figures: dict[str, Any]) -> list[str]:
+    wall, cpu = figures["wall_us"], figures["cpu_us"]
+    counts = {int(k): v for k, v in figures["iterations"].items()}
+    mean = sum(k * v for k, v in counts.items()) / sum(counts.values())
+    return [
+        name,
+        str(wall["n"]),
+        *(f"{wall[k]:.1f}" for k in PERCENTILES),
+        *(f"{cpu[k]:.1f}" for k in _CPU),
+        str(figures["missed"]["1kHz"]),
+        f"{mean:.2f}, max {max(counts)}" if max(counts) else "-",
+        str(figures["allocations"]),
+        str(figures["page_faults"]),
+        str(figures["failures"]),
+        ROWS[name],
+    ]
+
+
+def _table(rows: list[list[str]]) -> list[str]:
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    lines = []
+    for row in rows:
+        name, *numbers, what = (
+            cell.ljust(width) if k in (0, len(row) - 1) else cell.rjust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        )
+        lines.append("  ".join(["  " + name, *numbers, what]).rstrip())
+    return lines
+
+
+def _stages(stages: dict[str, dict[str, float]]) -> str:
+    parts = (f"{name} {times['p50']:.2f} ({times['p99']:.1f})" for name, times in stages.items())
+    return "stages p50 (p99): " + ", ".join(parts)

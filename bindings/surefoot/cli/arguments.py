@@ -8,7 +8,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NoReturn
 
-from surefoot.cli.bench import bench
+from surefoot.cli.bench import add_bench_options, bench
 from surefoot.cli.export import export
 from surefoot.cli.robot import robot
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
@@ -16,7 +16,7 @@ from surefoot.cli.robot_options import add_virtual_robot_options
 from surefoot.cli.run import run
 from surefoot.cli.run_options import add_run_options
 from surefoot.cli.stand import stand
-from surefoot.cli.stand_options import add_form_option, add_stand_options
+from surefoot.cli.stand_options import add_stand_options
 from surefoot.cli.tables import list_gains, list_robots
 
 
@@ -56,7 +56,7 @@ def _build_parser() -> _Parser:
     add_stand_options(add("stand", stand, "let a robot stand on torques in simulation"))
     add_run_options(add("run", run, "let a robot stand over the SDK's UDP frames"))
     _add_export_options(add("export", export, "write the one file that a robot computer needs"))
-    _add_bench_options(add("bench", bench, "time the controller on a recorded run"))
+    add_bench_options(add("bench", bench, "time the controller on recorded runs"))
     add_virtual_robot_options(
         add("robot", robot, "simulate a robot that SDK programs drive over UDP as the real one")
     )
@@ -64,18 +64,6 @@ def _build_parser() -> _Parser:
     gains = add("gains", list_gains, "list what can be tuned: value, unit, range, meaning")
     add_robot_options(gains, "the library's own values")
     return parser
-
-
-def _add_bench_options(parser: _Parser) -> None:
-    add_robot_options(parser, "go1")
-    parser.add_argument("--ticks", type=int, default=5000, metavar="N", help="of the run (5000)")
-    add_form_option(parser)
-    parser.add_argument(
-        "--peers",
-        action="store_true",
-        help="whole ticks beside TSID's and PlaCo's too; installs them in .venv-peers",
-    )
-    parser.add_argument("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
 
 
 def _add_export_options(parser: _Parser) -> None:

@@ -4,30 +4,85 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 
-from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
 from surefoot.cli.stand import read_form
+from surefoot.cli.stand_options import add_form_option
+
+
+def add_bench_options(parser: argparse.ArgumentParser) -> None:
+    """Add every option of surefoot bench."""
+    add_robot_options(parser, "go1")
+    add = parser.add_argument
+    add("--ticks", type=int, default=20_000, metavar="N", help="to time in each scenario (20000)")
+    add("--scenario", action="append", metavar="NAME", help="to time; repeatable (the usual five)")
+    add_form_option(parser)
+    add(
+        "--peers",
+        action="store_true",
+        help="whole ticks beside TSID's and PlaCo's too, which it installs in .venv-peers",
+    )
+    add("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
+    add("--report", metavar="DIR", help="write a page with histograms and tails")
+    add(
+        "--export",
+        metavar="DIR",
+        help="write the programs of all scenarios as .npz sequences, and time nothing",
+    )
+    add("--qpbenchmark", action="store_true", help="with --export: a sample, for qpbenchmark")
 
 
 def bench(arguments: argparse.Namespace) -> None:
-    """Record a run, time its replay, print a table and write JSON; raises Error."""
+    """Record runs, time their replay, print a table and write JSON; raises Error."""
     choose_graphics()
     try:
-        from surefoot.bench import BenchSettings, bench_text, record, run_bench
+        from surefoot.bench import BenchSettings, bench_text, run_bench, write_bench_report
         from surefoot.bench.peers import PeerOptions, add_peers, peers_text
+        from surefoot.bench.settings import USUAL
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
-    settings = BenchSettings(robot, arguments.ticks, read_form(arguments.form))
+    if arguments.export is not None:
+        _export(arguments)
+        return
+    scenarios = tuple(arguments.scenario or USUAL)
+    form = read_form(arguments.form)
+    settings = BenchSettings(robot, arguments.ticks, form, scenarios=scenarios)
     check_json_place(arguments.json)
-    result = run_bench(settings)
+    result = run_bench(settings, _say)
     if arguments.peers:
-        options = PeerOptions(urdf=robot.urdf, say=lambda line: print(line, file=sys.stderr))
-        add_peers(result, record(settings), options)
-    write_json(arguments.json, result)
+        add_peers(result, settings, PeerOptions(urdf=robot.urdf, say=_say))
+    write_json(arguments.json, result.figures)
+    if arguments.report is not None:
+        command = ["surefoot", *arguments.words]
+        _say(f"report {write_bench_report(result, Path(arguments.report), command)}")
     if arguments.json != "-":
-        print(bench_text(result))
+        print(bench_text(result.figures))
         if arguments.peers:
-            print("\n" + peers_text(result["peers"]))
+            print("\n" + peers_text(result.figures["peers"]))
+
+
+def _export(arguments: argparse.Namespace) -> None:
+    from surefoot._core import Form
+    from surefoot.bench.problems import export_qpbenchmark, record_problems
+    from surefoot.bench.problems.record import NAMES
+
+    robot = chosen_robot(arguments, default="go1")
+    assert robot is not None  # there is a default
+    folder = Path(arguments.export)
+    for scenario in arguments.scenario or NAMES:
+        for form in (Form.CONDENSED, Form.GENERAL):
+            sequences = record_problems(robot, scenario, form)
+            if arguments.qpbenchmark:
+                export_qpbenchmark(sequences, folder)
+            else:
+                for sequence in sequences:
+                    sequence.save(folder)
+            _say(f"{scenario}, {form.name.lower()}: {sum(map(len, sequences))} programs")
+
+
+def _say(line: str) -> None:
+    print(line, file=sys.stderr, flush=True)

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "surefoot/body_reference.hpp"
+#include "surefoot/qp_problem.hpp"
 #include "surefoot/robot.hpp"
 #include "surefoot/task.hpp"
 #include "surefoot/types.hpp"
@@ -69,6 +70,7 @@ class StandController {
   const RobotState& state() const noexcept;       ///< estimated
   const Reference& reference() const noexcept;    ///< of the last good tick
   const Solution& solution() const noexcept;      ///< of the last good tick
+  const QpProblem& program() const noexcept;      ///< see WholeBodyController::program()
   bool foot_force_alive() const noexcept;         ///< does footForceEst carry anything?
   Eigen::Vector4d torque_force() const noexcept;  ///< [N] normal force per foot from torques
   /// [W] sum |tau dq| that the last good tick's command takes, by the joint velocities it was made

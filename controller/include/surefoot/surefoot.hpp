@@ -8,6 +8,7 @@
 #include "surefoot/low_level.hpp"
 #include "surefoot/robot.hpp"
 #include "surefoot/safety.hpp"
+#include "surefoot/stage_clock.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/stand_runner.hpp"
 #include "surefoot/state_estimator.hpp"

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "surefoot/qp_problem.hpp"
 #include "surefoot/robot.hpp"
 #include "surefoot/task.hpp"
 #include "surefoot/types.hpp"
@@ -59,6 +60,9 @@ class WholeBodyController {
   void add_task(std::shared_ptr<Task> task);
 
   const Solution& solution() const noexcept;
+  /// The quadratic program that the last tick solved, scaled as it was: the hard one, or with
+  /// slacks while something gives. For benchmarks and debugging. Real-time: yes.
+  const QpProblem& program() const noexcept;
   const Gains& gains() const noexcept;
 
   /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.

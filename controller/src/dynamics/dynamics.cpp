@@ -5,6 +5,7 @@
 #include <pinocchio/algorithm/rnea.hpp>
 
 #include "surefoot/error.hpp"
+#include "surefoot/stage_clock.hpp"
 
 namespace surefoot {
 
@@ -49,6 +50,7 @@ Dynamics::Dynamics(Dynamics&&) noexcept = default;
 
 void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       const Vector3& ground_normal) noexcept {
+  const StageScope stage(Stage::kDynamics);
   auto& [model, data] = *pinocchio_;
   // One pass each: mass matrix, world Jacobian and placements; then velocities, drifts and bias.
   pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);

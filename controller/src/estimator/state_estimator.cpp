@@ -6,6 +6,7 @@
 #include "estimator/contact_estimator.hpp"
 #include "estimator/push_observer.hpp"
 #include "low_state_check.hpp"
+#include "surefoot/stage_clock.hpp"
 
 namespace surefoot {
 
@@ -71,6 +72,7 @@ void StateEstimator::reset() noexcept {
 }
 
 Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
+  const StageScope stage(Stage::kEstimate);
   Impl& s = *impl_;
   if (!(dt > 0.0 && dt <= kLongestStep)) return Status::kStaleTick;
   Status status = check_low_state(low_state, s.robot.config());

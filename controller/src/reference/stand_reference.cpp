@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reference/stand_reference.hpp"
 
+#include "surefoot/stage_clock.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -30,6 +32,7 @@ void StandReference::latch(const Dynamics& dynamics, const Eigen::VectorXd& q) n
 
 const Reference& StandReference::update(const Gains& gains, const Dynamics& dynamics,
                                         const Eigen::Vector4d& contact, double dt) noexcept {
+  const StageScope stage(Stage::kReference);
   support_.update(contact_points(dynamics), contact, dt);
   const Matrix3& R = support_.R_world_support();
   motion_.step(gains, support_.places(), -R.row(2).transpose(), dt);

@@ -8,7 +8,8 @@ namespace surefoot {
 /// How long an old command may live. One table, used everywhere.
 constexpr double kHoldTime = 0.010;   ///< [s] the last good command is repeated at most this long
 constexpr double kStaleTime = 0.020;  ///< [s] of silence after which damping is latched
-constexpr double kAwayTime = 0.100;   ///< [s] without running: robots damp by themselves, and so do we
+constexpr double kAwayTime =
+    0.100;  ///< [s] without running: robots damp by themselves, and so do we
 
 /// Keeps the last good command over a gap, then damps and latches.
 ///

@@ -3,10 +3,13 @@
 
 #include <Eigen/LU>
 
+#include "surefoot/stage_clock.hpp"
+
 namespace surefoot {
 
 bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration, const Vector6& outside,
               double smallest_determinant, Condensed& out) noexcept {
+  const StageScope stage(Stage::kCondense);
   Matrix6 A = dynamics.M_base();
   Vector6 r = dynamics.h_base() - outside;
   Matrix6x12 base_from_force;

@@ -55,6 +55,7 @@ void ElasticSolver::reset() noexcept {
 QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& price,
                               double curvature) noexcept {
   int spent = 0;
+  used_elastic_ = false;
   if (!yielding_) {
     QpResult result = hard_solver_.solve(problem, kPatience);
     if (result.status == Status::kNonFinite) return result;
@@ -67,6 +68,7 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
     elastic_solver_.reset();
   }
   write_elastic(problem, price, curvature);
+  used_elastic_ = true;
   QpResult result = solve_elastic();
   result.iterations += spent;
   return result;

@@ -36,6 +36,10 @@ class ElasticSolver {
   const Eigen::VectorXd& x() const noexcept { return x_; }
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
   bool yielding() const noexcept { return yielding_; }
+  /// The program that the last answer is of: the caller's, or the large one with slacks.
+  const QpProblem& solved(const QpProblem& problem) const noexcept {
+    return used_elastic_ ? elastic_ : problem;
+  }
 
  private:
   bool within_price(const Eigen::VectorXd& price) noexcept;
@@ -50,6 +54,7 @@ class ElasticSolver {
   QpSolver hard_solver_, elastic_solver_;
   Eigen::VectorXd x_, slack_, charged_;
   bool yielding_ = false;
+  bool used_elastic_ = false;
   int quiet_ticks_ = 0;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "surefoot/qp_problem.hpp"
 #include "wbc/joint_table.hpp"
 #include "wbc/program_layout.hpp"
 #include "wbc/program_terms.hpp"
-#include "wbc/qp_problem.hpp"
 
 namespace surefoot {
 

@@ -3,6 +3,8 @@
 
 // clang-format off: this one must come before the solver
 #include "wbc/proxqp_no_malloc.hpp"
+#include "surefoot/stage_clock.hpp"
+#include "wbc/active_set.hpp"
 #include <proxsuite/proxqp/dense/dense.hpp>
 // clang-format on
 
@@ -37,9 +39,11 @@ struct QpSolver::Workspace {
       : qp(n, n_eq, n_in, false, proxqp::DenseBackend::PrimalDualLDLT),
         Ax(n_eq),
         Cx(n_in),
-        gradient(n) {}
+        gradient(n),
+        active_set(n, n_in) {}
   proxqp::dense::QP<double> qp;
   Eigen::VectorXd Ax, Cx, gradient;
+  ActiveSet active_set;
 };
 
 QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
@@ -81,7 +85,15 @@ void QpSolver::set_tolerance(double tolerance) noexcept {
 }
 
 QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
+  const StageScope stage(Stage::kSolve);
+  auto& results = workspace_->qp.results;
   QpResult result;
+  if (has_answer_ && results.y.size() == 0 &&
+      workspace_->active_set.solve(problem, tolerance_, results.x, results.z)) {
+    result = check(problem);
+    result.iterations = workspace_->active_set.rounds();
+    if (result.status == Status::kOk) return result;
+  }
   if (!finite(problem)) {
     result.status = Status::kNonFinite;
     return result;
@@ -98,7 +110,7 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
     result = run(problem);
     spent += result.iterations;
     if (result.status == Status::kOk || spent >= patience_ * budget) break;
-    drop_slack_multipliers();
+    drop_slack_multipliers(problem);
   }
   result.iterations = spent;
   has_answer_ = result.status == Status::kOk;
@@ -113,20 +125,20 @@ void QpSolver::forget() noexcept {
 
 // Multipliers on rows away from their bound, or of the wrong sign, mark an answer that is not yet
 // optimal; without them the next run starts where this one should have gone on.
-void QpSolver::drop_slack_multipliers() noexcept {
+void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
   auto& z = workspace_->qp.results.z;
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    if (!(gap(i) <= tolerance_)) z[i] = 0.0;
+    if (!(gap(problem, i) <= tolerance_)) z[i] = 0.0;
   }
 }
 
-double QpSolver::gap(Eigen::Index i) const noexcept {
-  const auto& [qp, Ax, Cx, gradient] = *workspace_;
-  const double z = qp.results.z[i];
-  const double bound = z > 0.0 ? qp.model.u[i] : qp.model.l[i];
+double QpSolver::gap(const QpProblem& problem, Eigen::Index i) const noexcept {
+  const double z = workspace_->qp.results.z[i];
+  const double bound = z > 0.0 ? problem.u[i] : problem.l[i];
   // A multiplier on a side that has no bound is wrong by its whole size.
   // Beyond one a multiplier says no more than that its row must lie on the bound.
-  return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx[i]) : 1.0);
+  return std::min(std::abs(z), 1.0) *
+         (std::abs(bound) < kNoBound ? std::abs(bound - workspace_->Cx[i]) : 1.0);
 }
 
 void QpSolver::write(const QpProblem& problem) noexcept {
@@ -171,7 +183,8 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
 
 // Our own residuals on the program as we posed it; the solver's word decides nothing.
 QpResult QpSolver::check(const QpProblem& problem) noexcept {
-  auto& [qp, Ax, Cx, gradient] = *workspace_;
+  const StageScope stage(Stage::kCheck);
+  auto& [qp, Ax, Cx, gradient, active_set] = *workspace_;
   const auto& results = qp.results;
   Cx.noalias() = problem.C * results.x;
   gradient = problem.g;
@@ -189,7 +202,7 @@ QpResult QpSolver::check(const QpProblem& problem) noexcept {
     out.primal_residual = std::max(out.primal_residual, (Ax - problem.b).lpNorm<Eigen::Infinity>());
   }
   out.dual_residual = gradient.lpNorm<Eigen::Infinity>();
-  for (Eigen::Index i = 0; i < Cx.size(); ++i) out.gap = std::max(out.gap, gap(i));
+  for (Eigen::Index i = 0; i < Cx.size(); ++i) out.gap = std::max(out.gap, gap(problem, i));
   const bool accepted = results.x.allFinite() && results.z.allFinite() && results.y.allFinite() &&
                         out.primal_residual <= kAccept * tolerance_ &&
                         out.dual_residual <= kAccept * tolerance_ && out.gap <= tolerance_;

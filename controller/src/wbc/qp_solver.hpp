@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "surefoot/qp_problem.hpp"
 #include "surefoot/types.hpp"
-#include "wbc/qp_problem.hpp"
 
 namespace surefoot {
 
@@ -48,8 +48,8 @@ class QpSolver {
   void write(const QpProblem& problem) noexcept;
   QpResult run(const QpProblem& problem) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
-  double gap(Eigen::Index row) const noexcept;
-  void drop_slack_multipliers() noexcept;
+  double gap(const QpProblem& problem, Eigen::Index row) const noexcept;
+  void drop_slack_multipliers(const QpProblem& problem) noexcept;
   void forget() noexcept;
   std::unique_ptr<Workspace> workspace_;
   double tolerance_;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "surefoot/stage_clock.hpp"
 #include "tasks/base_orientation_task.hpp"
 #include "tasks/base_position_task.hpp"
 #include "tasks/com_task.hpp"
@@ -53,6 +54,7 @@ void TermsWriter::add_task(std::shared_ptr<Task> task, int rows) {
 Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                           const Reference& reference, const Eigen::Vector4d& foot_softness,
                           const FeetMatrix* previous) noexcept {
+  const StageScope stage(Stage::kTasks);
   const double weight = robot_.mass() * kGravity;
   terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
   terms_.outside = outside_wrench(dynamics, state.f_outside);

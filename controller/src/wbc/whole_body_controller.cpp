@@ -51,6 +51,7 @@ WholeBodyController::~WholeBodyController() = default;
 WholeBodyController::WholeBodyController(WholeBodyController&&) noexcept = default;
 
 const Solution& WholeBodyController::solution() const noexcept { return impl_->solution; }
+const QpProblem& WholeBodyController::program() const noexcept { return impl_->solver.solved(); }
 const Gains& WholeBodyController::gains() const noexcept { return impl_->gains; }
 void WholeBodyController::reset() noexcept {
   impl_->solver.reset();

@@ -2,6 +2,7 @@
 #include "wbc/whole_body_solver.hpp"
 
 #include "surefoot/error.hpp"
+#include "surefoot/stage_clock.hpp"
 
 namespace surefoot {
 
@@ -76,8 +77,11 @@ const ElasticSolver& WholeBodySolver::elastic() const noexcept {
   return form_ == Form::kCondensed ? condensed_solver_ : general_solver_;
 }
 
+const QpProblem& WholeBodySolver::solved() const noexcept { return elastic().solved(problem()); }
+
 void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
                             Solution& out) noexcept {
+  const StageScope stage(Stage::kProgram);
   const bool condensed = form_ == Form::kCondensed;
   if (condensed && !terms.has_condensed) {
     out.status = Status::kSingular;

@@ -26,6 +26,7 @@ class WholeBodySolver {
 
   const QpProblem& problem() const noexcept;  ///< of the form in force
   const ElasticSolver& elastic() const noexcept;
+  const QpProblem& solved() const noexcept;  ///< the same, with slacks where something gave
 
  private:
   void write(const Dynamics& dynamics, const JointLimits& limits, Solution& out) noexcept;

@@ -1,17 +1,45 @@
-"""One language's comparison: everybody is started, plays in turns, and is told in rows."""
+"""One language's comparison: everybody is started and plays in turns."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from surefoot.bench.peers.contestant import CPU, Contestant, Ticks
-from surefoot.bench.peers.figures import answers, median_ratio, times
+import numpy as np
+
+from surefoot.bench.peers.contestant import Contestant, Ticks
 from surefoot.bench.peers.interleave import interleave
 from surefoot.bench.peers.options import PeerProblem
-from surefoot.bench.peers.peer import OUR_TICKS, Peer
+from surefoot.bench.peers.peer import Peer
 
 Maker = Callable[[], Contestant]
+
+
+@dataclass(frozen=True)
+class Played:
+    """What came of a bout, or of several, one after the other.
+
+    Attributes:
+        language: Of every side.
+        peers: That were to play.
+        versions: Of what is behind them, by their names.
+        ticks: By contestant, of those that played to the end.
+        reasons: By contestant, of those that did not.
+    """
+
+    language: str
+    peers: list[Peer]
+    versions: dict[str, Any]
+    ticks: dict[str, Ticks]
+    reasons: dict[str, str]
+
+    def then(self, other: Played) -> Played:
+        """Return both; who failed in one has failed in both."""
+        reasons = {**other.reasons, **self.reasons}
+        shared = [name for name in self.ticks if name in other.ticks and name not in reasons]
+        ticks = {name: np.vstack([self.ticks[name], other.ticks[name]]) for name in shared}
+        return Played(self.language, self.peers, self.versions, ticks, reasons)
 
 
 class Bout:
@@ -35,26 +63,23 @@ class Bout:
         self._peers = list(theirs)
         self._versions: dict[str, Any] = {}
 
-    def play(self, ticks: int, block: int, weight: float, quiet: int) -> list[dict[str, Any]]:
-        """Play, and return a row per peer; what went wrong is its "reason".
+    def play(self, ticks: int, block: int) -> Played:
+        """Play one recording.
 
         Args:
-            ticks: Of the recording.
+            ticks: Of it.
             block: Ticks until it is the next one's turn.
-            weight: Of the robot [N].
-            quiet: Ticks before anything is asked to move.
         """
         contestants, reasons = self._start()
+        played: dict[str, Ticks] = {}
         try:
             if any(peer.name in contestants for peer in self._peers):
                 played, ended = interleave(contestants, ticks, block)
                 reasons.update(ended)
-            else:
-                played = {}
         finally:
             for contestant in contestants.values():
                 contestant.close()
-        return [self._row(peer, played, reasons, weight, quiet) for peer in self._peers]
+        return Played(self._language, self._peers, self._versions, played, reasons)
 
     def _start(self) -> tuple[dict[str, Contestant], dict[str, str]]:
         contestants: dict[str, Contestant] = {}
@@ -66,31 +91,3 @@ class Bout:
             except (PeerProblem, OSError) as problem:
                 reasons[name] = str(problem)
         return contestants, reasons
-
-    def _row(
-        self,
-        peer: Peer,
-        played: dict[str, Ticks],
-        reasons: dict[str, str],
-        weight: float,
-        quiet: int,
-    ) -> dict[str, Any]:
-        row: dict[str, Any] = {"peer": peer.name, "language": self._language}
-        for name in (peer.name, *OUR_TICKS):
-            if name in reasons:
-                whose = "" if name == peer.name else f"our {name.replace('_', ' ')}: "
-                return {**row, "reason": whose + reasons[name]}
-        theirs, ours = played[peer.name], {name: played[name] for name in OUR_TICKS}
-        ratios = {f"ratio_{name}": median_ratio(side, theirs) for name, side in ours.items()}
-        on_cpu = {f"ratio_{name}_cpu": median_ratio(s, theirs, CPU) for name, s in ours.items()}
-        return {
-            **row,
-            "reason": None,
-            "versions": self._versions[peer.name],
-            "pairs": len(theirs),
-            **ratios,
-            **on_cpu,
-            "theirs": {"tick": peer.tick, "differs": peer.problem, **times(theirs)},
-            **{f"our_{name}": {"tick": OUR_TICKS[name], **times(s)} for name, s in ours.items()},
-            "answers": answers(ours["state_to_torque"], theirs, weight, quiet),
-        }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,7 +11,6 @@ import numpy as np
 
 from surefoot.bench.peers.contestant import Contestant, Ticks
 from surefoot.bench.peers.options import PeerProblem
-from surefoot.bench.timing import without_garbage_collection
 
 
 def interleave(
@@ -43,19 +43,34 @@ def interleave(
     }, reasons
 
 
-@contextmanager
-def one_processor() -> Iterator[int | None]:
-    """Keep this process, and those that it starts, on one processor; yields which.
+def chosen_processor() -> int | None:
+    """Return the processor that ticks are played on; None where the system does not say."""
+    return max(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else None
 
-    None where the system does not let one choose.
-    """
-    if not hasattr(os, "sched_setaffinity"):
-        yield None
+
+@contextmanager
+def one_processor() -> Iterator[None]:
+    """Keep this process, and those that it starts, on one processor, if the system lets one."""
+    processor = chosen_processor()
+    if processor is None:
+        yield
         return
     before = os.sched_getaffinity(0)
-    chosen = max(before)
-    os.sched_setaffinity(0, {chosen})
+    os.sched_setaffinity(0, {processor})
     try:
-        yield chosen
+        yield
     finally:
         os.sched_setaffinity(0, before)
+
+
+@contextmanager
+def without_garbage_collection() -> Iterator[None]:
+    """Keep Python's garbage collector out of what is timed, as timeit does."""
+    was_on = gc.isenabled()
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()

@@ -19,7 +19,21 @@ PACKAGE = Path(__file__).parents[2]
 VERSIONS = ("tsid", "libtsid", "libpinocchio", "eiquadprog")
 
 
-def python_bout(
+def bouts(
+    problem: Problem,
+    recording: Recording,
+    options: PeerOptions,
+    peers: Sequence[Peer],
+    file: Path,
+) -> list[Bout]:
+    """Return the bout of every language, everything installed and compiled."""
+    found = [_python_bout(problem, recording, options, peers, file)]
+    if options.cpp:
+        found.append(_cpp_bout(problem, options, peers, file))
+    return found
+
+
+def _python_bout(
     problem: Problem,
     recording: Recording,
     options: PeerOptions,
@@ -44,7 +58,7 @@ def python_bout(
     )
 
 
-def cpp_bout(problem: Problem, options: PeerOptions, peers: Sequence[Peer], file: Path) -> Bout:
+def _cpp_bout(problem: Problem, options: PeerOptions, peers: Sequence[Peer], file: Path) -> Bout:
     """Every side a compiled process; peers without a C++ worker do not play."""
 
     def command(peer: Peer) -> list[str]:

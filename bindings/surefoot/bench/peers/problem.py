@@ -17,7 +17,8 @@ from surefoot._core import (
     StandController,
     WholeBodyController,
 )
-from surefoot.bench.peers.motion import body_motion, quiet_ticks
+from surefoot.bench.problems import SCENARIOS
+from surefoot.bench.problems.scenarios import PUSH_TIMES
 from surefoot.bench.recording import Recording
 
 GRAVITY = 9.81
@@ -41,7 +42,7 @@ class Problem:
         q: Estimated states of the run, Pinocchio's order, shape (n, nq).
         v: Shape (n, nv).
         targets: Centre of mass [m] and base orientation (quaternion x y z w) that are asked for,
-            shape (n, 7); see body_motion().
+            shape (n, 7).
         hold: Stay where the first state is.
         urdf: The robot's.
     """
@@ -74,23 +75,35 @@ class Problem:
 
 
 def make_problem(recording: Recording, urdf: Path) -> Problem:
-    """Estimate the states of a recorded run, and ask for the first pose and a motion from it."""
-    robot = recording.robot
+    """Replay a recording for what was estimated and what the body was asked to do."""
+    robot, steer = recording.robot, SCENARIOS[recording.scenario].steer
     controller = StandController(robot)
-    q, v = [], []
-    for report in recording.reports:
+    q, v, targets = [], [], []
+    for tick, report in enumerate(recording.reports):
+        steer(controller, tick * recording.period)
         controller.update(report)
-        state = controller.state
+        state, reference = controller.state, controller.reference
         q.append(state.q)
         v.append(state.v)
+        targets.append([*reference.p_com, *reference.quat_world_base])
     point_robot = _changed(robot, same_gains(robot.config.gains), foot_radius=0.0)
     gains = robot.config.gains
     gains.weight_posture = WEIGHT_POSTURE
-    hold = WholeBodyController(point_robot).hold(_state(robot, q[0], v[0]))
-    targets = body_motion(hold, len(q), quiet_ticks(recording))
     return Problem(
-        _changed(robot, gains), point_robot, np.array(q), np.array(v), targets, hold, urdf
+        robot=_changed(robot, gains),
+        point_robot=point_robot,
+        q=np.array(q),
+        v=np.array(v),
+        targets=np.array(targets),
+        hold=WholeBodyController(point_robot).hold(_state(robot, q[0], v[0])),
+        urdf=urdf,
     )
+
+
+def calm_ticks(recording: Recording) -> int:
+    """Return how many ticks there are before the first push; all, if there is none."""
+    pushed = SCENARIOS[recording.scenario].push > 0.0
+    return round(PUSH_TIMES[0] / recording.period) if pushed else len(recording.reports)
 
 
 def same_gains(gains: Gains) -> Gains:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
+from functools import reduce
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from surefoot._core import Error
+from surefoot.bench.peers.bout import Played
 from surefoot.bench.peers.files import write_problem
-from surefoot.bench.peers.interleave import one_processor
-from surefoot.bench.peers.languages import cpp_bout, python_bout
-from surefoot.bench.peers.motion import quiet_ticks
+from surefoot.bench.peers.interleave import chosen_processor, one_processor
+from surefoot.bench.peers.languages import bouts
 from surefoot.bench.peers.options import PeerOptions
 from surefoot.bench.peers.peer import PEERS, Peer
 from surefoot.bench.peers.problem import (
@@ -19,45 +22,44 @@ from surefoot.bench.peers.problem import (
     POSTURE,
     STIFFNESS,
     WEIGHTS,
-    Problem,
+    calm_ticks,
     make_problem,
 )
-from surefoot.bench.recording import Recording
+from surefoot.bench.peers.rows import RATIOS, ratios_of, rows_of
+from surefoot.bench.recording import Recording, record
+from surefoot.bench.run import Bench
+from surefoot.bench.settings import BenchSettings
 from surefoot.robot_files import describe_robot
 
-# Ours over theirs, of which of our ticks, and of which peer.
-RATIOS = {
-    "ratio_state_to_torque_over_tsid": ("state_to_torque", "tsid"),
-    "ratio_tick_over_tsid": ("tick", "tsid"),
-    "ratio_state_to_torque_over_placo": ("state_to_torque", "placo"),
-}
-
-
+SCENARIOS = ("quiet", "motion", "push50")
 # What every side is asked for; docs/peers.md says it at length.
 TASKS = {
     "what": "centre of mass, base orientation, posture, even forces; four feet down, friction, "
     "bounds of normal force and torque",
-    "motion": "a quarter standing still, a quarter asked to bow, half a push and what follows",
     "stiffness_and_damping": {k: list(v) for k, v in {**STIFFNESS, "posture": POSTURE}.items()},
     "weights_of_peers": WEIGHTS,
 }
 
 
-def add_peers(
-    result: dict[str, Any], recording: Recording, options: PeerOptions | None = None
-) -> None:
-    """Run the comparison and put it under "peers" of a bench's result, its ratios beside."""
-    result["peers"] = run_peers(recording, options)
-    result.update({name: result["peers"][name] for name in RATIOS})
+def add_peers(bench: Bench, settings: BenchSettings, options: PeerOptions | None = None) -> None:
+    """Run the comparison; put it under "peers" of a bench's figures, its ratios beside."""
+    recordings = [bench.recordings.get(name) or record(settings, name) for name in SCENARIOS]
+    result = run_peers(recordings, options)
+    reasons = [result.get(f"{name}_reason") for name in RATIOS]
+    bench.figures["peers"] = result
+    bench.figures.update({name: result[name] for name in RATIOS})
+    bench.figures["ratio_reason"] = "; ".join(r for r in dict.fromkeys(reasons) if r) or None
 
 
 def run_peers(
-    recording: Recording, options: PeerOptions | None = None, peers: Sequence[Peer] = PEERS
+    recordings: Recording | Sequence[Recording],
+    options: PeerOptions | None = None,
+    peers: Sequence[Peer] = PEERS,
 ) -> dict[str, Any]:
-    """Compare our ticks with the peers' on a recorded run.
+    """Compare our ticks with the peers' on recorded runs of one robot.
 
     Args:
-        recording: What bench.record() returned.
+        recordings: What bench.record() returned.
         options: Defaults if None. The first run installs the peers.
         peers: To compare with.
 
@@ -68,59 +70,38 @@ def run_peers(
         says why, never an exception.
     """
     options = options or PeerOptions()
+    several = [recordings] if isinstance(recordings, Recording) else list(recordings)
+    robot = several[0].robot
     rows: list[dict[str, Any]]
-    processor = None
     try:
-        urdf = options.urdf or describe_robot(recording.robot.name).urdf
+        urdf = options.urdf or describe_robot(robot.name).urdf
     except Error as problem:
         reason = f"a peer needs the robot's URDF: {problem}"
         rows = [{"peer": peer.name, "language": "python", "reason": reason} for peer in peers]
     else:
-        problem_ = make_problem(recording, urdf)
-        with tempfile.TemporaryDirectory(prefix="surefoot-peers-") as folder:
-            rows, processor = _play(problem_, recording, options, peers, Path(folder))
+        played = [_play(recording, urdf, options, peers) for recording in several]
+        calm = np.concatenate([np.arange(len(r.reports)) < calm_ticks(r) for r in several])
+        rows = []
+        for same_language in zip(*played, strict=True):
+            rows += rows_of(reduce(Played.then, same_language), robot.mass * GRAVITY, calm)
     return {
-        **_ratios(rows),
+        **ratios_of(rows),
         "rows": rows,
         "tasks": TASKS,
-        "ticks": len(recording.reports),
+        "scenarios": {r.scenario: len(r.reports) for r in several},
         "block": options.block,
-        "processor": processor,
+        "processor": chosen_processor(),
     }
 
 
 def _play(
-    problem: Problem,
-    recording: Recording,
-    options: PeerOptions,
-    peers: Sequence[Peer],
-    folder: Path,
-) -> tuple[list[dict[str, Any]], int | None]:
-    file = write_problem(problem, recording.reports, folder)
-    weight = problem.robot.mass * GRAVITY
-    bouts = [python_bout(problem, recording, options, peers, file)]
-    if options.cpp:
-        bouts.append(cpp_bout(problem, options, peers, file))
-    rows = []
-    for bout in bouts:
-        options.say("peers: playing")
-        with one_processor() as processor:
-            rows += bout.play(len(problem), options.block, weight, quiet_ticks(recording))
-    return rows, processor
-
-
-def _ratios(rows: list[dict[str, Any]]) -> dict[str, Any]:
-    ratios: dict[str, Any] = {}
-    for name, (ours, peer) in RATIOS.items():
-        its = {row["language"]: row for row in rows if row["peer"] == peer}
-        ran = {language: row for language, row in its.items() if row["reason"] is None}
-        language = next((name for name in ("c++", "python") if name in ran), None)
-        key = f"ratio_{ours}"
-        ratios[name] = ran[language][key] if language else None
-        ratios[f"{name}_language"] = language
-        if language == "c++" and "python" in ran:
-            ratios[f"{name}_python"] = ran["python"][key]
-        if language is None:
-            reasons = [row["reason"] for row in its.values()]
-            ratios[f"{name}_reason"] = "; ".join(reasons) or "not asked for"
-    return ratios
+    recording: Recording, urdf: Path, options: PeerOptions, peers: Sequence[Peer]
+) -> list[Played]:
+    """Play a recording in every language."""
+    problem = make_problem(recording, urdf)
+    with tempfile.TemporaryDirectory(prefix="surefoot-peers-") as folder:
+        file = write_problem(problem, recording.reports, Path(folder))
+        options.say(f"peers: playing {recording.scenario}")
+        all_bouts = bouts(problem, recording, options, peers, file)
+        with one_processor():
+            return [bout.play(len(problem), options.block) for bout in all_bouts]

@@ -5,13 +5,13 @@
 
 namespace surefoot {
 
-/// What l or u hold where there is no bound; ProxQP's own word for it.
+/// What l or u hold, at least, where there is no bound; ProxQP's own word for it.
 constexpr double kNoBound = 1e20;
 
 /// Row-major, as ProxQP stores its data.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// minimise 1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u
+/// A quadratic program: minimise 1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u
 struct QpProblem {
   QpProblem(int n, int n_eq, int n_in)
       : H(RowMatrix::Zero(n, n)),

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Times the controller on recorded reports: `surefoot bench` runs it and reads what it writes.
+//   surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N]
+// REPORTS are LowStates byte for byte. OUT begins with a line of JSON that names the series; their
+// samples follow, in the layout of bench::Sample.
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <surefoot/error.hpp>
+
+#include "passes.hpp"
+
+namespace {
+
+using namespace surefoot;
+
+std::vector<LowState> read_reports(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<LowState> reports;
+  LowState report;
+  while (file.read(reinterpret_cast<char*>(&report), sizeof(report))) reports.push_back(report);
+  if (reports.empty()) throw Error(std::string(path) + ": got no LowState, expected some");
+  return reports;
+}
+
+Form to_form(const std::string& name) {
+  for (const Form form : {Form::kAuto, Form::kCondensed, Form::kGeneral}) {
+    if (name == to_string(form)) return form;
+  }
+  throw Error("--form: got '" + name + "', expected auto, condensed or general");
+}
+
+bench::Plan read_plan(int argc, char** argv) {
+  bench::Plan plan{Robot::load(argv[1]), {}, Form::kAuto, 1, read_reports(argv[2])};
+  plan.gains = plan.robot.config().gains;
+  for (int k = 4; k + 1 < argc; k += 2) {
+    if (!std::strcmp(argv[k], "--form")) plan.form = to_form(argv[k + 1]);
+    if (!std::strcmp(argv[k], "--passes")) plan.passes = std::max(1L, std::atol(argv[k + 1]));
+  }
+  return plan;
+}
+
+double median(const bench::Series& series) {
+  std::vector<float> walls;
+  for (const bench::Sample& sample : series.samples) walls.push_back(sample.wall);
+  const auto middle = walls.begin() + static_cast<std::ptrdiff_t>(walls.size() / 2);
+  std::nth_element(walls.begin(), middle, walls.end());
+  return *middle;
+}
+
+void write(const char* path, const std::vector<bench::Series>& all) {
+  std::ofstream file(path, std::ios::binary);
+  file << "{\"compiler\": \"" << SUREFOOT_COMPILER << "\", \"flags\": \"" << SUREFOOT_FLAGS
+       << "\", \"series\": [";
+  for (const bench::Series& s : all) {
+    file << (&s == all.data() ? "" : ", ") << "{\"name\": \"" << s.name
+         << "\", \"n\": " << s.samples.size() << ", \"allocations\": " << s.allocations
+         << ", \"page_faults\": " << s.page_faults
+         << ", \"cpu\": " << (s.wants_cpu ? "true" : "false") << "}";
+  }
+  file << "]}\n";
+  for (const bench::Series& s : all) {
+    file.write(reinterpret_cast<const char*>(s.samples.data()),
+               static_cast<std::streamsize>(s.samples.size() * sizeof(bench::Sample)));
+  }
+  if (!file.flush()) throw Error(std::string(path) + ": could not be written");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 4) {
+    std::puts("usage: surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N]");
+    return 2;
+  }
+  try {
+    const bench::Plan plan = read_plan(argc, argv);
+    mlockall(MCL_CURRENT | MCL_FUTURE);  // where permitted; page faults are counted either way
+    std::vector<bench::Series> all;
+    all.push_back(bench::time_ticks(plan));
+    all.push_back(bench::time_state_to_torque(plan));
+    all.push_back(bench::time_null(plan, median(all.front())));
+    for (bench::Series& stage : bench::time_stages(plan)) all.push_back(std::move(stage));
+    write(argv[3], all);
+  } catch (const Error& problem) {
+    std::cerr << problem.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <surefoot/stage_clock.hpp>
+#include <surefoot/stand_controller.hpp>
+#include <vector>
+
+#include "samples.hpp"
+
+namespace bench {
+
+/// What is replayed, and how often.
+struct Plan {
+  surefoot::Robot robot;
+  surefoot::Gains gains;
+  surefoot::Form form = surefoot::Form::kAuto;
+  long passes = 1;  ///< over the reports, after one that is not timed
+  std::vector<surefoot::LowState> reports;
+};
+
+/// StandController::update(): LowState to LowCmd.
+Series time_ticks(const Plan& plan);
+
+/// WholeBodyController::update(): state to torque, on the states that the estimator made of the
+/// reports, with the references that the stand controller had.
+Series time_state_to_torque(const Plan& plan);
+
+/// The stages of a tick, each with a series of its own; their clock is read at every change.
+std::vector<Series> time_stages(const Plan& plan);
+
+/// A loop that computes nothing of use for about as long as a tick: what its tail shows is the
+/// machine's. @param length [us]
+Series time_null(const Plan& plan, double length);
+
+}  // namespace bench

@@ -1,0 +1,89 @@
+"""Runs the program that times ticks: C++ alone, so that heap and pages are the tick's own."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+import surefoot
+from surefoot._core import Error, Form
+from surefoot.bench.recording import Recording
+
+PROGRAM = Path(surefoot.__path__[0]) / "bin" / "surefoot_tick_bench"
+_SAMPLE = np.dtype(
+    [("wall", "<f4"), ("cpu", "<f4"), ("iterations", "<u2"), ("failed", "<u2")]
+)  # bench::Sample
+
+
+@dataclass(frozen=True)
+class Series:
+    """One kind of call, timed again and again.
+
+    Attributes:
+        wall: (n,) [us].
+        cpu: (n,) of the thread [us]; None where only the wall clock was read.
+        iterations: (n,) of the solver.
+        failures: Calls without a usable status.
+        allocations: On the heap, in all calls.
+        page_faults: In all calls.
+    """
+
+    wall: npt.NDArray[np.float32]
+    cpu: npt.NDArray[np.float32] | None
+    iterations: npt.NDArray[np.uint16]
+    failures: int
+    allocations: int
+    page_faults: int
+
+
+def run_native(recording: Recording, form: Form, ticks: int) -> tuple[dict[str, Series], str]:
+    """Time a recording; return the series by name, and what the library was built with.
+
+    Raises:
+        Error: The program is not there or failed; with its own words.
+    """
+    passes = math.ceil(ticks / len(recording.reports))
+    with tempfile.TemporaryDirectory() as folder:
+        robot, reports, out = (Path(folder) / name for name in ("robot", "reports", "out"))
+        recording.robot.save(str(robot))
+        reports.write_bytes(b"".join(report.to_bytes() for report in recording.reports))
+        words: list[str | Path] = [robot, reports, out]
+        words += ["--form", form.name.lower(), "--passes", str(passes)]
+        try:
+            done = subprocess.run([PROGRAM, *words], capture_output=True, text=True)
+        except OSError as problem:
+            raise Error(f"bench: {PROGRAM}: {problem.strerror}") from None
+        if done.returncode != 0:
+            raise Error(
+                f"bench: {PROGRAM.name} ended with {done.returncode}: {done.stderr.strip()}"
+            )
+        return _read(out)
+
+
+def _read(path: Path) -> tuple[dict[str, Series], str]:
+    with path.open("rb") as file:
+        head = json.loads(file.readline())
+        found = {
+            entry["name"]: _series(entry, np.fromfile(file, _SAMPLE, entry["n"]))
+            for entry in head["series"]
+        }
+    return found, f"{head['compiler']}, {' '.join(head['flags'].split())}"
+
+
+def _series(entry: dict[str, Any], samples: npt.NDArray[Any]) -> Series:
+    return Series(
+        samples["wall"],
+        samples["cpu"] if entry["cpu"] else None,
+        samples["iterations"],
+        int(samples["failed"].sum()),
+        entry["allocations"],
+        entry["page_faults"],
+    )

@@ -1,0 +1,76 @@
+"""A bench from its settings to its figures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from surefoot.bench.figures import describe
+from surefoot.bench.machine import describe_machine
+from surefoot.bench.native import Series, run_native
+from surefoot.bench.recording import Recording, record
+from surefoot.bench.settings import BenchSettings
+
+WHOLE = ("tick", "state_to_torque", "null")
+_UNASKED = "not asked for: --peers"
+
+
+@dataclass(frozen=True)
+class Bench:
+    """What was measured.
+
+    Attributes:
+        figures: Plain JSON types.
+        series: By scenario and name, every sample.
+        recordings: By scenario.
+    """
+
+    figures: dict[str, Any]
+    series: dict[str, dict[str, Series]]
+    recordings: dict[str, Recording]
+
+
+def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = None) -> Bench:
+    """Record every scenario, time its replay and return every figure; raises Error.
+
+    Args:
+        settings: What to do.
+        progress: Told which scenario comes.
+    """
+    say = progress or (lambda _: None)
+    all_series, recordings, build = {}, {}, ""
+    for scenario in settings.scenarios:
+        say(f"recording {scenario}")
+        recordings[scenario] = record(settings, scenario)
+        say(f"timing {scenario}")
+        all_series[scenario], build = run_native(
+            recordings[scenario], settings.form, settings.ticks
+        )
+    first = next(iter(recordings.values()))
+    figures = {
+        "robot": first.robot.name,
+        "form": settings.form.name.lower(),
+        "rate": settings.rate,
+        "seed": settings.seed,
+        "scenarios": {
+            name: _scenario(recordings[name], series) for name, series in all_series.items()
+        },
+        **{f"ratio_{name}": None for name in RATIOS},
+        "ratio_reason": _UNASKED,
+        "machine": {**describe_machine(), "build": build},
+    }
+    return Bench(figures, all_series, recordings)
+
+
+RATIOS = ("state_to_torque_over_tsid", "tick_over_tsid", "state_to_torque_over_placo")
+
+
+def _scenario(recording: Recording, series: dict[str, Series]) -> dict[str, Any]:
+    stages = {k: describe(s)["wall_us"] for k, s in series.items() if k not in WHOLE}
+    return {
+        "reports": len(recording.reports),
+        "fell": recording.fell,
+        **{name: describe(series[name]) for name in WHOLE},
+        "stages_wall_us": stages,
+    }
