@@ -38,7 +38,8 @@ def answers(ours: Ticks, theirs: Ticks, weight: float, calm: NDArray[np.bool_]) 
         calm: Which ticks are before any push.
 
     Returns:
-        Shares, greatest differences, and in "verdict" in words whether the answer is the same.
+        Forces, greatest differences, in how many ticks torques differ by more than TORQUE_SHARE,
+        and in "verdict" in words whether the answer is the same while nobody pushes.
     """
     vertical = slice(FORCES + 2, TORQUES, 3)
     forces = [float(side[calm, vertical].sum(axis=1).mean()) for side in (ours, theirs)]
@@ -61,5 +62,6 @@ def answers(ours: Ticks, theirs: Ticks, weight: float, calm: NDArray[np.bool_]) 
             "all": round(float(torque.max()), 6),
             "p90": round(float(np.percentile(torque, 90.0)), 6),
         },
+        "ticks_apart": int(np.count_nonzero(torque > TORQUE_SHARE * greatest)),
         "greatest_calm_torque_nm": round(greatest, 6),
     }

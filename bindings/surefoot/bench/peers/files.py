@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import LowState
-from surefoot.bench.peers.problem import GRAVITY, POSTURE, STIFFNESS, WEIGHTS, Problem
+from surefoot.bench.peers.problem import POSTURE, STIFFNESS, Problem
+from surefoot.bench.peers.weights import GRAVITY, peer_weights
 
 
 def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -> Path:
@@ -30,6 +31,7 @@ def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -
     (folder / "reports.bin").write_bytes(b"".join(report.to_bytes() for report in reports))
     config, order = robot.config, np.argsort(robot.motor_to_v)
     weight = robot.mass * GRAVITY
+    weights = peer_weights(problem.point_robot, problem.point_robot.config.gains)
     lines: dict[str, Iterable[Any]] = {
         "size": (len(problem), robot.nq, robot.nv),
         "joints": [config.joint_names[i] for i in order],
@@ -43,7 +45,7 @@ def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -
         "posture": robot.q_standing()[7:],
         **{f"{name}_gains": gains for name, gains in STIFFNESS.items()},
         "posture_gains": POSTURE,
-        **{f"{name}_weight": (weight,) for name, weight in WEIGHTS.items()},
+        **{f"{name}_weight": (weight,) for name, weight in weights.items()},
     }
     file = folder / "problem.txt"
     text = [" ".join([name, *map(_word, values)]) for name, values in lines.items()]

@@ -21,14 +21,10 @@ from surefoot.bench.problems import SCENARIOS
 from surefoot.bench.problems.scenarios import PUSH_TIMES
 from surefoot.bench.recording import Recording
 
-GRAVITY = 9.81
 # One stiffness and damping for all axes of a task: PlaCo's tasks know no others. [1/s^2], [1/s]
 STIFFNESS = {"com": (100.0, 20.0), "base": (400.0, 40.0), "foot": (2500.0, 50.0)}
 POSTURE = (100.0, 20.0)
-# The peers' weights, per unit of squared acceleration (com, base, posture) and force. The body's
-# tasks decide; posture and forces fill in, so that answers hardly depend on the weights' ratios.
-WEIGHTS = {"com": 1.0, "base": 0.1, "posture": 4e-6, "force": 1e-6}
-WEIGHT_POSTURE = 1e-4  # ours, in the program's own units
+WEIGHT_POSTURE = 1e-4  # little, in our program's units: the body's tasks decide
 
 
 @dataclass(frozen=True)

@@ -18,14 +18,13 @@ from surefoot.bench.peers.languages import bouts
 from surefoot.bench.peers.options import PeerOptions
 from surefoot.bench.peers.peer import PEERS, Peer
 from surefoot.bench.peers.problem import (
-    GRAVITY,
     POSTURE,
     STIFFNESS,
-    WEIGHTS,
     calm_ticks,
     make_problem,
 )
 from surefoot.bench.peers.rows import RATIOS, ratios_of, rows_of
+from surefoot.bench.peers.weights import GRAVITY
 from surefoot.bench.recording import Recording, record
 from surefoot.bench.run import Bench
 from surefoot.bench.settings import BenchSettings
@@ -37,7 +36,6 @@ TASKS = {
     "what": "centre of mass, base orientation, posture, even forces; four feet down, friction, "
     "bounds of normal force and torque",
     "stiffness_and_damping": {k: list(v) for k, v in {**STIFFNESS, "posture": POSTURE}.items()},
-    "weights_of_peers": WEIGHTS,
 }
 
 

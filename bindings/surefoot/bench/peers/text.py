@@ -21,12 +21,13 @@ def peers_text(result: dict[str, Any]) -> str:
         lines.append(f"{head}{_versions(row)}, {row['pairs']} pairs, {row['answers']['verdict']}")
         sides = {"their tick": row["theirs"], **_ours(row)}
         for name, side in sides.items():
-            wall, failed = side["wall_us"], side["failures"]
+            wall, cpu, failed = side["wall_us"], side["cpu_us"], side["failures"]
             ratio = row.get(f"ratio_{name.removeprefix('our ').replace(' ', '_')}")
             share = "" if ratio is None else f"  {ratio:.3f} of theirs"
             unsolved = f"  {failed} FAILED" if failed else ""
             lines.append(
-                f"  {name:<20} p50 {wall['p50']:7.1f}  p99 {wall['p99']:7.1f}{share}{unsolved}"
+                f"  {name:<20} p50 {wall['p50']:6.1f}  p99 {wall['p99']:7.1f}  "
+                f"p99 cpu {cpu['p99']:7.1f}{share}{unsolved}"
             )
     return "\n".join(lines)
 
