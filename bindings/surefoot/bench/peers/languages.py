@@ -28,7 +28,7 @@ def bouts(
 ) -> list[Bout]:
     """Return the bout of every language, everything installed and compiled."""
     found = [_python_bout(problem, recording, options, peers, file)]
-    if options.cpp:
+    if options.cpp and any(peer.program for peer in peers):
         found.append(_cpp_bout(problem, options, peers, file))
     return found
 
