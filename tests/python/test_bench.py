@@ -1,67 +1,95 @@
+# SPDX-License-Identifier: BSD-3-Clause
+from __future__ import annotations
+
 import itertools
 import json
 
+import numpy as np
 import pytest
 import surefoot
-from surefoot.bench import BenchSettings, machine, record, timing
+from surefoot.bench import BenchSettings, figures, machine, native, record
 from surefoot.cli import main
 
 NUMBERS = ["n", "min", "p50", "p90", "p99", "p99.9", "max"]
-STAGES = ["tick_us", "estimate_us", "whole_body_us", "null_us"]
+WHOLE = ["tick", "state_to_torque", "null"]
+STAGES = ["estimate", "dynamics", "reference", "tasks", "condense", "program", "solve", "check"]
+SHORT = ["bench", "--ticks", "200", "--scenario", "quiet"]
 
 
-@pytest.fixture
-def result(capsys):
-    assert main(["bench", "--ticks", "200", "--form", "condensed", "--json", "-"]) == 0
-    return json.loads(capsys.readouterr().out)
+@pytest.fixture(scope="module")
+def result(tmp_path_factory):
+    path = tmp_path_factory.mktemp("bench") / "bench.json"
+    words = ["bench", "--ticks", "7000", "--scenario", "push80", "--form", "condensed"]
+    assert main([*words, "--json", str(path)]) == 0
+    return json.loads(path.read_text())
 
 
-def test_a_bench_says_how_long_every_stage_took_and_of_what(result):
-    assert (result["robot"], result["form"], result["ticks"]) == ("go1", "condensed", 200)
-    for stage in STAGES:
-        times = result[stage]
-        assert list(times) == NUMBERS and times["n"] == 200
-        values = [times[name] for name in NUMBERS[1:]]
-        assert 0.0 < values[0] and values == sorted(values)
-    assert result["null_us"]["p50"] < result["estimate_us"]["p50"] < result["tick_us"]["p50"]
-    assert result["failures"] == {"tick": 0, "estimate": 0, "whole_body": 0}
-    for spread in (result["iterations"]["tick"], result["iterations"]["whole_body"]):
-        assert 1.0 <= spread["mean"] <= spread["max"]
+def test_a_bench_says_how_long_every_part_took_and_of_what(result):
+    assert (result["robot"], result["form"]) == ("go1", "condensed")
+    scenario = result["scenarios"]["push80"]
+    assert scenario["reports"] == 3500 and not scenario["fell"]
+    for name in WHOLE:
+        for clock in ("wall_us", "cpu_us"):
+            times = scenario[name][clock]
+            assert list(times) == NUMBERS and times["n"] == 7000
+            values = [times[k] for k in NUMBERS[1:]]
+            assert 0.0 < values[0] and values == sorted(values)
+        assert sum(scenario[name]["histogram_us"]) == 7000
+    assert list(scenario["stages_wall_us"]) == [*STAGES, "safety"]
+    assert scenario["state_to_torque"]["wall_us"]["p50"] < scenario["tick"]["wall_us"]["p50"]
 
 
-def test_a_bench_says_on_what_machine_it_ran(result):
+def test_ticks_cost_no_heap_no_page_no_failure_and_hardly_an_iteration(result):
+    tick = result["scenarios"]["push80"]["tick"]
+    assert (tick["allocations"], tick["page_faults"], tick["failures"]) == (0, 0, 0)
+    counts = {int(k): n for k, n in tick["iterations"].items()}
+    assert sum(counts.values()) == 7000
+    assert sum(k * n for k, n in counts.items()) / 7000 < 1.3
+    assert max(counts) <= 100
+
+
+def test_a_bench_says_on_what_machine_and_with_what_flags_it_ran(result):
     told = result["machine"]
     assert told["cpu"] and told["cores"] >= 1 and "governor" in told
-    assert told["python"].startswith("3.")
+    assert "-O3" in told["build"]
     assert set(told["versions"]) >= {"surefoot", "pin", "mujoco"}
 
 
-def test_a_bench_prints_a_table_and_writes_json_beside_it(capsys, tmp_path):
-    assert main(["bench", "--ticks", "100", "--json", str(tmp_path / "bench.json")]) == 0
+def test_ratios_over_peers_are_null_with_a_reason_without_them(result):
+    names = ["state_to_torque_over_tsid", "tick_over_tsid", "state_to_torque_over_placo"]
+    assert [result[f"ratio_{name}"] for name in names] == [None] * 3
+    assert "--peers" in result["ratio_reason"]
+
+
+def test_a_bench_prints_a_table_and_writes_a_report(capsys, tmp_path):
+    assert main([*SHORT, "--report", str(tmp_path)]) == 0
     out = capsys.readouterr().out
-    rows = {line.split()[0]: line.split() for line in out.splitlines() if line}
+    rows = {line.split()[0]: line.split() for line in out.splitlines() if line.strip()}
     written = json.loads((tmp_path / "bench.json").read_text())
-    for stage in ("tick", "estimate", "whole_body", "null"):
-        assert rows[stage][1:3] == ["100", f"{written[f'{stage}_us']['min']:.1f}"]
-    assert "about a microsecond" in out and "FAILED" not in out
+    for name in WHOLE:
+        wall = written["scenarios"]["quiet"][name]["wall_us"]
+        assert rows[name][1:3] == [str(wall["n"]), f"{wall['min']:.1f}"]
+    assert "FAILED" not in out
+    assert (tmp_path / "quiet.png").stat().st_size > 10_000
+    assert "quiet.png" in (tmp_path / "index.html").read_text()
 
 
 def test_what_is_replayed_is_a_standing_robot_and_then_a_pushed_one():
-    recording = record(BenchSettings(ticks=300))
-    assert len(recording.reports) == 300
+    recording = record(BenchSettings(), "push50")
     ticks = [report.tick for report in recording.reports]
-    assert {b - a for a, b in itertools.pairwise(ticks)} == {2}
-    assert recording.push.time == pytest.approx(0.3)
+    assert len(ticks) == 3500 and {b - a for a, b in itertools.pairwise(ticks)} == {2}
     turns = [max(abs(w) for w in report.imu.gyroscope) for report in recording.reports]
-    assert max(turns[155:]) > 3.0 * max(turns[:150])
+    assert max(turns[500:600]) > 3.0 * max(turns[:500])
 
 
 def test_percentiles_are_those_of_all_calls():
-    times = timing.distribution(list(range(1000, 1_002_000, 1000)))
+    times = figures.distribution(np.arange(1.0, 1002.0))
     assert times == {
         **{"n": 1001, "min": 1.0, "p50": 501.0, "p90": 901.0},
         **{"p99": 991.0, "p99.9": 1000.0, "max": 1001.0},
     }
+    assert figures.histogram([0.2, 1.7, 1.1, 9e9])[:2] == [1, 2]
+    assert len(figures.histogram([9e9])) == figures.LONGEST_BIN + 1
 
 
 def test_a_machine_that_says_nothing_of_itself_is_no_error(monkeypatch, tmp_path):
@@ -73,3 +101,12 @@ def test_a_machine_that_says_nothing_of_itself_is_no_error(monkeypatch, tmp_path
 def test_a_bench_too_short_or_long_is_refused(ticks):
     with pytest.raises(surefoot.Error, match=f"ticks: got {ticks}, expected 100 to"):
         BenchSettings(ticks=ticks)
+
+
+def test_what_cannot_be_timed_is_one_clear_line(capsys, monkeypatch, tmp_path):
+    assert main(["bench", "--scenario", "dance"]) == 2
+    assert "got 'dance', expected one of quiet" in capsys.readouterr().err
+    monkeypatch.setattr(native, "PROGRAM", tmp_path / "gone")
+    assert main(SHORT) == 2
+    error = capsys.readouterr().err
+    assert "gone" in error and "Traceback" not in error

@@ -1,109 +1,185 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wbc/active_set.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 
 namespace {
 
-// Rows at the tip of a friction cone depend on each other: this picks one of their multipliers, and
-// moves the answer off its bounds by as much times the multiplier.
-constexpr double kSoftness = 1e-10;
+constexpr double kDependent = 1e-9;  // of a row's squared length: less than that is new in it
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kShare = 0.1;  // of the tolerance: violated
 
 }  // namespace
 
 ActiveSet::ActiveSet(int n, int n_in)
     : n_(n),
       n_in_(n_in),
-      most_(std::min(2 * n, n_in)),
-      side_(static_cast<std::size_t>(n_in), 0),
       H_(n),
-      V_(Eigen::MatrixXd::Zero(n, most_)),
-      S_(Eigen::MatrixXd::Zero(most_, most_)),
       free_(Eigen::VectorXd::Zero(n)),
+      rows_(static_cast<std::size_t>(n), 0),
+      sides_(free_),
+      bounds_(free_),
+      multipliers_(free_),
+      V_(Eigen::MatrixXd::Zero(n, n)),
+      R_(V_),
       x_(free_),
-      rhs_(Eigen::VectorXd::Zero(most_)),
-      multipliers_(rhs_),
-      Cx_(Eigen::VectorXd::Zero(n_in)) {
-  active_.reserve(static_cast<std::size_t>(most_));
-}
+      Cx_(Eigen::VectorXd::Zero(n_in)),
+      v_(free_),
+      l_(free_),
+      step_(free_) {}
 
-bool ActiveSet::solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
-                      Eigen::VectorXd& z) noexcept {
-  if (!begin(problem, z)) return false;
-  for (rounds_ = 1; rounds_ <= kRounds; ++rounds_) {
-    if (!solve_active(problem)) return false;
-    if (!settle(problem, tolerance)) continue;
-    x = x_;
-    z.setZero();
-    for (std::size_t k = 0; k < active_.size(); ++k) z[active_[k]] = multipliers_[k];
-    return true;
+ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
+                                    Eigen::VectorXd& z) noexcept {
+  changes_ = 0;
+  if (!begin(problem, z)) return Outcome::kGaveUp;
+  drop_pulling_rows();
+  for (;;) {
+    const Violation violation = worst(problem, kShare * tolerance);
+    if (violation.row == kNotFinite) return Outcome::kGaveUp;
+    if (violation.row == kNone) break;
+    const Outcome added = add(problem, violation);
+    if (added != Outcome::kSolved) return added;
   }
-  return false;
+  x = x_;
+  z.setZero();
+  for (Eigen::Index k = 0; k < count_; ++k) z[rows_[k]] = sides_[k] * multipliers_[k];
+  return Outcome::kSolved;
 }
 
 bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept {
-  for (int row = 0; row < n_in_; ++row) side_[row] = z[row] > 0.0 ? 1 : z[row] < 0.0 ? -1 : 0;
+  count_ = 0;
+  if (!problem.H.allFinite()) return false;  // half of it would not be looked at
   H_.compute(problem.H);
   if (H_.info() != Eigen::Success) return false;
   free_ = -problem.g;
   H_.matrixL().solveInPlace(free_);
+  for (int row = 0; row < n_in_; ++row) {
+    if (z[row] == 0.0) continue;
+    const double side = z[row] > 0.0 ? 1.0 : -1.0;
+    const double bound = side * (side > 0.0 ? problem.u[row] : problem.l[row]);
+    if (!(std::abs(bound) < kNoBound)) continue;
+    direct(problem, row, side);
+    append(row, side, bound, 0.0);  // what depends on the rows before is left out
+  }
   return true;
 }
 
-// H x + g + Ca' z = 0 and Ca x = ba, for the active rows Ca: with V = L^-1 Ca', w = -L^-1 g it is
-// V'V z = V'w - ba and x = L^-T (w - V z).
-bool ActiveSet::solve_active(const QpProblem& problem) noexcept {
-  active_.clear();
-  for (int row = 0; row < n_in_; ++row) {
-    if (side_[row] == 0) continue;
-    if (static_cast<int>(active_.size()) == most_) return false;
-    const auto k = static_cast<Eigen::Index>(active_.size());
-    active_.push_back(row);
-    V_.col(k) = problem.C.row(row);
-    rhs_[k] = side_[row] > 0 ? problem.u[row] : problem.l[row];
-    if (!(std::abs(rhs_[k]) < kNoBound)) return false;
+// Until every multiplier pushes, the rows are no set that the method can begin with.
+void ActiveSet::drop_pulling_rows() noexcept {
+  while (count_ > 0) {
+    solve_multipliers();
+    Eigen::Index worst = 0;
+    if (multipliers_.head(count_).minCoeff(&worst) >= 0.0) return;
+    remove(worst);
+    ++changes_;
   }
-  const auto count = static_cast<Eigen::Index>(active_.size());
+}
+
+// With w = free_: V'V m = V'w - b.
+void ActiveSet::solve_multipliers() noexcept {
+  auto m = multipliers_.head(count_);
+  const auto R = R_.topLeftCorner(count_, count_);
+  m.noalias() = V_.leftCols(count_).transpose() * free_;
+  m -= bounds_.head(count_);
+  R.triangularView<Eigen::Lower>().solveInPlace(m);
+  R.transpose().triangularView<Eigen::Upper>().solveInPlace(m);
+}
+
+// x = L'^-1 (w - V m), and where it is furthest outside.
+ActiveSet::Violation ActiveSet::worst(const QpProblem& problem, double tolerance) noexcept {
   x_ = free_;
-  if (count > 0) {
-    auto V = V_.leftCols(count);
-    H_.matrixL().solveInPlace(V);
-    auto z = multipliers_.head(count);
-    z.noalias() = V.transpose() * free_;
-    z -= rhs_.head(count);
-    auto S = S_.topLeftCorner(count, count);
-    S.noalias() = V.transpose() * V;
-    S.diagonal().array() += kSoftness;
-    Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> schur(S);
-    if (schur.info() != Eigen::Success) return false;
-    schur.solveInPlace(z);
-    x_.noalias() -= V * z;
-  }
+  x_.noalias() -= V_.leftCols(count_) * multipliers_.head(count_);
   H_.matrixU().solveInPlace(x_);
+  Cx_.noalias() = problem.C * x_;
+  Violation found;
+  found.amount = tolerance;
+  for (int row = 0; row < n_in_; ++row) {
+    const double above = Cx_[row] - problem.u[row], below = problem.l[row] - Cx_[row];
+    if (std::isnan(above) || std::isnan(below)) return {kNotFinite, 0.0, 0.0};
+    if (above > found.amount) found = {row, 1.0, above};
+    if (below > found.amount) found = {row, -1.0, below};
+  }
+  return found;
+}
+
+// Move towards the row until it holds, or until another row's multiplier is used up: that one goes.
+ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, Violation violation) noexcept {
+  const auto [row, side, amount] = violation;
+  const double bound = side * (side > 0.0 ? problem.u[row] : problem.l[row]);
+  double missing = amount, multiplier = 0.0;
+  for (;;) {
+    if (++changes_ > kMostChanges) return Outcome::kGaveUp;
+    direct(problem, row, side);
+    const bool dependent = !(length_ > kDependent * v_.squaredNorm());
+    double length = dependent ? kInfinite : missing / length_;
+    Eigen::Index blocking = -1;
+    for (Eigen::Index k = 0; k < count_; ++k) {
+      if (step_[k] * length > multipliers_[k] && step_[k] > 0.0) {
+        length = multipliers_[k] / step_[k];
+        blocking = k;
+      }
+    }
+    if (!(length < kInfinite)) return Outcome::kInfeasible;
+    multipliers_.head(count_) -= length * step_.head(count_);
+    multiplier += length;
+    if (blocking < 0) {
+      return append(row, side, bound, multiplier) ? Outcome::kSolved : Outcome::kGaveUp;
+    }
+    if (!dependent) missing -= length * length_;
+    remove(blocking);
+  }
+}
+
+void ActiveSet::direct(const QpProblem& problem, int row, double side) noexcept {
+  v_ = side * problem.C.row(row);
+  H_.matrixL().solveInPlace(v_);
+  auto l = l_.head(count_);
+  auto step = step_.head(count_);
+  const auto R = R_.topLeftCorner(count_, count_);
+  l.noalias() = V_.leftCols(count_).transpose() * v_;
+  R.triangularView<Eigen::Lower>().solveInPlace(l);
+  length_ = v_.squaredNorm() - l.squaredNorm();
+  step = l;
+  R.transpose().triangularView<Eigen::Upper>().solveInPlace(step);
+}
+
+// What direct() looked at becomes active.
+bool ActiveSet::append(int row, double side, double bound, double multiplier) noexcept {
+  if (count_ == n_ || !(length_ > kDependent * v_.squaredNorm())) return false;
+  rows_[count_] = row;
+  sides_[count_] = side;
+  bounds_[count_] = bound;
+  multipliers_[count_] = multiplier;
+  V_.col(count_) = v_;
+  R_.row(count_).head(count_) = l_.head(count_);
+  R_(count_, count_) = std::sqrt(length_);
+  ++count_;
   return true;
 }
 
-// Drop what pulls, take in what is violated. Did nothing change?
-bool ActiveSet::settle(const QpProblem& problem, double tolerance) noexcept {
-  bool settled = true;
-  for (std::size_t k = 0; k < active_.size(); ++k) {
-    if (multipliers_[k] * side_[active_[k]] >= 0.0) continue;
-    side_[active_[k]] = 0;
-    settled = false;
+void ActiveSet::remove(Eigen::Index gone) noexcept {
+  for (Eigen::Index k = gone; k + 1 < count_; ++k) {
+    rows_[k] = rows_[k + 1];
+    sides_[k] = sides_[k + 1];
+    bounds_[k] = bounds_[k + 1];
+    multipliers_[k] = multipliers_[k + 1];
+    V_.col(k) = V_.col(k + 1);
   }
-  Cx_.noalias() = problem.C * x_;
-  for (int row = 0; row < n_in_; ++row) {
-    // (So that NaN counts as violated.)
-    if (Cx_[row] <= problem.u[row] + tolerance && Cx_[row] >= problem.l[row] - tolerance) continue;
-    const signed char side = Cx_[row] < problem.l[row] ? -1 : 1;
-    if (side_[row] == side) return false;  // rows that cannot all hold
-    side_[row] = side;
-    settled = false;
+  --count_;
+  factorise();
+}
+
+void ActiveSet::factorise() noexcept {
+  for (Eigen::Index k = 0; k < count_; ++k) {
+    auto l = l_.head(k);
+    l.noalias() = V_.leftCols(k).transpose() * V_.col(k);
+    R_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(l);
+    R_.row(k).head(k) = l;
+    R_(k, k) = std::sqrt(std::max(V_.col(k).squaredNorm() - l.squaredNorm(), 1e-300));
   }
-  return settled;
 }
 
 }  // namespace surefoot

@@ -8,41 +8,57 @@
 
 namespace surefoot {
 
-/// Solves a strictly convex program from the rows that were active in the last one.
+/// Solves a strictly convex program without equalities, from the rows that were active in the last.
 ///
-/// The primal-dual active set method (Hintermueller, Ito, Kunisch 2003): take rows as equalities,
-/// drop those whose multiplier has the wrong sign, take in those that are violated, and again. From
-/// one tick to the next the active rows hardly change, so that it mostly ends in its first or
-/// second round; where it does not end, a solver that always does has to take over. Real-time: yes,
-/// at most kRounds small factorisations.
+/// The dual method of Goldfarb and Idnani (1983): rows join one by one, the most violated first,
+/// and leave when their multiplier would change its sign. From one tick to the next hardly any row
+/// changes, so that most solves are one small factorisation. It ends, or finds the rows to
+/// contradict each other; rounding is the caller's to check. Real-time: yes, at most kMostChanges.
 class ActiveSet {
  public:
   ActiveSet(int n, int n_in);
 
-  static constexpr int kRounds = 8;
+  static constexpr int kMostChanges = 60;  ///< of the active rows
 
-  /// @param x in: not read; out: the answer, unchanged without one
-  /// @param z in: the rows to begin with are those where it is not zero; out: multipliers
-  /// @return found: every row within the tolerance, every multiplier of the right sign; not checked
-  ///   against rounding
-  bool solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
-             Eigen::VectorXd& z) noexcept;
+  enum class Outcome { kSolved, kInfeasible, kGaveUp };
 
-  /// Of the last solve.
-  int rounds() const noexcept { return rounds_; }
+  /// @param x in: not read; out: the answer, if solved
+  /// @param z in: the rows to begin with are those where it is not zero; out: multipliers, if
+  /// solved
+  Outcome solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
+                Eigen::VectorXd& z) noexcept;
+
+  /// Of the last solve: rows that joined or left, plus one.
+  int iterations() const noexcept { return changes_ + 1; }
 
  private:
+  static constexpr int kNone = -1, kNotFinite = -2;  // in the place of a row
+  struct Violation {
+    int row = kNone;
+    double side = 0.0;    // 1: above u, -1: below l
+    double amount = 0.0;  // of the side's inequality
+  };
   bool begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept;
-  bool solve_active(const QpProblem& problem) noexcept;
-  bool settle(const QpProblem& problem, double tolerance) noexcept;
+  void drop_pulling_rows() noexcept;
+  Violation worst(const QpProblem& problem, double tolerance) noexcept;
+  Outcome add(const QpProblem& problem, Violation violation) noexcept;
+  void direct(const QpProblem& problem, int row, double side) noexcept;
+  bool append(int row, double side, double bound, double multiplier) noexcept;
+  void remove(Eigen::Index k) noexcept;
+  void factorise() noexcept;
+  void solve_multipliers() noexcept;
 
-  int n_, n_in_, most_;            // most_: rows that can be active at once
-  std::vector<signed char> side_;  // per row: -1 at l, 1 at u, 0 inactive
-  std::vector<int> active_;        // the rows at a side, in order
+  int n_, n_in_;
   Eigen::LLT<Eigen::MatrixXd> H_;  // L L' = H
-  Eigen::MatrixXd V_, S_;          // L^-1 of the active rows, transposed; its Gram matrix
-  Eigen::VectorXd free_, x_, rhs_, multipliers_, Cx_;  // free_: L^-1 (-g)
-  int rounds_ = 0;
+  Eigen::VectorXd free_;           // -L^-1 g
+  Eigen::Index count_ = 0;         // active rows, each as  side c'x <= bound
+  std::vector<int> rows_;
+  Eigen::VectorXd sides_, bounds_, multipliers_;
+  Eigen::MatrixXd V_, R_;  // V: L^-1 side c, a column each; R R' = V'V
+  Eigen::VectorXd x_, Cx_;
+  Eigen::VectorXd v_, l_, step_;  // of the row that joins: its V, R^-1 V'v, and R'^-1 of that
+  double length_ = 0.0;           // squared, of what V does not span of v
+  int changes_ = 0;
 };
 
 }  // namespace surefoot

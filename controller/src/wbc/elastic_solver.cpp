@@ -57,7 +57,7 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
   int spent = 0;
   used_elastic_ = false;
   if (!yielding_) {
-    QpResult result = hard_solver_.solve(problem, kPatience);
+    QpResult result = hard_solver_.solve(problem, kPatience, Feasibility::kDoubtful);
     if (result.status == Status::kNonFinite) return result;
     if (result.status == Status::kOk && within_price(price)) {
       x_ = hard_solver_.x();

@@ -84,27 +84,26 @@ void QpSolver::set_tolerance(double tolerance) noexcept {
   workspace_->qp.settings.eps_duality_gap_abs = kSolverGap * tolerance;
 }
 
-QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
+QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasibility) noexcept {
   const StageScope stage(Stage::kSolve);
   auto& results = workspace_->qp.results;
   QpResult result;
-  if (has_answer_ && results.y.size() == 0 &&
-      workspace_->active_set.solve(problem, tolerance_, results.x, results.z)) {
-    result = check(problem);
-    result.iterations = workspace_->active_set.rounds();
+  if (!has_answer_) forget();
+  if (results.y.size() == 0) {
+    result = try_active_set(problem);
     if (result.status == Status::kOk) return result;
   }
   if (!finite(problem)) {
     result.status = Status::kNonFinite;
     return result;
   }
+  if (result.status == Status::kInfeasible && feasibility == Feasibility::kDoubtful) return result;
   write(problem);
-  if (!has_answer_) forget();
   // A warm start counts every multiplier that is not exactly zero as an active row. The last solve
   // leaves rounding residues of 1e-24 on nearly all of them, and inserting those costs 15 us.
   auto& z = workspace_->qp.results.z;
   z = (z.array().abs() < kResidue).select(0.0, z);
-  int spent = 0;
+  int spent = result.iterations;
   for (int attempt = 0; attempt < patience_ * kAttempts; ++attempt) {
     if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) forget();
     result = run(problem);
@@ -113,6 +112,19 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
     drop_slack_multipliers(problem);
   }
   result.iterations = spent;
+  has_answer_ = result.status == Status::kOk;
+  return result;
+}
+
+// The rows that were active last, first: mostly they are it, or nearly.
+QpResult QpSolver::try_active_set(const QpProblem& problem) noexcept {
+  auto& results = workspace_->qp.results;
+  ActiveSet& active_set = workspace_->active_set;
+  const auto outcome = active_set.solve(problem, tolerance_, results.x, results.z);
+  QpResult result;
+  if (outcome == ActiveSet::Outcome::kSolved) result = check(problem);
+  if (outcome == ActiveSet::Outcome::kInfeasible) result.status = Status::kInfeasible;
+  result.iterations = active_set.iterations();
   has_answer_ = result.status == Status::kOk;
   return result;
 }

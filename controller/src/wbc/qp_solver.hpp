@@ -17,8 +17,14 @@ struct QpResult {
   double gap = 0.0;              ///< greatest min(|z_i|, 1) times row i's distance from its bound
 };
 
-/// ProxQP behind a small interface: fixed size, warm start, our own residual check.
+/// Is a program known to have an answer?
+enum class Feasibility { kCertain, kDoubtful };
+
+/// An active-set method with ProxQP behind it, behind a small interface: fixed size, warm start,
+/// our own residual check of either's answer.
 ///
+/// Programs without equalities are tried by the rows that were active last (ActiveSet); where that
+/// does not end or our check fails, and for programs with equalities, ProxQP solves.
 /// The problem must come scaled (trace(H) = n, condition a few hundred at most): there is no
 /// preconditioner. Real-time: solve() yes, allocates nothing.
 class QpSolver {
@@ -30,7 +36,10 @@ class QpSolver {
   /// Solve, warm started from the last answer; go on from a corrected one while our check fails,
   /// and at last from nothing.
   /// @param budget inner iterations after which no further attempt begins
-  QpResult solve(const QpProblem& problem, int budget = kBudget) noexcept;
+  /// @param feasibility doubtful: rows that contradict each other end the solve with kInfeasible at
+  ///   once; certain: they can only be rounding, and ProxQP goes on
+  QpResult solve(const QpProblem& problem, int budget = kBudget,
+                 Feasibility feasibility = Feasibility::kCertain) noexcept;
   static constexpr int kBudget = 100;
 
   /// Forget the last answer: the next solve starts cold.
@@ -46,6 +55,7 @@ class QpSolver {
  private:
   struct Workspace;
   void write(const QpProblem& problem) noexcept;
+  QpResult try_active_set(const QpProblem& problem) noexcept;
   QpResult run(const QpProblem& problem) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
   double gap(const QpProblem& problem, Eigen::Index row) const noexcept;
