@@ -16,6 +16,7 @@ from surefoot.bench.peers.languages import PACKAGE
 from surefoot.bench.peers.peer import OUR_PROGRAM, PEERS, Peer
 from surefoot.bench.peers.problem import make_problem
 from surefoot.bench.peers.worker import Worker
+from surefoot.cli import main
 from surefoot.robot_files import describe_robot
 
 TICKS = 600  # with the first push in it, at 1 s
@@ -211,3 +212,17 @@ def test_a_worker_that_cannot_be_started_says_so():
 def test_senseless_options_are_refused(field, value):
     with pytest.raises(surefoot.Error, match=f"{field}: got 0"):
         PeerOptions(**{field: value})
+
+
+def test_the_command_puts_ratios_beside_the_figures(monkeypatch, capsys, fake):
+    def compare(recordings, options):
+        played = [replace(r, reports=r.reports[:TICKS]) for r in recordings[-1:]]
+        return run_peers(played, replace(options, cpp=False), [fake("tsid")])
+
+    monkeypatch.setattr(peers.run, "run_peers", compare)
+    words = ["bench", "--ticks", "100", "--scenario", "push50", "--peers", "--json", "-"]
+    assert main(words) == 0
+    figures = json.loads(capsys.readouterr().out)
+    assert figures["ratio_tick_over_tsid"] == figures["peers"]["ratio_tick_over_tsid"] > 0.0
+    assert figures["ratio_state_to_torque_over_placo"] is None
+    assert figures["ratio_reason"] == "not asked for"

@@ -64,6 +64,6 @@ def ratios_of(rows: list[dict[str, Any]]) -> dict[str, Any]:
         if language == "c++" and "python" in ran:
             ratios[f"{name}_python"] = ran["python"][key]
         if language is None:
-            reasons = [row["reason"] for row in its.values()]
+            reasons = dict.fromkeys(row["reason"] for row in its.values())
             ratios[f"{name}_reason"] = "; ".join(reasons) or "not asked for"
     return ratios

@@ -14,7 +14,7 @@ from surefoot._core import Error
 from surefoot.bench.peers.bout import Played
 from surefoot.bench.peers.files import write_problem
 from surefoot.bench.peers.interleave import chosen_processor, one_processor
-from surefoot.bench.peers.languages import bouts
+from surefoot.bench.peers.languages import Pythons, bouts, prepare_peers
 from surefoot.bench.peers.options import PeerOptions
 from surefoot.bench.peers.peer import PEERS, Peer
 from surefoot.bench.peers.problem import (
@@ -77,7 +77,8 @@ def run_peers(
         reason = f"a peer needs the robot's URDF: {problem}"
         rows = [{"peer": peer.name, "language": "python", "reason": reason} for peer in peers]
     else:
-        played = [_play(recording, urdf, options, peers) for recording in several]
+        pythons = prepare_peers(peers, options)
+        played = [_play(recording, urdf, options, pythons) for recording in several]
         calm = np.concatenate([np.arange(len(r.reports)) < calm_ticks(r) for r in several])
         rows = []
         for same_language in zip(*played, strict=True):
@@ -92,14 +93,12 @@ def run_peers(
     }
 
 
-def _play(
-    recording: Recording, urdf: Path, options: PeerOptions, peers: Sequence[Peer]
-) -> list[Played]:
+def _play(recording: Recording, urdf: Path, options: PeerOptions, pythons: Pythons) -> list[Played]:
     """Play a recording in every language."""
     problem = make_problem(recording, urdf)
     with tempfile.TemporaryDirectory(prefix="surefoot-peers-") as folder:
         file = write_problem(problem, recording.reports, Path(folder))
         options.say(f"peers: playing {recording.scenario}")
-        all_bouts = bouts(problem, recording, options, peers, file)
+        all_bouts = bouts(problem, recording, options, pythons, file)
         with one_processor():
             return [bout.play(len(problem), options.block) for bout in all_bouts]
