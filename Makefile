@@ -41,7 +41,7 @@ test: install
 
 lint: install
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .
-	$(BIN)/clang-format --dry-run --Werror $(shell find controller bindings/src tests/cpp examples -name '*.?pp')
+	$(BIN)/clang-format --dry-run --Werror $(shell find controller bindings tests/cpp examples -name '*.?pp')
 	$(BIN)/mypy bindings/surefoot examples
 
 # The C++ tests once more under AddressSanitizer and UndefinedBehaviorSanitizer.

@@ -19,6 +19,11 @@ def add_bench_options(parser: argparse.ArgumentParser) -> None:
     add("--ticks", type=int, default=20_000, metavar="N", help="to time in each scenario (20000)")
     add("--scenario", action="append", metavar="NAME", help="to time; repeatable (the usual five)")
     add_form_option(parser)
+    add(
+        "--peers",
+        action="store_true",
+        help="whole ticks beside TSID's and PlaCo's too, which it installs in .venv-peers",
+    )
     add("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
     add("--report", metavar="DIR", help="write a page with histograms and tails")
     add(
@@ -34,6 +39,7 @@ def bench(arguments: argparse.Namespace) -> None:
     choose_graphics()
     try:
         from surefoot.bench import BenchSettings, bench_text, run_bench, write_bench_report
+        from surefoot.bench.peers import PeerOptions, add_peers, peers_text
         from surefoot.bench.settings import USUAL
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
@@ -47,12 +53,16 @@ def bench(arguments: argparse.Namespace) -> None:
     settings = BenchSettings(robot, arguments.ticks, form, scenarios=scenarios)
     check_json_place(arguments.json)
     result = run_bench(settings, _say)
+    if arguments.peers:
+        add_peers(result, settings, PeerOptions(urdf=robot.urdf, say=_say))
     write_json(arguments.json, result.figures)
     if arguments.report is not None:
         command = ["surefoot", *arguments.words]
         _say(f"report {write_bench_report(result, Path(arguments.report), command)}")
     if arguments.json != "-":
         print(bench_text(result.figures))
+        if arguments.peers:
+            print("\n" + peers_text(result.figures["peers"]))
 
 
 def _export(arguments: argparse.Namespace) -> None:

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Our ticks in C++: from a state to torques, or from LowState to LowCmd.
+#include <cstring>
+#include <surefoot/surefoot.hpp>
+
+#include "worker_loop.hpp"
+
+namespace {
+
+class StateToTorque {
+ public:
+  explicit StateToTorque(const peers::Problem& problem)
+      : problem_(problem),
+        controller_(surefoot::Robot::load(problem.folder + "point.robot")),
+        state_(problem.nq, problem.nv) {
+    state_.q = problem.q(0);
+    state_.v = problem.v(0);
+    reference_ = controller_.hold(state_);
+  }
+
+  void load(int tick) {
+    state_.q = problem_.q(tick);
+    state_.v = problem_.v(tick);
+    reference_.p_com = problem_.com(tick);
+    reference_.R_world_base = problem_.base(tick);
+  }
+
+  void tick() { solution_ = &controller_.update(state_, reference_); }
+
+  void answer(peers::Answer& out) const {
+    out.solved = surefoot::is_usable(solution_->status);
+    out.forces = Eigen::Map<const Eigen::VectorXd>(solution_->forces.data(), 12);
+    out.torques = solution_->torques;
+  }
+
+ private:
+  const peers::Problem& problem_;
+  surefoot::WholeBodyController controller_;
+  surefoot::RobotState state_;
+  surefoot::Reference reference_;
+  const surefoot::Solution* solution_ = nullptr;
+};
+
+class WholeTick {
+ public:
+  explicit WholeTick(const peers::Problem& problem)
+      : controller_(surefoot::Robot::load(problem.folder + "whole.robot")) {
+    reports_.resize(problem.ticks);
+    std::ifstream file(problem.folder + "reports.bin", std::ios::binary);
+    if (!file.read(reinterpret_cast<char*>(reports_.data()),
+                   reports_.size() * sizeof(surefoot::LowState))) {
+      throw std::runtime_error(problem.folder + "reports.bin: too short");
+    }
+  }
+
+  void load(int tick) {
+    if (tick == 0) controller_.reset();  // or its clock would seem to run backwards
+    report_ = &reports_[tick];
+  }
+
+  void tick() { controller_.update(*report_); }
+
+  void answer(peers::Answer& out) const { out.solved = surefoot::is_usable(controller_.status()); }
+
+ private:
+  surefoot::StandController controller_;
+  std::vector<surefoot::LowState> reports_;
+  const surefoot::LowState* report_ = nullptr;
+};
+
+template <typename Ours>
+void play(const peers::Problem& problem) {
+  Ours ours(problem);
+  peers::serve(problem, ours, "{}");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const peers::Problem problem(argc > 1 ? argv[1] : "problem.txt");
+    const bool whole = argc > 2 && std::strcmp(argv[2], "tick") == 0;
+    whole ? play<WholeTick>(problem) : play<StateToTorque>(problem);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "surefoot_tick: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,131 @@
+"""A peer's own Python environment, set up when it is first wanted."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from surefoot.bench.peers.options import PeerOptions, PeerProblem
+
+LONGEST_INSTALL = 900.0  # [s]
+PIP = ["-q", "--disable-pip-version-check", "--retries", "1", "--only-binary", ":all:"]
+PYTHON_OF_LIBRARIES = "3.13"
+SITE = "SITE"  # stands for the environment's site-packages in a step
+_MARK = ".complete"
+
+
+@dataclass(frozen=True)
+class Environment:
+    """What is installed for a peer.
+
+    Attributes:
+        name: Of the folder.
+        steps: Arguments of pip install, step after step.
+    """
+
+    name: str
+    steps: tuple[tuple[str, ...], ...]
+
+    def folder(self, options: PeerOptions) -> Path:
+        """Return where it is, whether or not it is there."""
+        return options.folder.absolute() / self.name
+
+    def python(self, options: PeerOptions) -> Path:
+        """Return its interpreter."""
+        scripts = "Scripts" if sys.platform == "win32" else "bin"
+        return self.folder(options) / scripts / "python"
+
+    def site(self, options: PeerOptions) -> Path:
+        """Return its site-packages."""
+        folder = self.folder(options)
+        if sys.platform == "win32":
+            return folder / "Lib" / "site-packages"
+        version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+        return folder / "lib" / version / "site-packages"
+
+    def versions(self, names: Sequence[str]) -> dict[str, str]:
+        """Return the versions that are pinned, of the packages named that are."""
+        words = [word for step in self.steps for word in step if "==" in word]
+        pins = dict(word.split("==", 1) for word in words)
+        return {name: pins[name] for name in names if name in pins}
+
+    def prepare(self, options: PeerOptions) -> Path:
+        """Install it unless it is complete; return its interpreter, or raise PeerProblem."""
+        python, mark = self.python(options), self.folder(options) / _MARK
+        wanted = f"{sys.version}\n{self.steps}\n"
+        if _text(mark) == wanted and python.exists():
+            return python
+        options.say(f"peers: installing {self.name} in {self.folder(options)} (about a minute)")
+        _run([sys.executable, "-m", "venv", "--clear", str(self.folder(options))])
+        site = str(self.site(options))
+        for step in self.steps:
+            words = [site if word == SITE else word for word in step]
+            _run([str(python), "-m", "pip", "install", *PIP, *words])
+        mark.write_text(wanted, encoding="utf-8")
+        return python
+
+
+# TSID's newest wheel, 1.10.0, aborts with the Pinocchio that pip chooses for it. This set works.
+# libtsid comes first and alone: its wheels hold nothing of Python and yet are tagged with one
+# version, which has to be asked for, and pip can do that into an empty folder only.
+TSID = Environment(
+    "tsid",
+    (
+        (
+            *("--no-deps", "--python-version", PYTHON_OF_LIBRARIES, "--target", SITE),
+            "libtsid==1.9.0",
+        ),
+        (
+            "--no-deps",
+            *("tsid==1.9.0", "pin==3.9.0", "libpinocchio==3.9.0", "eigenpy==3.12.0"),
+            *("coal==3.0.2", "libcoal==3.0.2", "eiquadprog==1.3.0", "proxsuite==0.7.2"),
+            *(
+                "cmeel==0.59.0",
+                "cmeel-assimp==6.0.2",
+                "cmeel-boost==1.89.0",
+                "cmeel-eigen==3.4.0.2",
+            ),
+            *("cmeel-console-bridge==1.0.2.3", "cmeel-octomap==1.10.0", "cmeel-qhull==8.0.2.1"),
+            *("cmeel-tinyxml2==10.0.0", "cmeel-urdfdom==4.0.1", "cmeel-zlib==1.3.1"),
+            *("numpy==2.3.5", "scipy==1.17.1"),
+        ),
+    ),
+)
+# Its requirements bring Pinocchio 3.8.
+PLACO = Environment("placo", (("placo==0.10.2",),))
+
+
+def own_variables() -> dict[str, str]:
+    """Return the system's variables without Python's: PYTHONPATH would bring in our packages."""
+    return {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
+
+
+def _run(words: list[str]) -> None:
+    """Run a command quietly; raises PeerProblem with the last thing that it said."""
+    try:
+        done = subprocess.run(
+            words,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=LONGEST_INSTALL,
+            env=own_variables(),
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired) as problem:
+        raise PeerProblem(f"its environment could not be made: {problem}") from None
+    if done.returncode != 0:
+        said = (done.stderr or done.stdout).strip().splitlines() or ["without a word"]
+        raise PeerProblem(f"its environment could not be made: {said[-1].strip()}")
+
+
+def _text(file: Path) -> str | None:
+    try:
+        return file.read_text(encoding="utf-8")
+    except OSError:
+        return None

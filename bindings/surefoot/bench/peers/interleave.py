@@ -1,0 +1,76 @@
+"""Blocks of ticks in turns, on one processor."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from surefoot.bench.peers.contestant import Contestant, Ticks
+from surefoot.bench.peers.options import PeerProblem
+
+
+def interleave(
+    contestants: dict[str, Contestant], ticks: int, block: int
+) -> tuple[dict[str, Ticks], dict[str, str]]:
+    """Let everybody compute every tick, block by block in turns; first once to warm up.
+
+    Every second round goes the other way round, so that nobody always follows the same one.
+
+    Returns:
+        What each computed; and of those that could not go on, why.
+    """
+    reasons: dict[str, str] = {}
+    played: dict[str, list[Ticks]] = {}
+    with without_garbage_collection():
+        for _ in ("warm up", "count"):
+            played = {name: [] for name in contestants}
+            for turn, first in enumerate(range(0, ticks, block)):
+                names = list(contestants)[:: -1 if turn % 2 else 1]
+                for name in names:
+                    if name in reasons:
+                        continue
+                    try:
+                        count = min(block, ticks - first)
+                        played[name].append(contestants[name].play(first, count))
+                    except PeerProblem as problem:
+                        reasons[name] = str(problem)
+    return {
+        name: np.concatenate(blocks) for name, blocks in played.items() if name not in reasons
+    }, reasons
+
+
+def chosen_processor() -> int | None:
+    """Return the processor that ticks are played on; None where the system does not say."""
+    return max(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else None
+
+
+@contextmanager
+def one_processor() -> Iterator[None]:
+    """Keep this process, and those that it starts, on one processor, if the system lets one."""
+    processor = chosen_processor()
+    if processor is None:
+        yield
+        return
+    before = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, {processor})
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, before)
+
+
+@contextmanager
+def without_garbage_collection() -> Iterator[None]:
+    """Keep Python's garbage collector out of what is timed, as timeit does."""
+    was_on = gc.isenabled()
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()

@@ -1,0 +1,59 @@
+"""The peers, and what is in a tick of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from surefoot.bench.peers.compiled import Program
+from surefoot.bench.peers.environment import PLACO, TSID, Environment
+
+
+@dataclass(frozen=True)
+class Peer:
+    """A controller that ours is compared with.
+
+    Attributes:
+        name: In the figures.
+        environment: Its own.
+        script: Its worker, a file in workers/.
+        program: The same in C++, if there is one; its libraries are the environment's.
+        tick: What its clock runs over.
+        problem: Where its problem is not quite ours.
+    """
+
+    name: str
+    environment: Environment
+    script: str
+    program: Program | None
+    tick: str
+    problem: str
+
+
+PEERS = (
+    Peer(
+        "tsid",
+        TSID,
+        "tsid_worker.py",
+        Program("tsid_tick.cpp", ("tsid", "eiquadprog", "pinocchio_default")),
+        "computeProblemData (kinematics in it), solve with eiquadprog-fast, getActuatorForces",
+        "four facets of friction a foot (ours 14), constant torque limits, hard (ours by the "
+        "torque-speed curve, elastic), no limits of joint positions and velocities",
+    ),
+    Peer(
+        "placo",
+        PLACO,
+        "placo_worker.py",
+        None,  # its wheel holds no headers
+        "update_kinematics, DynamicsSolver.solve",
+        "four facets of friction a foot (ours 14), no upper bound of the normal force, constant "
+        "torque limits, hard (ours by the torque-speed curve, elastic), no limits of joint "
+        "positions and velocities, a torque cost of weight 0",
+    ),
+)
+OUR_PROGRAM = Program("surefoot_tick.cpp", ("surefoot", "pinocchio_default"))
+OUR_TICKS = {
+    "state_to_torque": "WholeBodyController.update (kinematics in it): RobotState to torques, "
+    "contact points at the foot frames",
+    "tick": "StandController.update: LowState to LowCmd, estimator, integral action, limits of the "
+    "body and protections included",
+}

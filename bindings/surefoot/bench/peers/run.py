@@ -1,0 +1,104 @@
+"""All comparisons with peers."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Sequence
+from functools import reduce
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from surefoot._core import Error
+from surefoot.bench.peers.bout import Played
+from surefoot.bench.peers.files import write_problem
+from surefoot.bench.peers.interleave import chosen_processor, one_processor
+from surefoot.bench.peers.languages import Pythons, bouts, prepare_peers
+from surefoot.bench.peers.options import PeerOptions
+from surefoot.bench.peers.peer import PEERS, Peer
+from surefoot.bench.peers.problem import (
+    POSTURE,
+    STIFFNESS,
+    calm_ticks,
+    make_problem,
+)
+from surefoot.bench.peers.rows import RATIOS, ratios_of, rows_of
+from surefoot.bench.peers.weights import GRAVITY
+from surefoot.bench.recording import Recording, record
+from surefoot.bench.run import Bench
+from surefoot.bench.settings import BenchSettings
+from surefoot.robot_files import describe_robot
+
+SCENARIOS = ("quiet", "motion", "push50")
+# What every side is asked for; docs/peers.md says it at length.
+TASKS = {
+    "what": "centre of mass, base orientation, posture, even forces; four feet down, friction, "
+    "bounds of normal force and torque",
+    "stiffness_and_damping": {k: list(v) for k, v in {**STIFFNESS, "posture": POSTURE}.items()},
+}
+
+
+def add_peers(bench: Bench, settings: BenchSettings, options: PeerOptions | None = None) -> None:
+    """Run the comparison; put it under "peers" of a bench's figures, its ratios beside."""
+    recordings = [bench.recordings.get(name) or record(settings, name) for name in SCENARIOS]
+    result = run_peers(recordings, options)
+    reasons = [result.get(f"{name}_reason") for name in RATIOS]
+    bench.figures["peers"] = result
+    bench.figures.update({name: result[name] for name in RATIOS})
+    bench.figures["ratio_reason"] = "; ".join(r for r in dict.fromkeys(reasons) if r) or None
+
+
+def run_peers(
+    recordings: Recording | Sequence[Recording],
+    options: PeerOptions | None = None,
+    peers: Sequence[Peer] = PEERS,
+) -> dict[str, Any]:
+    """Compare our ticks with the peers' on recorded runs of one robot.
+
+    Args:
+        recordings: What bench.record() returned.
+        options: Defaults if None. The first run installs the peers.
+        peers: To compare with.
+
+    Returns:
+        Plain JSON types. The ratios of RATIOS, medians over pairs of ticks, beside each its
+        "_language", its "_python" where that is another, and its "_reason" where it is None; in
+        "rows" all figures, a row per peer and language. A peer that does not run is a row that
+        says why, never an exception.
+    """
+    options = options or PeerOptions()
+    several = [recordings] if isinstance(recordings, Recording) else list(recordings)
+    robot = several[0].robot
+    rows: list[dict[str, Any]]
+    try:
+        urdf = options.urdf or describe_robot(robot.name).urdf
+    except Error as problem:
+        reason = f"a peer needs the robot's URDF: {problem}"
+        rows = [{"peer": peer.name, "language": "python", "reason": reason} for peer in peers]
+    else:
+        pythons = prepare_peers(peers, options)
+        played = [_play(recording, urdf, options, pythons) for recording in several]
+        calm = np.concatenate([np.arange(len(r.reports)) < calm_ticks(r) for r in several])
+        rows = []
+        for same_language in zip(*played, strict=True):
+            rows += rows_of(reduce(Played.then, same_language), robot.mass * GRAVITY, calm)
+    return {
+        **ratios_of(rows),
+        "rows": rows,
+        "tasks": TASKS,
+        "scenarios": {r.scenario: len(r.reports) for r in several},
+        "block": options.block,
+        "processor": chosen_processor(),
+    }
+
+
+def _play(recording: Recording, urdf: Path, options: PeerOptions, pythons: Pythons) -> list[Played]:
+    """Play a recording in every language."""
+    problem = make_problem(recording, urdf)
+    with tempfile.TemporaryDirectory(prefix="surefoot-peers-") as folder:
+        file = write_problem(problem, recording.reports, Path(folder))
+        options.say(f"peers: playing {recording.scenario}")
+        all_bouts = bouts(problem, recording, options, pythons, file)
+        with one_processor():
+            return [bout.play(len(problem), options.block) for bout in all_bouts]

@@ -1,0 +1,141 @@
+"""A contestant that is a process of its own, in a peer's environment or compiled."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import select
+import signal
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from surefoot.bench.peers.contestant import Ticks
+from surefoot.bench.peers.environment import own_variables
+from surefoot.bench.peers.options import PeerProblem
+
+
+class Worker:
+    """Speaks with a worker through pipes; workers/worker_loop.py says how.
+
+    Attributes:
+        versions: Of the packages behind it.
+    """
+
+    def __init__(self, words: list[str], width: int, patience: float) -> None:
+        """Start it and wait until it is ready.
+
+        Args:
+            words: The command.
+            width: Numbers that a tick is told in.
+            patience: Longest silence while an answer is awaited [s].
+
+        Raises:
+            PeerProblem: It could not be started, ended, or kept silent.
+        """
+        self._width, self._patience = width, patience
+        self._errors = tempfile.TemporaryFile()
+        try:
+            self._process = subprocess.Popen(
+                words,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=self._errors,
+                bufsize=0,
+                env={**own_variables(), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
+            )
+        except OSError as problem:
+            self._errors.close()
+            raise PeerProblem(f"could not be started: {problem}") from None
+        self._buffer = b""
+        try:
+            self.versions = self._greeting()
+        except PeerProblem:
+            self.close()
+            raise
+
+    def play(self, first: int, count: int) -> Ticks:
+        """Have it compute ticks, shape (count, width); raises PeerProblem."""
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(f"play {first} {count}\n".encode())
+        except OSError:
+            raise PeerProblem(self._epitaph()) from None
+        size = 8 * self._width * count
+        deadline = time.monotonic() + self._patience
+        while len(self._buffer) < size:
+            self._read(deadline)
+        ticks = np.frombuffer(self._buffer[:size], dtype="<f8").reshape(count, self._width)
+        self._buffer = self._buffer[size:]
+        if not np.isfinite(ticks).all():
+            raise PeerProblem(f"answered with a number that is not finite, ticks from {first} on")
+        return ticks
+
+    def close(self) -> None:
+        """End it."""
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe is not None:
+                with contextlib.suppress(OSError):
+                    pipe.close()
+        try:
+            self._process.wait(timeout=2.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._errors.close()
+
+    def _greeting(self) -> dict[str, Any]:
+        deadline = time.monotonic() + self._patience
+        while b"\n" not in self._buffer:
+            self._read(deadline)
+        line, _, self._buffer = self._buffer.partition(b"\n")
+        try:
+            versions = json.loads(line)["versions"]
+        except (ValueError, KeyError, TypeError):
+            raise PeerProblem(f"got {line[:80]!r} from it, expected its versions") from None
+        return dict(versions)
+
+    def _read(self, deadline: float) -> None:
+        assert self._process.stdout is not None
+        left = deadline - time.monotonic()
+        if left <= 0.0 or not select.select([self._process.stdout], [], [], left)[0]:
+            self._process.kill()
+            raise PeerProblem(f"no answer within {self._patience:g} s")
+        chunk = self._process.stdout.read(1 << 16)
+        if not chunk:
+            raise PeerProblem(self._epitaph())
+        self._buffer += chunk
+
+    def _epitaph(self) -> str:
+        """Say how it ended, and its last words."""
+        try:
+            status = self._process.wait(timeout=2.0)
+        except subprocess.TimeoutExpired:
+            return "closed its output"
+        how = f"signal {signal.Signals(-status).name}" if status < 0 else f"status {status}"
+        self._errors.seek(0)
+        said = self._errors.read().decode(errors="replace").strip().splitlines()
+        return f"ended with {how}" + (f": {said[-1].strip()}" if said else "")
+
+
+def worker_maker(
+    command: Callable[[], list[str]], width: int, patience: float
+) -> Callable[[], Worker]:
+    """Ask for a worker's command now, which may take minutes; return what starts it later.
+
+    What goes wrong with the command is raised as PeerProblem when the worker is to be started.
+    """
+    try:
+        words = command()
+    except (PeerProblem, OSError) as problem:
+        reason = str(problem)
+
+        def refuse() -> Worker:
+            raise PeerProblem(reason)
+
+        return refuse
+    return lambda: Worker(words, width, patience)

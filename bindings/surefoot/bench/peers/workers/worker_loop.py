@@ -1,0 +1,101 @@
+"""What every worker does: read the problem, tick when told to, say how long it took.
+
+Runs in a peer's own environment, without surefoot. On standard input come lines
+"play FIRST COUNT"; on standard output goes a line of JSON once the worker is ready, then for every
+tick played wall [ns], CPU [ns], solved 0 or 1, 12 forces on the feet FR FL RR RL [N, world] and
+the joints' torques [N.m, Pinocchio's order], all float64.
+"""
+
+from __future__ import annotations
+
+import gc
+import importlib.metadata
+import json
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from time import perf_counter_ns, thread_time_ns
+from typing import Any
+
+import numpy as np
+
+
+class Problem:
+    """What is written in a problem's files; numbers as arrays, names as lists."""
+
+    def __init__(self, file: Path) -> None:
+        rows = [line.split() for line in file.read_text(encoding="utf-8").splitlines()]
+        self._rows = {row[0]: row[1:] for row in rows}
+        n, nq, nv = (int(word) for word in self._rows["size"])
+        states = np.fromfile(file.parent / "states.bin").reshape(n, nq + nv + 7)
+        self.q = [np.array(row[:nq]) for row in states]
+        self.v = [np.array(row[nq : nq + nv]) for row in states]
+        self.com = [np.array(row[nq + nv : nq + nv + 3]) for row in states]
+        self.rotation = [rotation(*row[nq + nv + 3 :]) for row in states]
+        self.nv = nv
+        self.urdf = str(file.parent / "robot.urdf")
+
+    def names(self, key: str) -> list[str]:
+        """Return the words of a line."""
+        return self._rows[key]
+
+    def array(self, key: str) -> Any:
+        """Return the numbers of a line, shape (n,)."""
+        return np.array([float(word) for word in self._rows[key]])
+
+    def check_joints(self, names: list[str]) -> None:
+        """Raise ValueError unless the peer's joints are in the order of the states."""
+        if names != self.names("joints"):
+            raise ValueError(f"joints: got {names}, expected {self.names('joints')}")
+
+    def number(self, key: str) -> float:
+        """Return the one number of a line."""
+        return float(self._rows[key][0])
+
+
+def rotation(x: float, y: float, z: float, w: float) -> Any:
+    """Return the matrix of a unit quaternion, shape (3, 3)."""
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def serve(make: Callable[[Problem], Any], packages: list[str]) -> None:
+    """Build the peer's solver and play ticks until standard input ends.
+
+    Args:
+        make: Returns an object with load(k), outside the clock: state and target of tick k;
+            tick(), inside; answer() -> solved, forces (12,), torques (nv - 6,).
+        packages: Whose versions are told.
+    """
+    # Libraries may print: what they say must not get between the numbers.
+    replies = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    problem = Problem(Path(sys.argv[1]))
+    peer = make(problem)
+    versions = {name: importlib.metadata.version(name) for name in packages}
+    replies.write(json.dumps({"versions": versions}).encode() + b"\n")
+    replies.flush()
+    gc.disable()
+    for line in sys.stdin:
+        _, first, count = line.split()
+        rows = [_play(peer, problem, k) for k in range(int(first), int(first) + int(count))]
+        replies.write(np.array(rows, dtype="<f8").tobytes())
+        replies.flush()
+
+
+def _play(peer: Any, problem: Problem, k: int) -> Any:
+    peer.load(k)
+    tick = peer.tick
+    cpu = thread_time_ns()
+    wall = perf_counter_ns()
+    tick()
+    wall = perf_counter_ns() - wall
+    cpu = thread_time_ns() - cpu
+    solved, forces, torques = peer.answer()
+    return np.concatenate([[wall, cpu, solved], forces, torques])

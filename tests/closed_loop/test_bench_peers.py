@@ -1,0 +1,228 @@
+import json
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import surefoot
+from surefoot.bench import BenchSettings, peers, record
+from surefoot.bench.peers import RATIOS, PeerOptions, PeerProblem, compiled, run_peers
+from surefoot.bench.peers.contestant import SOLVED, StateToTorque, WholeTick, tick_width
+from surefoot.bench.peers.environment import Environment
+from surefoot.bench.peers.files import write_problem
+from surefoot.bench.peers.languages import PACKAGE
+from surefoot.bench.peers.peer import OUR_PROGRAM, PEERS, Peer
+from surefoot.bench.peers.problem import make_problem
+from surefoot.bench.peers.worker import Worker
+from surefoot.cli import main
+from surefoot.robot_files import describe_robot
+
+TICKS = 600  # with the first push in it, at 1 s
+WORKERS = Path(peers.__file__).parent / "workers"
+# A peer that has the answers from a file, and spoils them from tick 60 on in a way of its own.
+FAKE = """
+import os, sys, time
+sys.path.insert(0, {workers!r})
+import numpy as np
+from worker_loop import serve
+
+class Fake:
+    def __init__(self, problem):
+        self.answers, self.k = np.load({answers!r}), -1
+        print("a library that prints where it should not")
+    def load(self, k):
+        self.k += 1
+    def tick(self):
+        self.row = self.answers[self.k % len(self.answers)].copy()
+        if self.k > 60:
+            {spoil}
+    def answer(self):
+        return self.row[2], self.row[3:15], self.row[15:]
+
+serve(Fake, ["numpy"])
+"""
+
+
+class Here(Environment):
+    """This interpreter as a peer's environment."""
+
+    def prepare(self, options):
+        return Path(sys.executable)
+
+
+@pytest.fixture(scope="module")
+def recording():
+    whole = record(BenchSettings(), "push50")
+    return replace(whole, reports=whole.reports[:TICKS])
+
+
+@pytest.fixture(scope="module")
+def problem(recording):
+    return make_problem(recording, describe_robot("go1").urdf)
+
+
+@pytest.fixture
+def fake(tmp_path, problem):
+    np.save(tmp_path / "answers.npy", StateToTorque(problem).play(0, TICKS))
+
+    def make(name, spoil="pass", environment=None):
+        script = tmp_path / f"{name}.py"
+        answers = str(tmp_path / "answers.npy")
+        script.write_text(FAKE.format(workers=str(WORKERS), answers=answers, spoil=spoil))
+        return Peer(name, environment or Here(name, ()), str(script), None, "a tick", "none")
+
+    return make
+
+
+@pytest.fixture
+def options(tmp_path):
+    return PeerOptions(folder=tmp_path / "venvs", cpp=False, patience=10.0)
+
+
+def test_a_peer_that_answers_is_compared_pair_by_pair(recording, fake, options):
+    result = run_peers(recording, options, [fake("tsid"), fake("placo")])
+    assert json.loads(json.dumps(result)) == result
+    for ratio in RATIOS:
+        assert result[ratio] > 0.0 and result[f"{ratio}_language"] == "python"
+    for row in result["rows"]:
+        assert row["reason"] is None and row["pairs"] == TICKS
+        assert row["versions"] == {"numpy": np.__version__}
+        for side in (row["theirs"], row["our_state_to_torque"], row["our_tick"]):
+            assert side["wall_us"]["n"] == TICKS and side["cpu_us"]["p50"] > 0.0
+            assert side["failures"] == 0 and side["tick"]
+        assert row["answers"]["verdict"] == "same answer"
+        assert row["answers"]["greatest_torque_difference_nm"]["all"] < 1e-3
+    assert "tsid (python)" in peers.peers_text(result)
+
+
+def test_runs_are_pooled_and_who_fails_in_one_has_failed(recording, fake, options):
+    short = replace(recording, reports=recording.reports[:50])
+    both = [fake("tsid", "os._exit(3)"), fake("placo")]
+    result = run_peers([short, recording], options, both)
+    assert result["scenarios"] == {"push50": TICKS}
+    failed, played = result["rows"]
+    assert failed["reason"].startswith("ended with status 3")
+    assert played["reason"] is None and played["pairs"] == TICKS + 50
+
+
+@pytest.mark.parametrize(
+    ("spoil", "said"),
+    [
+        ("sys.stderr.write('out of luck\\n'); sys.stderr.flush(); os.abort()", "SIGABRT.*luck"),
+        ("raise ValueError('a bad thing')", "status 1: ValueError: a bad thing"),
+        ("time.sleep(60.0)", "no answer within 1 s"),
+        ("self.row[:] = float('nan')", "not finite"),
+    ],
+)
+def test_a_peer_that_fails_half_way_is_a_reason_and_the_others_play_on(
+    recording, fake, options, spoil, said
+):
+    both = [fake("tsid", spoil), fake("placo")]
+    result = run_peers(recording, replace(options, patience=1.0), both)
+    assert result["ratio_tick_over_tsid"] is None
+    assert result["ratio_state_to_torque_over_placo"] > 0.0
+    assert re.search(said, result["ratio_tick_over_tsid_reason"])
+    assert "did not run" in peers.peers_text(result)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "verdict"),
+    [
+        ("self.row[3:] = 0.0", "another answer: carries"),
+        ("self.row[15:] += 2.0", "another answer: torques differ by up to 2 N.m"),
+    ],
+)
+def test_a_peer_with_another_answer_is_told_so(recording, fake, options, spoil, verdict):
+    (row,) = run_peers(recording, options, [fake("tsid", spoil)])["rows"]
+    assert row["reason"] is None and row["answers"]["verdict"].startswith(verdict)
+
+
+def test_ticks_that_a_peer_does_not_solve_are_counted(recording, fake, options):
+    (row,) = run_peers(recording, options, [fake("tsid", "self.row[2] = self.k % 2")])["rows"]
+    assert row["theirs"]["failures"] == TICKS // 2
+
+
+def test_an_environment_that_cannot_be_made_is_a_reason(recording, fake, options, tmp_path):
+    (tmp_path / "venvs").write_text("no folder")
+    peer = fake("tsid", environment=Environment("tsid", ()))
+    (row,) = run_peers(recording, options, [peer])["rows"]
+    assert row["reason"].startswith("its environment could not be made")
+
+
+def test_an_environment_is_made_once_and_again_when_its_pins_change(options, monkeypatch):
+    from surefoot.bench.peers import environment
+
+    ran = []
+
+    def run(words):
+        ran.append(words[1:4])
+        python = Environment("tsid", ()).python(options)
+        python.parent.mkdir(parents=True, exist_ok=True)
+        python.touch()
+
+    monkeypatch.setattr(environment, "_run", run)
+    for pins, runs in ((("a==1",), 2), (("a==1",), 2), (("a==2",), 4)):
+        Environment("tsid", (pins,)).prepare(options)
+        assert len(ran) == runs
+    assert [words[1] for words in ran] == ["venv", "pip", "venv", "pip"]
+
+
+def test_a_robot_without_a_urdf_is_a_reason(recording, options):
+    config = recording.robot.config
+    config.name = "homemade"
+    text = recording.robot.serialized_model()
+    homemade = surefoot.Robot.from_serialized_model(text, config)
+    result = run_peers(replace(recording, robot=homemade), options)
+    assert all("URDF" in result[f"{ratio}_reason"] for ratio in RATIOS)
+
+
+def test_without_a_compiler_the_python_ratio_stands(recording, fake, options, monkeypatch):
+    monkeypatch.setattr(compiled.shutil, "which", lambda _: None)
+    peer = replace(fake("tsid"), program=PEERS[0].program)
+    result = run_peers(recording, replace(options, cpp=True), [peer])
+    assert result["ratio_tick_over_tsid_language"] == "python"
+    assert [row["language"] for row in result["rows"]] == ["python", "c++"]
+    assert "no g++" in result["rows"][1]["reason"]
+
+
+def test_our_ticks_in_cpp_have_the_answers_of_those_in_python(
+    recording, problem, options, tmp_path
+):
+    file = write_problem(problem, recording.reports, tmp_path)
+    program = OUR_PROGRAM.build([PACKAGE, PACKAGE.parent / "cmeel.prefix"], options)
+    sides = {
+        "state_to_torque": StateToTorque(problem),
+        "tick": WholeTick(problem, recording.reports),
+    }
+    for name, ours in sides.items():
+        worker = Worker([str(program), str(file), name], tick_width(problem), 10.0)
+        ticks = np.vstack([worker.play(0, 100), worker.play(100, TICKS - 100)])
+        worker.close()
+        np.testing.assert_allclose(ticks[:, SOLVED:], ours.play(0, TICKS)[:, SOLVED:], atol=1e-6)
+
+
+def test_a_worker_that_cannot_be_started_says_so():
+    with pytest.raises(PeerProblem, match="could not be started"):
+        Worker(["/no/such/program"], 27, 1.0)
+
+
+@pytest.mark.parametrize(("field", "value"), [("block", 0), ("patience", 0.0)])
+def test_senseless_options_are_refused(field, value):
+    with pytest.raises(surefoot.Error, match=f"{field}: got 0"):
+        PeerOptions(**{field: value})
+
+
+def test_the_command_puts_ratios_beside_the_figures(monkeypatch, capsys, fake):
+    def compare(recordings, options):
+        played = [replace(r, reports=r.reports[:TICKS]) for r in recordings[-1:]]
+        return run_peers(played, replace(options, cpp=False), [fake("tsid")])
+
+    monkeypatch.setattr(peers.run, "run_peers", compare)
+    words = ["bench", "--ticks", "100", "--scenario", "push50", "--peers", "--json", "-"]
+    assert main(words) == 0
+    figures = json.loads(capsys.readouterr().out)
+    assert figures["ratio_tick_over_tsid"] == figures["peers"]["ratio_tick_over_tsid"] > 0.0
+    assert figures["ratio_state_to_torque_over_placo"] is None
+    assert figures["ratio_reason"] == "not asked for"
