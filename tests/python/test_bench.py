@@ -3,6 +3,9 @@ from __future__ import annotations
 
 import itertools
 import json
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -110,3 +113,11 @@ def test_what_cannot_be_timed_is_one_clear_line(capsys, monkeypatch, tmp_path):
     assert main(SHORT) == 2
     error = capsys.readouterr().err
     assert "gone" in error and "Traceback" not in error
+
+
+def test_the_table_of_growth_has_an_arm_and_a_humanoid_and_no_failure():
+    script = Path(__file__).parents[2] / "benchmarks" / "growth.py"
+    words = [sys.executable, str(script), "--ticks", "20"]
+    out = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    assert len(out.splitlines()) == 13 and "failed" not in out
+    assert "| b1-z1 | 25 |" in out and "| g1 | 35 |" in out
