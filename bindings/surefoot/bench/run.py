@@ -67,10 +67,16 @@ RATIOS = ("state_to_torque_over_tsid", "tick_over_tsid", "state_to_torque_over_p
 
 
 def _scenario(recording: Recording, series: dict[str, Series]) -> dict[str, Any]:
-    stages = {k: describe(s)["wall_us"] for k, s in series.items() if k not in WHOLE}
+    reports = len(recording.reports)
+    stages = {k: _stage(s, reports) for k, s in series.items() if k not in WHOLE}
     return {
-        "reports": len(recording.reports),
+        "reports": reports,
         "fell": recording.fell,
-        **{name: describe(series[name]) for name in WHOLE},
+        **{name: describe(series[name], reports) for name in WHOLE},
         "stages_wall_us": stages,
     }
+
+
+def _stage(series: Series, reports: int) -> dict[str, float]:
+    figures = describe(series, reports)
+    return {**figures["wall_us"], "slowest": figures["slowest_us"]}

@@ -13,7 +13,8 @@ ROWS = {
 }
 NOTE = (
     "C++ from C++. Wall time; columns cpu have the thread's own CPU time. Stages are timed in "
-    "passes\nof their own. Where other programs share the processor, the tail is theirs."
+    "passes\nof their own. Slowest: of the reports, by its median over all passes; a max is mostly "
+    "the machine's.\nWhere other programs share the processor, the tail is theirs."
 )
 FAILED = "SOME CALLS FAILED: what they took is not the time of a tick that was solved."
 
@@ -43,6 +44,7 @@ _HEAD = [
     "[us]",
     "n",
     *PERCENTILES,
+    "slowest",
     *(f"cpu {name}" for name in _CPU),
     "> 1 ms",
     "iterations",
@@ -61,6 +63,7 @@ def _row(name: str, figures: dict[str, Any]) -> list[str]:
         name,
         str(wall["n"]),
         *(f"{wall[k]:.1f}" for k in PERCENTILES),
+        f"{figures['slowest_us']:.1f}",
         *(f"{cpu[k]:.1f}" for k in _CPU),
         str(figures["missed"]["1kHz"]),
         f"{mean:.2f}, max {max(counts)}" if max(counts) else "-",
@@ -84,5 +87,8 @@ def _table(rows: list[list[str]]) -> list[str]:
 
 
 def _stages(stages: dict[str, dict[str, float]]) -> str:
-    parts = (f"{name} {times['p50']:.2f} ({times['p99']:.1f})" for name, times in stages.items())
-    return "stages p50 (p99): " + ", ".join(parts)
+    parts = (
+        f"{name} {times['p50']:.2f} ({times['p99']:.1f}, {times['slowest']:.1f})"
+        for name, times in stages.items()
+    )
+    return "stages p50 (p99, slowest): " + ", ".join(parts)
