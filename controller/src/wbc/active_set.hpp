@@ -15,7 +15,7 @@ class ActiveSet {
  public:
   ActiveSet(int n, int n_eq, int n_in);
 
-  static constexpr int kMostChanges = 60;  ///< of the active rows
+  static constexpr int kMostChanges = 100;  ///< of the active rows
 
   enum class Outcome { kSolved, kInfeasible, kGaveUp };
 

@@ -31,7 +31,8 @@ ElasticSolver::ElasticSolver(int n, int n_eq, const ElasticRows& rows, double to
       elastic_solver_(n + rows.groups, n_eq, n_in_ + elastic_count(rows) + rows.groups, tolerance),
       x_(Eigen::VectorXd::Zero(n)),
       slack_(Eigen::VectorXd::Zero(rows.groups)),
-      charged_(Eigen::VectorXd::Zero(rows.groups)) {
+      charged_(Eigen::VectorXd::Zero(rows.groups)),
+      start_(Eigen::VectorXd::Zero(elastic_.l.size())) {
   int next = n_in_;
   for (int row = 0; row < n_in_; ++row) {
     lower_row_.push_back(rows.group[row] >= 0 ? next++ : -1);
@@ -65,13 +66,24 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
       return result;
     }
     spent = result.iterations;
-    elastic_solver_.reset();
+    start_elastic();
   }
   write_elastic(problem, price, curvature);
   used_elastic_ = true;
   QpResult result = solve_elastic();
   result.iterations += spent;
   return result;
+}
+
+// From the rows that the hard program had active last, and no slack.
+void ElasticSolver::start_elastic() noexcept {
+  start_.setZero();
+  for (int row = 0; row < n_in_; ++row) {
+    const double z = hard_solver_.z()[row];
+    start_[z < 0.0 && lower_row_[row] >= 0 ? lower_row_[row] : row] = z;
+  }
+  start_.tail(rows_.groups).setConstant(-1.0);
+  elastic_solver_.start_from(start_);
 }
 
 bool ElasticSolver::within_price(const Eigen::VectorXd& price) noexcept {

@@ -42,6 +42,7 @@ class ElasticSolver {
   }
 
  private:
+  void start_elastic() noexcept;
   bool within_price(const Eigen::VectorXd& price) noexcept;
   void write_elastic(const QpProblem& problem, const Eigen::VectorXd& price,
                      double curvature) noexcept;
@@ -52,7 +53,7 @@ class ElasticSolver {
   std::vector<int> lower_row_;  // where an elastic row's lower side stands in elastic_
   QpProblem elastic_;
   QpSolver hard_solver_, elastic_solver_;
-  Eigen::VectorXd x_, slack_, charged_;
+  Eigen::VectorXd x_, slack_, charged_, start_;
   bool yielding_ = false;
   bool used_elastic_ = false;
   int quiet_ticks_ = 0;

@@ -73,6 +73,12 @@ QpSolver::~QpSolver() = default;
 
 void QpSolver::reset() noexcept { has_answer_ = false; }
 
+void QpSolver::start_from(const Eigen::VectorXd& z) noexcept {
+  forget();
+  workspace_->qp.results.z = z;
+  has_answer_ = true;
+}
+
 const Eigen::VectorXd& QpSolver::x() const noexcept { return workspace_->qp.results.x; }
 const Eigen::VectorXd& QpSolver::z() const noexcept { return workspace_->qp.results.z; }
 

@@ -45,6 +45,9 @@ class QpSolver {
   /// Forget the last answer: the next solve starts cold.
   void reset() noexcept;
 
+  /// Take the rows where z is not zero for active when the next solve starts.
+  void start_from(const Eigen::VectorXd& z) noexcept;
+
   /// Ask for this from the next solve on.
   void set_tolerance(double tolerance) noexcept;
 
