@@ -1,63 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts heap allocations and exceptions of the tick, by replacing malloc with its relatives and
-// the throw itself for the whole program.
+// Counts heap allocations and exceptions of the tick, by replacing malloc with its relatives
+// (benchmarks/ticks/heap.cpp) and the throw itself for the whole program.
 #include <dlfcn.h>
 
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 
 #include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "ticks/heap.hpp"
 #include "weather.hpp"
 
 namespace {
-std::atomic<bool> counting{false};
-std::atomic<long> allocations{0}, exceptions{0};
-
-template <typename Function>
-Function next(const char* name) {
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
-}
-void count(std::atomic<long>& what) {
-  if (counting) ++what;
-}
-}  // namespace
-
-extern "C" {
-void* malloc(std::size_t size) {
-  static const auto real = next<void* (*)(std::size_t)>("malloc");
-  count(allocations);
-  return real(size);
-}
-void* realloc(void* old, std::size_t size) {
-  static const auto real = next<void* (*)(void*, std::size_t)>("realloc");
-  count(allocations);
-  return real(old, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  static const auto real = next<void* (*)(std::size_t, std::size_t)>("aligned_alloc");
-  count(allocations);
-  return real(alignment, size);
-}
-int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
-  static const auto real = next<int (*)(void**, std::size_t, std::size_t)>("posix_memalign");
-  count(allocations);
-  return real(out, alignment, size);
-}
-void* __libc_calloc(std::size_t, std::size_t);  // dlsym() itself may call calloc()
-void* calloc(std::size_t number, std::size_t size) {
-  count(allocations);
-  return __libc_calloc(number, size);
-}
+long exceptions = 0;
 }
 
 // By its label: compilers know __cxa_throw by heart and disagree on its second argument.
 using Destructor = void (*)(void*);
 [[noreturn]] void counted_throw(void* thrown, void* type, Destructor destructor) asm("__cxa_throw");
 void counted_throw(void* thrown, void* type, Destructor destructor) {
-  count(exceptions);
-  next<void (*)(void*, void*, Destructor)>("__cxa_throw")(thrown, type, destructor);
+  ++exceptions;
+  using Throw = void (*)(void*, void*, Destructor);
+  reinterpret_cast<Throw>(dlsym(RTLD_NEXT, "__cxa_throw"))(thrown, type, destructor);
   std::abort();
 }
 
@@ -81,6 +45,7 @@ struct UserTask : Task {
 struct Seen {
   long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0, slowed = 0;
   long refused = 0;
+  long allocations = 0, exceptions = 0;
 };
 
 Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
@@ -95,7 +60,7 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   Weather weather(robot);
   Safety safety(robot);
   Seen seen;
-  counting = true;
+  const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
   for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
     if (tick % 400 == 0) controller.set_body_reference(weather.reference());
     if (tick % 2100 == 0) controller.set_body_reference({0.0, std::nan(""), 0.0, 0.0, 0.0, 0.0});
@@ -115,22 +80,20 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
     ++seen.damping;
     controller.reset();
   }
-  counting = false;
+  seen.allocations = bench::heap_allocations() - allocations_before;
+  seen.exceptions = exceptions - exceptions_before;
   return seen;
 }
 
 // The counters must see what they are there for.
 bool counters_work() {
-  counting = true;
+  const long before = bench::heap_allocations();
   std::free(std::malloc(8));
   try {
     throw 1;
   } catch (int) {
   }
-  counting = false;
-  const bool work = allocations > 0 && exceptions == 1;
-  allocations = exceptions = 0;
-  return work;
+  return bench::heap_allocations() > before && exceptions == 1;
 }
 
 }  // namespace
@@ -145,12 +108,13 @@ int main() {
           "%s, delay %.0f ms, 25000 ticks: %ld allocations, %ld exceptions; "
           "general %ld, condensed %ld, limits giving way %ld, reference stopped %ld, "
           "bad ticks %ld, damped %ld, power limited %ld, refused %ld\n",
-          to_string(form), 1e3 * delay, allocations.load(), exceptions.load(), s.general,
-          s.condensed, s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused);
+          to_string(form), 1e3 * delay, s.allocations, s.exceptions, s.general, s.condensed,
+          s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused);
       good = good && s.yielding > 100 && s.stopped > 1000 && s.faults > 100 && s.damping >= 4 &&
              s.slowed > 100 && s.refused > 100 && s.general > 500 &&
-             (form == Form::kGeneral || s.condensed > 1000);
+             (form == Form::kGeneral || s.condensed > 1000) && s.allocations == 0 &&
+             s.exceptions == 0;
     }
   }
-  return good && allocations == 0 && exceptions == 0 ? 0 : 1;
+  return good ? 0 : 1;
 }
