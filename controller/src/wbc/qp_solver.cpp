@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include "wbc/active_set_steps.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -17,6 +19,7 @@ namespace proxqp = proxsuite::proxqp;
 constexpr double kSolverGap = 0.1;  // times the tolerance
 constexpr double kAccept = 5.0;     // the same, ours: residuals computed by us
 constexpr double kResidue = 1e-12;
+constexpr int kSteps = 4;  // of the active set method, before ProxQP is asked
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
 constexpr int kAttempts = 6;      // nothing, and on from there
 constexpr double kTight = 1e-8;   // below this tolerance time is no object: offline checks
@@ -24,10 +27,31 @@ constexpr int kTightFactor = 10;
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
+// A sum that only what is not finite takes away from zero; allFinite() goes entry by entry and takes
+// several times as long.
+template <typename Values>
+bool finite(const Values& values) {
+  return (values.array() * 0.0).sum() == 0.0;
+}
+
+// Without an early way out, so that it is vectorised.
+bool has_nan(const Eigen::VectorXd& values) {
+  bool found = false;
+  for (Eigen::Index i = 0; i < values.size(); ++i) found |= !(values[i] == values[i]);
+  return found;
+}
+
 bool finite(const QpProblem& p) {
   // NaN in l or u would silently drop that bound inside ProxQP; infinities are allowed there.
-  return p.H.allFinite() && p.g.allFinite() && p.A.allFinite() && p.b.allFinite() &&
-         p.C.allFinite() && !p.l.hasNaN() && !p.u.hasNaN();
+  return finite(p.H) && finite(p.g) && finite(p.A) && finite(p.b) && finite(p.C) &&
+         !has_nan(p.l) && !has_nan(p.u);
+}
+
+// A multiplier on a side that has no bound is wrong by its whole size.
+// Beyond one a multiplier says no more than that its row must lie on the bound.
+double row_gap(double z, double Cx, double l, double u) {
+  const double bound = z > 0.0 ? u : l;
+  return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx) : 1.0);
 }
 
 }  // namespace
@@ -35,10 +59,12 @@ bool finite(const QpProblem& p) {
 struct QpSolver::Workspace {
   Workspace(int n, int n_eq, int n_in)
       : qp(n, n_eq, n_in, false, proxqp::DenseBackend::PrimalDualLDLT),
+        steps(n, n_eq, n_in),
         Ax(n_eq),
         Cx(n_in),
         gradient(n) {}
   proxqp::dense::QP<double> qp;
+  ActiveSetSteps steps;
   Eigen::VectorXd Ax, Cx, gradient;
 };
 
@@ -86,22 +112,50 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
     result.status = Status::kNonFinite;
     return result;
   }
-  write(problem);
   if (!has_answer_) forget();
+  result = try_steps(problem);
+  if (result.status != Status::kOk) result = run_proxqp(problem, budget, result.iterations);
+  has_answer_ = result.status == Status::kOk;
+  return result;
+}
+
+// Most ticks end here: the rows on their bounds are those of the last tick, or nearly. What comes
+// out is accepted by the same check as all else, and what does not pass it leaves no trace.
+QpResult QpSolver::try_steps(const QpProblem& problem) noexcept {
+  auto& [qp, steps, Ax, Cx, gradient] = *workspace_;
+  QpResult result;
+  bool going = steps.start(problem, qp.results.z);
+  int count = 0;
+  while (going && count < kSteps && steps.step(problem)) {
+    ++count;
+    result = check(problem, steps.x(), steps.y(), steps.z());
+    if (result.status == Status::kOk) {
+      qp.results.x = steps.x();
+      qp.results.y = steps.y();
+      qp.results.z = steps.z();
+      break;
+    }
+    going = steps.guess(problem, Cx, tolerance_);
+  }
+  result.iterations = count;
+  return result;
+}
+
+QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget, int spent) noexcept {
+  QpResult result;
+  write(problem);
   // A warm start counts every multiplier that is not exactly zero as an active row. The last solve
   // leaves rounding residues of 1e-24 on nearly all of them, and inserting those costs 15 us.
   auto& z = workspace_->qp.results.z;
   z = (z.array().abs() < kResidue).select(0.0, z);
-  int spent = 0;
   for (int attempt = 0; attempt < patience_ * kAttempts; ++attempt) {
     if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) forget();
     result = run(problem);
     spent += result.iterations;
     if (result.status == Status::kOk || spent >= patience_ * budget) break;
-    drop_slack_multipliers();
+    drop_slack_multipliers(problem);
   }
   result.iterations = spent;
-  has_answer_ = result.status == Status::kOk;
   return result;
 }
 
@@ -113,20 +167,12 @@ void QpSolver::forget() noexcept {
 
 // Multipliers on rows away from their bound, or of the wrong sign, mark an answer that is not yet
 // optimal; without them the next run starts where this one should have gone on.
-void QpSolver::drop_slack_multipliers() noexcept {
+void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
   auto& z = workspace_->qp.results.z;
+  const auto& Cx = workspace_->Cx;
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    if (!(gap(i) <= tolerance_)) z[i] = 0.0;
+    if (!(row_gap(z[i], Cx[i], problem.l[i], problem.u[i]) <= tolerance_)) z[i] = 0.0;
   }
-}
-
-double QpSolver::gap(Eigen::Index i) const noexcept {
-  const auto& [qp, Ax, Cx, gradient] = *workspace_;
-  const double z = qp.results.z[i];
-  const double bound = z > 0.0 ? qp.model.u[i] : qp.model.l[i];
-  // A multiplier on a side that has no bound is wrong by its whole size.
-  // Beyond one a multiplier says no more than that its row must lie on the bound.
-  return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx[i]) : 1.0);
 }
 
 void QpSolver::write(const QpProblem& problem) noexcept {
@@ -166,36 +212,41 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
   qp.results.cleanup_statistics();
   proxqp::dense::qp_solve(qp.settings, qp.model, qp.results, work, false, qp.which_dense_backend(),
                           qp.which_hessian_type(), qp.ruiz);
-  return check(problem);
+  QpResult result = check(problem, qp.results.x, qp.results.y, qp.results.z);
+  result.iterations = static_cast<int>(qp.results.info.iter);
+  const bool infeasible =
+      qp.results.info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||
+      qp.results.info.status == proxqp::QPSolverOutput::PROXQP_DUAL_INFEASIBLE;
+  if (infeasible && result.status != Status::kOk) result.status = Status::kInfeasible;
+  return result;
 }
 
 // Our own residuals on the program as we posed it; the solver's word decides nothing.
-QpResult QpSolver::check(const QpProblem& problem) noexcept {
-  auto& [qp, Ax, Cx, gradient] = *workspace_;
-  const auto& results = qp.results;
-  Cx.noalias() = problem.C * results.x;
+QpResult QpSolver::check(const QpProblem& problem, const Eigen::VectorXd& x,
+                         const Eigen::VectorXd& y, const Eigen::VectorXd& z) noexcept {
+  auto& [qp, steps, Ax, Cx, gradient] = *workspace_;
+  Cx.noalias() = problem.C * x;
   gradient = problem.g;
-  gradient.noalias() += problem.H * results.x;
-  gradient.noalias() += problem.C.transpose() * results.z;
-  if (Ax.size() > 0) {
-    Ax.noalias() = problem.A * results.x;
-    gradient.noalias() += problem.A.transpose() * results.y;
-  }
-
+  gradient.noalias() += problem.H * x;
   QpResult out;
-  out.iterations = static_cast<int>(results.info.iter);
+  for (Eigen::Index i = 0; i < Cx.size(); ++i) {
+    if (z[i] == 0.0) continue;  // nearly all
+    gradient += z[i] * problem.C.row(i).transpose();
+    out.gap = std::max(out.gap, row_gap(z[i], Cx[i], problem.l[i], problem.u[i]));
+  }
+  if (Ax.size() > 0) {
+    Ax.noalias() = problem.A * x;
+    gradient.noalias() += problem.A.transpose() * y;
+  }
   out.primal_residual = std::max({0.0, (problem.l - Cx).maxCoeff(), (Cx - problem.u).maxCoeff()});
   if (Ax.size() > 0) {
     out.primal_residual = std::max(out.primal_residual, (Ax - problem.b).lpNorm<Eigen::Infinity>());
   }
   out.dual_residual = gradient.lpNorm<Eigen::Infinity>();
-  for (Eigen::Index i = 0; i < Cx.size(); ++i) out.gap = std::max(out.gap, gap(i));
-  const bool accepted = results.x.allFinite() && results.z.allFinite() && results.y.allFinite() &&
+  const bool accepted = finite(x) && finite(y) && finite(z) &&
                         out.primal_residual <= kAccept * tolerance_ &&
                         out.dual_residual <= kAccept * tolerance_ && out.gap <= tolerance_;
-  const bool infeasible = results.info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||
-                          results.info.status == proxqp::QPSolverOutput::PROXQP_DUAL_INFEASIBLE;
-  out.status = accepted ? Status::kOk : infeasible ? Status::kInfeasible : Status::kMaxIterations;
+  out.status = accepted ? Status::kOk : Status::kMaxIterations;
   return out;
 }
 

@@ -46,10 +46,12 @@ class QpSolver {
  private:
   struct Workspace;
   void write(const QpProblem& problem) noexcept;
+  QpResult try_steps(const QpProblem& problem) noexcept;
+  QpResult run_proxqp(const QpProblem& problem, int budget, int spent) noexcept;
   QpResult run(const QpProblem& problem) noexcept;
-  QpResult check(const QpProblem& problem) noexcept;
-  double gap(Eigen::Index row) const noexcept;
-  void drop_slack_multipliers() noexcept;
+  QpResult check(const QpProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
+                 const Eigen::VectorXd& z) noexcept;
+  void drop_slack_multipliers(const QpProblem& problem) noexcept;
   void forget() noexcept;
   std::unique_ptr<Workspace> workspace_;
   double tolerance_;
