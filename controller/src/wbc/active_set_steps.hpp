@@ -7,24 +7,23 @@
 
 namespace surefoot {
 
-/// The primal-dual active set method (Hintermueller, Ito and Kunisch 2003): guess which rows lie on
-/// a bound, solve the linear system that follows, and guess again from its answer. From one tick to
-/// the next these rows seldom change, and then the first step is the answer, to rounding. It may
-/// cycle and knows nothing of programs that have no answer: a robust solver must stand behind it.
-/// Real-time: all but the constructor, allocates nothing.
+/// An active set method (Nocedal and Wright 2006, ch. 16): guess which rows lie on a bound, solve
+/// the linear system that follows, exchange rows by what its answer violates, and solve again. From
+/// one tick to the next these rows seldom change, and then the first step is the answer, to
+/// rounding. Exchanges may cycle, and programs without an answer are not told apart from hard ones:
+/// a robust solver must stand behind it. Real-time: all but the constructor, allocates nothing.
 class ActiveSetSteps {
  public:
   ActiveSetSteps(int n, int n_eq, int n_in);
 
   /// Take a program, and as first guess the rows with multipliers.
-  /// @return false if H is not positive definite
+  /// @return false if H is not positive definite, or rows of A depend on each other
   bool start(const QpProblem& problem, const Eigen::VectorXd& multipliers) noexcept;
 
   /// Solve with the rows guessed on their bounds and the others ignored.
-  /// @return false if these rows depend on each other, or are more than fit
-  bool step(const QpProblem& problem) noexcept;
+  void step(const QpProblem& problem) noexcept;
 
-  /// Guess anew: rows that would pull go, rows beyond a bound come.
+  /// Guess anew: rows that would pull go; when none does, the row most beyond its bound comes.
   /// @param Cx at the last step's answer
   /// @return false if nothing changed
   bool guess(const QpProblem& problem, const Eigen::VectorXd& Cx, double tolerance) noexcept;
@@ -39,15 +38,17 @@ class ActiveSetSteps {
     int row;
     bool upper;
   };
-  bool solve_multipliers(int rows) noexcept;
+  template <typename Row>
+  bool add(const Row& normal, int rows) noexcept;
 
   int n_, n_eq_;
   std::vector<Active> active_;
-  Eigen::MatrixXd L_;             // H = L L'
-  Eigen::MatrixXd W_;             // L^-1 (A', active rows of C')
-  Eigen::MatrixXd S_;             // W'W, then its Cholesky factor
-  Eigen::VectorXd r_;             // L^-1 g
-  Eigen::VectorXd m_, diagonal_;  // of the system for the multipliers
+  Eigen::MatrixXd L_;  // H = L L'
+  Eigen::MatrixXd W_;  // L^-1 (A', active rows of C')
+  Eigen::MatrixXd S_;  // the Cholesky factor of W'W, in its lower triangle
+  Eigen::VectorXd r_;  // L^-1 g
+  Eigen::VectorXd m_;  // multipliers of A, then of the active rows
+  Eigen::VectorXd factor_row_;
   Eigen::VectorXd x_, y_, z_;
 };
 

@@ -19,7 +19,7 @@ namespace proxqp = proxsuite::proxqp;
 constexpr double kSolverGap = 0.1;  // times the tolerance
 constexpr double kAccept = 5.0;     // the same, ours: residuals computed by us
 constexpr double kResidue = 1e-12;
-constexpr int kSteps = 4;  // of the active set method, before ProxQP is asked
+constexpr int kSteps = 12;        // of the active set method, before ProxQP is asked
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
 constexpr int kAttempts = 6;      // nothing, and on from there
 constexpr double kTight = 1e-8;   // below this tolerance time is no object: offline checks
@@ -27,8 +27,8 @@ constexpr int kTightFactor = 10;
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
-// A sum that only what is not finite takes away from zero; allFinite() goes entry by entry and takes
-// several times as long.
+// A sum that only what is not finite takes away from zero; allFinite() goes entry by entry and
+// takes several times as long.
 template <typename Values>
 bool finite(const Values& values) {
   return (values.array() * 0.0).sum() == 0.0;
@@ -43,8 +43,8 @@ bool has_nan(const Eigen::VectorXd& values) {
 
 bool finite(const QpProblem& p) {
   // NaN in l or u would silently drop that bound inside ProxQP; infinities are allowed there.
-  return finite(p.H) && finite(p.g) && finite(p.A) && finite(p.b) && finite(p.C) &&
-         !has_nan(p.l) && !has_nan(p.u);
+  return finite(p.H) && finite(p.g) && finite(p.A) && finite(p.b) && finite(p.C) && !has_nan(p.l) &&
+         !has_nan(p.u);
 }
 
 // A multiplier on a side that has no bound is wrong by its whole size.
@@ -114,7 +114,11 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
   }
   if (!has_answer_) forget();
   result = try_steps(problem);
-  if (result.status != Status::kOk) result = run_proxqp(problem, budget, result.iterations);
+  if (result.status != Status::kOk) {
+    const int steps = result.iterations;
+    result = run_proxqp(problem, budget);
+    result.iterations += steps;
+  }
   has_answer_ = result.status == Status::kOk;
   return result;
 }
@@ -126,7 +130,8 @@ QpResult QpSolver::try_steps(const QpProblem& problem) noexcept {
   QpResult result;
   bool going = steps.start(problem, qp.results.z);
   int count = 0;
-  while (going && count < kSteps && steps.step(problem)) {
+  while (going && count < kSteps) {
+    steps.step(problem);
     ++count;
     result = check(problem, steps.x(), steps.y(), steps.z());
     if (result.status == Status::kOk) {
@@ -141,8 +146,9 @@ QpResult QpSolver::try_steps(const QpProblem& problem) noexcept {
   return result;
 }
 
-QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget, int spent) noexcept {
+QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget) noexcept {
   QpResult result;
+  int spent = 0;
   write(problem);
   // A warm start counts every multiplier that is not exactly zero as an active row. The last solve
   // leaves rounding residues of 1e-24 on nearly all of them, and inserting those costs 15 us.

@@ -11,13 +11,15 @@ namespace surefoot {
 /// A program's answer as we checked it ourselves.
 struct QpResult {
   Status status = Status::kWaiting;
-  int iterations = 0;            ///< inner iterations
+  int iterations = 0;            ///< active set steps, and ProxQP's inner iterations
   double primal_residual = 0.0;  ///< greatest violation of A x = b, l <= C x <= u
   double dual_residual = 0.0;    ///< greatest entry of H x + g + A'y + C'z
   double gap = 0.0;              ///< greatest min(|z_i|, 1) times row i's distance from its bound
 };
 
-/// ProxQP behind a small interface: fixed size, warm start, our own residual check.
+/// ProxQP behind a small interface: fixed size, warm start, our own residual check. Before it is
+/// asked, a few steps of an active set method are tried: as long as the rows on their bounds stay
+/// nearly those of the last answer, one of them passes the check and ProxQP is not run at all.
 ///
 /// The problem must come scaled (trace(H) = n, condition a few hundred at most): there is no
 /// preconditioner. Real-time: solve() yes, allocates nothing.
@@ -29,7 +31,7 @@ class QpSolver {
 
   /// Solve, warm started from the last answer; go on from a corrected one while our check fails,
   /// and at last from nothing.
-  /// @param budget inner iterations after which no further attempt begins
+  /// @param budget inner iterations of ProxQP after which no further attempt begins
   QpResult solve(const QpProblem& problem, int budget = kBudget) noexcept;
   static constexpr int kBudget = 100;
 
@@ -47,7 +49,7 @@ class QpSolver {
   struct Workspace;
   void write(const QpProblem& problem) noexcept;
   QpResult try_steps(const QpProblem& problem) noexcept;
-  QpResult run_proxqp(const QpProblem& problem, int budget, int spent) noexcept;
+  QpResult run_proxqp(const QpProblem& problem, int budget) noexcept;
   QpResult run(const QpProblem& problem) noexcept;
   QpResult check(const QpProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                  const Eigen::VectorXd& z) noexcept;
