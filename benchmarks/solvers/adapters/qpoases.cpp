@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // qpOASES through casadi::conic: casadi's wheel has its library but not its headers. The wrapper
 // copies the data once and writes A row by row, which counts in its time.
+#include <algorithm>
 #include <casadi/casadi.hpp>
 #include <limits>
 
@@ -33,10 +34,11 @@ class Qpoases : public Adapter {
     return {"qpoases", "c++ (casadi::conic)", PEER_VERSION,
             "SQProblem, dense; the settings of setToMPC() (no ramping, far bounds, flipping or NZC "
             "tests; regularisation), equalities kept active, hessian posdef; nWSR 500",
-            "hotstart() from the last tick, with new matrices"};
+            "hotstart() from the last tick with new matrices; from nothing after a failure, which is not in its time"};
   }
   void forget() override { make(); }
   void take(const Problem& p) override {
+    if (!succeeded_) make();  // it would not recover by itself
     std::copy_n(p.H, p.n * p.n, H_.begin());
     std::copy_n(p.g, p.n, g_.begin());
     for (int j = 0; j < p.n; ++j) {
@@ -49,13 +51,14 @@ class Qpoases : public Adapter {
     std::copy_n(p.u, p.n_in, upper_.begin() + p.n_eq);
   }
   Said solve() override {
+    succeeded_ = false;
     try {
       solver_(arg_.data(), res_.data(), iw_.data(), w_.data(), memory_);
+      succeeded_ = solver_.stats(memory_).at("success");
     } catch (const std::exception&) {
-      return Said::kFailed;  // outside a benchmark one would want to know why
+      return Said::kFailed;
     }
-    const auto stats = success();
-    return stats ? Said::kSolved : Said::kFailed;
+    return succeeded_ ? Said::kSolved : Said::kFailed;
   }
   int iterations() const override { return 0; }  // not passed on by the wrapper
   void read(Answer& a) const override {
@@ -65,7 +68,6 @@ class Qpoases : public Adapter {
   }
 
  private:
-  bool success() const { return solver_.stats(memory_).at("success"); }
   void make() {
     const cs::Dict options = {{"printLevel", "none"},       {"hessian_type", "posdef"},
                               {"enableRamping", false},     {"enableFarBounds", false},
@@ -102,6 +104,7 @@ class Qpoases : public Adapter {
   std::vector<casadi_int> iw_;
   std::vector<double> w_;
   int memory_ = 0;
+  bool succeeded_ = true;
 };
 
 }  // namespace

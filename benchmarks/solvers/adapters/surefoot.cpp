@@ -14,10 +14,10 @@ class Surefoot : public Adapter {
 
   Description describe() const override {
     return {"surefoot", "c++", SUREFOOT_VERSION,
-            "QpSolver: ProxQP's dense solver on a program scaled beforehand, no preconditioner; "
-            "tolerance as asked, residuals and gap checked after every solve, at most 100 inner "
-            "iterations before an attempt; the check is in its time",
-            "primal and dual variables of the last tick"};
+            "QpSolver: up to 12 steps of an active set method, ProxQP's dense solver without "
+            "preconditioner where none of them passes; tolerance as asked; residuals and gap are "
+            "checked after every attempt, in its time",
+            "active rows of the last tick for the steps, its primal and dual variables for ProxQP"};
   }
   void forget() override { solver_.reset(); }
   void take(const Problem& p) override {

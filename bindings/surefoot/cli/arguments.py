@@ -70,6 +70,12 @@ def _add_bench_options(parser: _Parser) -> None:
     add_robot_options(parser, "go1")
     parser.add_argument("--ticks", type=int, default=5000, metavar="N", help="of the run (5000)")
     add_form_option(parser)
+    parser.add_argument(
+        "--solvers",
+        nargs="*",
+        metavar="FILE.npz",
+        help="compare QP solvers instead, on these recorded programs or on fresh ones",
+    )
     parser.add_argument("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from surefoot.cli.bench_solvers import bench_solvers
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
 from surefoot.cli.stand import read_form
@@ -12,6 +13,8 @@ from surefoot.cli.stand import read_form
 def bench(arguments: argparse.Namespace) -> None:
     """Record a run, time its replay, print a table and write JSON; raises Error."""
     choose_graphics()
+    if arguments.solvers is not None:
+        return bench_solvers(arguments)
     try:
         from surefoot.bench import BenchSettings, bench_text, run_bench
     except ModuleNotFoundError as problem:
