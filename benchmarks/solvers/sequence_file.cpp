@@ -23,7 +23,7 @@ struct Header {
 
 SequenceFile::SequenceFile(const std::string& path) {
   const int file = open(path.c_str(), O_RDONLY);
-  struct stat status {};
+  struct stat status{};
   if (file < 0 || fstat(file, &status) != 0) throw std::runtime_error(path + ": cannot be read");
   bytes_ = static_cast<std::size_t>(status.st_size);
   map_ = mmap(nullptr, bytes_, PROT_READ, MAP_PRIVATE, file, 0);
@@ -41,8 +41,13 @@ SequenceFile::SequenceFile(const std::string& path) {
   size_.n_eq = static_cast<int>(eq);
   size_.n_in = static_cast<int>(in);
   const double* next = reinterpret_cast<const double*>(static_cast<char*>(map_) + sizeof header);
-  for (auto [field, count] : {std::pair{&size_.H, n * n}, {&size_.g, n}, {&size_.A, eq * n},
-                              {&size_.b, eq}, {&size_.C, in * n}, {&size_.l, in}, {&size_.u, in}}) {
+  for (auto [field, count] : {std::pair{&size_.H, n * n},
+                              {&size_.g, n},
+                              {&size_.A, eq * n},
+                              {&size_.b, eq},
+                              {&size_.C, in * n},
+                              {&size_.l, in},
+                              {&size_.u, in}}) {
     *field = next;
     next += T * count;
   }

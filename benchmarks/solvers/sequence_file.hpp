@@ -8,8 +8,8 @@
 
 namespace bench {
 
-/// Programs of one size from a raw file: "SFQPSEQ1", int64 n, n_eq, n_in, T, then H (T, n, n), g, A,
-/// b, C, l, u as doubles in the machine's order; and answers to compare with, (T, n) doubles.
+/// Programs of one size from a raw file: "SFQPSEQ1", int64 n, n_eq, n_in, T, then H (T, n, n), g,
+/// A, b, C, l, u as doubles in the machine's order; and answers to compare with, (T, n) doubles.
 class SequenceFile {
  public:
   /// Throws std::runtime_error.

@@ -28,8 +28,8 @@ class Daqp : public Adapter {
         x_(s.n),
         multipliers_(rows_) {
     std::fill_n(sense_.begin(), s.n_eq, kEquality);
-    problem_ = {s.n, rows_, 0, H_.data(), f_.data(), A_.data(), upper_.data(), lower_.data(),
-                sense_.data()};
+    problem_ = {s.n,           rows_,        0, H_.data(), f_.data(), A_.data(), upper_.data(),
+                lower_.data(), sense_.data()};
     result_.x = x_.data();
     result_.lam = multipliers_.data();
   }

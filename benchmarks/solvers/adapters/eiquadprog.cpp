@@ -21,8 +21,8 @@ class Eiquadprog : public Adapter {
   }
 
   Description describe() const override {
-    return {"eiquadprog", "c++", PEER_VERSION, "EiquadprogFast, exact but for rounding: no tolerance",
-            "none"};
+    return {"eiquadprog", "c++", PEER_VERSION,
+            "EiquadprogFast, exact but for rounding: no tolerance", "none"};
   }
   bool can_warm_start() const override { return false; }
   void forget() override {}

@@ -110,7 +110,8 @@ class Osqp : public Adapter {
   }
 
  private:
-  static constexpr double kEps = 0.1;  // its residuals are of the scaled program: 1 leaves some wrong
+  static constexpr double kEps =
+      0.1;  // its residuals are of the scaled program: 1 leaves some wrong
 
   static bool used(const std::vector<char>& pattern, int k) {
     return pattern.empty() || pattern[k] != 0;

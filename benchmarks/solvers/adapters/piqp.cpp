@@ -23,10 +23,11 @@ class Piqp : public Adapter {
   }
 
   Description describe() const override {
-    return {"piqp", "c++", PEER_VERSION,
-            "dense; eps_abs and eps_duality_gap_abs as asked, eps_rel 0, all else default; update() "
-            "of all data, then solve()",
-            "none of the answer: an interior point starts anew; memory and preconditioner stay"};
+    return {
+        "piqp", "c++", PEER_VERSION,
+        "dense; eps_abs and eps_duality_gap_abs as asked, eps_rel 0, all else default; update() "
+        "of all data, then solve()",
+        "none of the answer: an interior point starts anew; memory and preconditioner stay"};
   }
   void forget() override {}
   void take(const Problem& p) override {

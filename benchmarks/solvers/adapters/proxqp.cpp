@@ -16,11 +16,12 @@ class Proxqp : public Adapter {
   explicit Proxqp(const Setup& s) : setup_(s) { make(); }
 
   Description describe() const override {
-    return {"proxqp", "c++", PEER_VERSION,
-            "dense QP, update(update_preconditioner = false) and solve(); eps_abs as asked, eps_rel "
-            "0, eps_primal_inf and eps_dual_inf 1e-12, check_duality_gap with eps 0.1 times what is "
-            "asked, all else default",
-            "initial_guess WARM_START_WITH_PREVIOUS_RESULT"};
+    return {
+        "proxqp", "c++", PEER_VERSION,
+        "dense QP, update(update_preconditioner = false) and solve(); eps_abs as asked, eps_rel "
+        "0, eps_primal_inf and eps_dual_inf 1e-12, check_duality_gap with eps 0.1 times what is "
+        "asked, all else default",
+        "initial_guess WARM_START_WITH_PREVIOUS_RESULT"};
   }
   void forget() override {
     if (!setup_.warm) qp_->settings.initial_guess = proxqp::InitialGuessStatus::NO_INITIAL_GUESS;

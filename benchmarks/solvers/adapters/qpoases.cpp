@@ -34,7 +34,8 @@ class Qpoases : public Adapter {
     return {"qpoases", "c++ (casadi::conic)", PEER_VERSION,
             "SQProblem, dense; the settings of setToMPC() (no ramping, far bounds, flipping or NZC "
             "tests; regularisation), equalities kept active, hessian posdef; nWSR 500",
-            "hotstart() from the last tick with new matrices; from nothing after a failure, which is not in its time"};
+            "hotstart() from the last tick with new matrices; from nothing after a failure, which "
+            "is not in its time"};
   }
   void forget() override { make(); }
   void take(const Problem& p) override {
@@ -69,11 +70,11 @@ class Qpoases : public Adapter {
 
  private:
   void make() {
-    const cs::Dict options = {{"printLevel", "none"},       {"hessian_type", "posdef"},
-                              {"enableRamping", false},     {"enableFarBounds", false},
+    const cs::Dict options = {{"printLevel", "none"},          {"hessian_type", "posdef"},
+                              {"enableRamping", false},        {"enableFarBounds", false},
                               {"enableFlippingBounds", false}, {"enableNZCTests", false},
-                              {"enableRegularisation", true}, {"enableEqualities", true},
-                              {"numRegularisationSteps", 1}, {"nWSR", 500},
+                              {"enableRegularisation", true},  {"enableEqualities", true},
+                              {"numRegularisationSteps", 1},   {"nWSR", 500},
                               {"error_on_fail", false}};
     solver_ = cs::conic("s", "qpoases",
                         {{"h", cs::Sparsity::dense(setup_.n, setup_.n)},
