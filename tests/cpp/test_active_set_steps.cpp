@@ -26,27 +26,26 @@ BOOST_AUTO_TEST_CASE(from_the_right_rows_one_step_is_the_answer_to_rounding) {
       BOOST_TEST((solver.solve(problem).status == Status::kOk));
       const Eigen::VectorXd z = (solver.z().array().abs() < 1e-6).select(0.0, solver.z());
       BOOST_TEST(steps.start(problem, z));
-      steps.step(problem);
+      BOOST_TEST(steps.step(problem));
       BOOST_TEST(kkt(problem, steps) < 1e-11);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(where_no_exchange_is_left_the_program_is_solved) {
+BOOST_AUTO_TEST_CASE(where_no_row_is_left_to_enter_the_program_is_solved) {
   ActiveSetSteps steps(12, 4, 72);
   int ended = 0;
   for (int seed = 0; seed < 300; ++seed) {
     const QpProblem problem = RandomProgram(seed, 12, 4, 72).problem;
     BOOST_TEST(steps.start(problem, Eigen::VectorXd::Zero(72)));
-    for (int count = 0; count < 60; ++count) {
-      steps.step(problem);
-      if (steps.guess(problem, problem.C * steps.x(), 1e-12)) continue;
+    for (int count = 0; count < 60 && steps.step(problem); ++count) {
+      if (steps.enter(problem, problem.C * steps.x(), 1e-12)) continue;
       BOOST_TEST(kkt(problem, steps) < 1e-10);
       ++ended;
       break;
     }
   }
-  BOOST_TEST(ended > 100);  // no promise, but worth the try
+  BOOST_TEST(ended > 290);  // no promise, but worth the try
 }
 
 BOOST_AUTO_TEST_CASE(rows_that_follow_from_others_are_left_out) {
@@ -59,7 +58,7 @@ BOOST_AUTO_TEST_CASE(rows_that_follow_from_others_are_left_out) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(72);
   z.segment(40, 5).setOnes();
   BOOST_TEST(steps.start(problem, z));
-  steps.step(problem);
+  BOOST_TEST(steps.step(problem));
   const Eigen::VectorXd Cx = problem.C * steps.x();
   BOOST_TEST(Cx.segment(40, 5).cwiseAbs().maxCoeff() < 1e-12);
   BOOST_TEST((steps.z().array() != 0.0).count() == 2);
@@ -77,21 +76,6 @@ BOOST_AUTO_TEST_CASE(programs_that_are_not_for_it_are_refused) {
   QpProblem dependent = RandomProgram(2, 12, 4, 72).problem;
   dependent.A.row(3).setZero();
   BOOST_TEST(!steps.start(dependent, z));
-}
-
-BOOST_AUTO_TEST_CASE(where_the_steps_do_not_end_proxqp_does) {
-  // More iterations than steps are tried: the rest are ProxQP's.
-  int beyond = 0;
-  for (int seed = 0; seed < 100; ++seed) {
-    QpSolver solver(12, 0, 72, 1e-6);
-    const QpProblem problem = RandomProgram(seed).problem;
-    const QpResult result = solver.solve(problem);
-    BOOST_TEST((result.status == Status::kOk));
-    BOOST_TEST(kkt_residual(problem, solver.x(), solver.y(), solver.z()) < 1e-5);
-    beyond += result.iterations > 12;
-  }
-  BOOST_TEST(beyond > 5);
-  BOOST_TEST(beyond < 95);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -19,7 +19,7 @@ namespace proxqp = proxsuite::proxqp;
 constexpr double kSolverGap = 0.1;  // times the tolerance
 constexpr double kAccept = 5.0;     // the same, ours: residuals computed by us
 constexpr double kResidue = 1e-12;
-constexpr int kSteps = 12;        // of the active set method, before ProxQP is asked
+constexpr int kSteps = 40;        // of the active set method, before ProxQP is asked
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
 constexpr int kAttempts = 6;      // nothing, and on from there
 constexpr double kTight = 1e-8;   // below this tolerance time is no object: offline checks
@@ -130,8 +130,7 @@ QpResult QpSolver::try_steps(const QpProblem& problem) noexcept {
   QpResult result;
   bool going = steps.start(problem, qp.results.z);
   int count = 0;
-  while (going && count < kSteps) {
-    steps.step(problem);
+  while (going && count < kSteps && steps.step(problem)) {
     ++count;
     result = check(problem, steps.x(), steps.y(), steps.z());
     if (result.status == Status::kOk) {
@@ -140,7 +139,7 @@ QpResult QpSolver::try_steps(const QpProblem& problem) noexcept {
       qp.results.z = steps.z();
       break;
     }
-    going = steps.guess(problem, Cx, tolerance_);
+    going = steps.enter(problem, Cx, tolerance_);
   }
   result.iterations = count;
   return result;
