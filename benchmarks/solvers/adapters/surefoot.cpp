@@ -14,7 +14,8 @@ class Surefoot : public Adapter {
 
   Description describe() const override {
     return {"surefoot", "c++", SUREFOOT_VERSION,
-            "QpSolver: up to 12 steps of an active set method, ProxQP's dense solver without "
+            "QpSolver: a dual active set method from the last tick's rows, ProxQP's dense solver "
+            "without "
             "preconditioner where none of them passes; tolerance as asked; residuals and gap are "
             "checked after every attempt, in its time",
             "active rows of the last tick for the steps, its primal and dual variables for ProxQP"};

@@ -15,7 +15,7 @@ namespace {
 constexpr double kIndependent = 1e-8;
 constexpr double kResidue = 1e-12;  // smaller multipliers are rounding
 constexpr double kThin = 1e-9;      // rows whose bounds are nearer than this are equalities
-constexpr int kExchanges = 60;      // rows dropped or traded from start on
+constexpr int kExchanges = 120;     // rows dropped or traded from start on
 
 using InPlace = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
 
