@@ -51,7 +51,7 @@ class Adapter {
   virtual void take(const Problem& problem) = 0;
   /// Timed: all that a tick needs, conversions that the solver's format forces included.
   virtual Said solve() = 0;
-  virtual int iterations() const = 0;
+  virtual int iterations() const = 0;  ///< -1: it does not say
   /// Not timed.
   virtual void read(Answer& answer) const = 0;
 };

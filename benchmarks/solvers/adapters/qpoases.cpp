@@ -61,7 +61,7 @@ class Qpoases : public Adapter {
     }
     return succeeded_ ? Said::kSolved : Said::kFailed;
   }
-  int iterations() const override { return 0; }  // not passed on by the wrapper
+  int iterations() const override { return -1; }  // not passed on by the wrapper
   void read(Answer& a) const override {
     a.x = x_;
     std::copy_n(multipliers_.begin(), setup_.n_eq, a.y.begin());

@@ -55,7 +55,7 @@ def _spread(values: npt.NDArray[np.float64]) -> dict[str, float | None]:
 
 
 def _mean_max(values: npt.NDArray[np.float64]) -> dict[str, float | None]:
-    if not len(values):
+    if not len(values) or values.min() < 0.0:  # none, or it does not say
         return {"mean": None, "max": None}
     return {"mean": round(float(values.mean()), 3), "max": float(values.max())}
 
