@@ -41,6 +41,7 @@ bool ActiveSetSteps::start(const QpProblem& problem, const Eigen::VectorXd& mult
   active_.clear();
   entering_ = false;
   exchanges_ = 0;
+  factored_ = n_eq_;
   m_.head(n_eq_).setZero();
   for (int i = 0; i < multipliers.size(); ++i) {
     if (!(std::abs(multipliers[i]) > kResidue)) continue;
@@ -107,6 +108,7 @@ bool ActiveSetSteps::settle(const QpProblem& problem) noexcept {
     }
     for (int k = blocking; k + 1 < count(); ++k) m_[k] = m_[k + 1];
     entering_ = entering_ && blocking + 1 < count();
+    factored_ = std::min(factored_, blocking);
     active_.erase(active_.begin() + (blocking - n_eq_));
   }
   return false;
@@ -115,8 +117,8 @@ bool ActiveSetSteps::settle(const QpProblem& problem) noexcept {
 // Rows that follow from those before them are left out, or, if new, take the place of another:
 // where a foot carries nothing, all sides of its friction cone meet.
 ActiveSetSteps::Factored ActiveSetSteps::factor(const QpProblem& problem) noexcept {
-  int kept = n_eq_;
-  for (int k = n_eq_; k < count(); ++k) {
+  int kept = factored_;
+  for (int k = factored_; k < count(); ++k) {
     const Active a = active_[k - n_eq_];
     if (!add(problem, a.row, kept)) {
       if (!entering_ || k + 1 < count()) continue;
@@ -127,6 +129,7 @@ ActiveSetSteps::Factored ActiveSetSteps::factor(const QpProblem& problem) noexce
     active_[kept++ - n_eq_] = a;
   }
   active_.resize(kept - n_eq_);
+  factored_ = kept;
   return Factored::kAll;
 }
 
@@ -165,6 +168,7 @@ bool ActiveSetSteps::trade(Active entering, int count) noexcept {
   m_.head(count) -= (entering.side * most) * share;
   m_[place] = entering.side * most;
   active_[place - n_eq_] = entering;
+  factored_ = place;
   entering_ = false;
   return true;
 }

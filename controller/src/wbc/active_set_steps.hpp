@@ -10,9 +10,9 @@ namespace surefoot {
 /// A dual active set method (Goldfarb and Idnani 1983) that starts from guessed rows: among the
 /// multipliers of the rows on a bound, those that minimise with no row pulling; then the row most
 /// beyond its bound enters, and so on. From one tick to the next these rows seldom change, and then
-/// the first step is the answer, to rounding. Every step factors anew: the systems are small, and
-/// nothing drifts. Exchanges are bounded, so a robust solver must stand behind it.
-/// Real-time: all but the constructor, allocates nothing.
+/// the first step is the answer, to rounding. Rows behind one that was dropped are factored anew:
+/// the systems are small, and nothing drifts. Exchanges are bounded, so a robust solver must stand
+/// behind it. Real-time: all but the constructor, allocates nothing.
 class ActiveSetSteps {
  public:
   ActiveSetSteps(int n, int n_eq, int n_in);
@@ -54,6 +54,7 @@ class ActiveSetSteps {
   std::vector<Active> active_;
   bool entering_ = false;  // is the last one new?
   int exchanges_ = 0;
+  int factored_ = 0;            // so many of A's and the active rows have their place in W and S
   Eigen::MatrixXd L_;           // H = L L'
   Eigen::MatrixXd W_;           // L^-1 (A', active rows of C'), and room for one more
   Eigen::MatrixXd S_;           // the Cholesky factor of W'W, in its lower triangle
