@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "wbc/active_set_steps.hpp"
+#include "wbc/qp_check.hpp"
 
 namespace surefoot {
 
@@ -17,7 +18,6 @@ namespace {
 namespace proxqp = proxsuite::proxqp;
 
 constexpr double kSolverGap = 0.1;  // times the tolerance
-constexpr double kAccept = 5.0;     // the same, ours: residuals computed by us
 constexpr double kResidue = 1e-12;
 constexpr int kSteps = 80;        // of the active set method, before ProxQP is asked
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
@@ -27,45 +27,16 @@ constexpr int kTightFactor = 10;
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
-// A sum that only what is not finite takes away from zero; allFinite() goes entry by entry and
-// takes several times as long.
-template <typename Values>
-bool finite(const Values& values) {
-  return (values.array() * 0.0).sum() == 0.0;
-}
-
-// Without an early way out, so that it is vectorised.
-bool has_nan(const Eigen::VectorXd& values) {
-  bool found = false;
-  for (Eigen::Index i = 0; i < values.size(); ++i) found |= !(values[i] == values[i]);
-  return found;
-}
-
-bool finite(const QpProblem& p) {
-  // NaN in l or u would silently drop that bound inside ProxQP; infinities are allowed there.
-  return finite(p.H) && finite(p.g) && finite(p.A) && finite(p.b) && finite(p.C) && !has_nan(p.l) &&
-         !has_nan(p.u);
-}
-
-// A multiplier on a side that has no bound is wrong by its whole size.
-// Beyond one a multiplier says no more than that its row must lie on the bound.
-double row_gap(double z, double Cx, double l, double u) {
-  const double bound = z > 0.0 ? u : l;
-  return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx) : 1.0);
-}
-
 }  // namespace
 
 struct QpSolver::Workspace {
   Workspace(int n, int n_eq, int n_in)
       : qp(n, n_eq, n_in, false, proxqp::DenseBackend::PrimalDualLDLT),
         steps(n, n_eq, n_in),
-        Ax(n_eq),
-        Cx(n_in),
-        gradient(n) {}
+        check(n, n_eq, n_in) {}
   proxqp::dense::QP<double> qp;
   ActiveSetSteps steps;
-  Eigen::VectorXd Ax, Cx, gradient;
+  QpCheck check;
 };
 
 QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
@@ -108,7 +79,7 @@ void QpSolver::set_tolerance(double tolerance) noexcept {
 
 QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
   QpResult result;
-  if (!finite(problem)) {
+  if (!QpCheck::finite(problem)) {
     result.status = Status::kNonFinite;
     return result;
   }
@@ -126,20 +97,20 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget) noexcept {
 // Most ticks end here: the rows on their bounds are those of the last tick, or nearly. What comes
 // out is accepted by the same check as all else, and what does not pass it leaves no trace.
 QpResult QpSolver::try_steps(const QpProblem& problem) noexcept {
-  auto& [qp, steps, Ax, Cx, gradient] = *workspace_;
+  auto& [qp, steps, check] = *workspace_;
   QpResult result;
   bool going = steps.start(problem, qp.results.z);
   int count = 0;
   while (going && count < kSteps && steps.step(problem)) {
     ++count;
-    result = check(problem, steps.x(), steps.y(), steps.z());
+    result = check(problem, steps.x(), steps.y(), steps.z(), tolerance_);
     if (result.status == Status::kOk) {
       qp.results.x = steps.x();
       qp.results.y = steps.y();
       qp.results.z = steps.z();
       break;
     }
-    going = steps.enter(problem, Cx, tolerance_);
+    going = steps.enter(problem, check.Cx(), tolerance_);
   }
   result.iterations = count;
   return result;
@@ -174,9 +145,9 @@ void QpSolver::forget() noexcept {
 // optimal; without them the next run starts where this one should have gone on.
 void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
   auto& z = workspace_->qp.results.z;
-  const auto& Cx = workspace_->Cx;
+  const auto& Cx = workspace_->check.Cx();
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    if (!(row_gap(z[i], Cx[i], problem.l[i], problem.u[i]) <= tolerance_)) z[i] = 0.0;
+    if (!(QpCheck::row_gap(z[i], Cx[i], problem.l[i], problem.u[i]) <= tolerance_)) z[i] = 0.0;
   }
 }
 
@@ -217,42 +188,14 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
   qp.results.cleanup_statistics();
   proxqp::dense::qp_solve(qp.settings, qp.model, qp.results, work, false, qp.which_dense_backend(),
                           qp.which_hessian_type(), qp.ruiz);
-  QpResult result = check(problem, qp.results.x, qp.results.y, qp.results.z);
+  QpResult result =
+      workspace_->check(problem, qp.results.x, qp.results.y, qp.results.z, tolerance_);
   result.iterations = static_cast<int>(qp.results.info.iter);
   const bool infeasible =
       qp.results.info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||
       qp.results.info.status == proxqp::QPSolverOutput::PROXQP_DUAL_INFEASIBLE;
   if (infeasible && result.status != Status::kOk) result.status = Status::kInfeasible;
   return result;
-}
-
-// Our own residuals on the program as we posed it; the solver's word decides nothing.
-QpResult QpSolver::check(const QpProblem& problem, const Eigen::VectorXd& x,
-                         const Eigen::VectorXd& y, const Eigen::VectorXd& z) noexcept {
-  auto& [qp, steps, Ax, Cx, gradient] = *workspace_;
-  Cx.noalias() = problem.C * x;
-  gradient = problem.g;
-  gradient.noalias() += problem.H * x;
-  QpResult out;
-  for (Eigen::Index i = 0; i < Cx.size(); ++i) {
-    if (z[i] == 0.0) continue;  // nearly all
-    gradient += z[i] * problem.C.row(i).transpose();
-    out.gap = std::max(out.gap, row_gap(z[i], Cx[i], problem.l[i], problem.u[i]));
-  }
-  if (Ax.size() > 0) {
-    Ax.noalias() = problem.A * x;
-    gradient.noalias() += problem.A.transpose() * y;
-  }
-  out.primal_residual = std::max({0.0, (problem.l - Cx).maxCoeff(), (Cx - problem.u).maxCoeff()});
-  if (Ax.size() > 0) {
-    out.primal_residual = std::max(out.primal_residual, (Ax - problem.b).lpNorm<Eigen::Infinity>());
-  }
-  out.dual_residual = gradient.lpNorm<Eigen::Infinity>();
-  const bool accepted = finite(x) && finite(y) && finite(z) &&
-                        out.primal_residual <= kAccept * tolerance_ &&
-                        out.dual_residual <= kAccept * tolerance_ && out.gap <= tolerance_;
-  out.status = accepted ? Status::kOk : Status::kMaxIterations;
-  return out;
 }
 
 }  // namespace surefoot

@@ -51,8 +51,6 @@ class QpSolver {
   QpResult try_steps(const QpProblem& problem) noexcept;
   QpResult run_proxqp(const QpProblem& problem, int budget) noexcept;
   QpResult run(const QpProblem& problem) noexcept;
-  QpResult check(const QpProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
-                 const Eigen::VectorXd& z) noexcept;
   void drop_slack_multipliers(const QpProblem& problem) noexcept;
   void forget() noexcept;
   std::unique_ptr<Workspace> workspace_;
