@@ -10,7 +10,7 @@ export MUJOCO_GL ?= egl
 export CMAKE_BUILD_PARALLEL_LEVEL ?= 2
 
 SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
-  $(shell find controller bindings/src bindings/surefoot cmake models -type f -not -name '*.pyc')
+  $(shell find controller bindings/src bindings/surefoot benchmarks cmake models -type f -not -name '*.pyc')
 BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
   "nanobind>=2.9,<4" "cmake>=3.22" "ninja>=1.11"
 
@@ -41,7 +41,7 @@ test: install
 
 lint: install
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .
-	$(BIN)/clang-format --dry-run --Werror $(shell find controller bindings tests/cpp examples -name '*.?pp')
+	$(BIN)/clang-format --dry-run --Werror $(shell find controller bindings benchmarks tests examples -name '*.?pp')
 	$(BIN)/mypy bindings/surefoot examples
 
 # The C++ tests once more under AddressSanitizer and UndefinedBehaviorSanitizer.

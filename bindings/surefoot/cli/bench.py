@@ -6,6 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from surefoot.cli.bench_solvers import bench_solvers
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
 from surefoot.cli.stand import read_form
@@ -27,6 +28,12 @@ def add_bench_options(parser: argparse.ArgumentParser) -> None:
     add("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
     add("--report", metavar="DIR", help="write a page with histograms and tails")
     add(
+        "--solvers",
+        nargs="*",
+        metavar="FILE.npz",
+        help="compare QP solvers instead, on these recorded programs or on fresh ones",
+    )
+    add(
         "--export",
         metavar="DIR",
         help="write the programs of all scenarios as .npz sequences, and time nothing",
@@ -37,6 +44,8 @@ def add_bench_options(parser: argparse.ArgumentParser) -> None:
 def bench(arguments: argparse.Namespace) -> None:
     """Record runs, time their replay, print a table and write JSON; raises Error."""
     choose_graphics()
+    if arguments.solvers is not None:
+        return bench_solvers(arguments)
     try:
         from surefoot.bench import BenchSettings, bench_text, run_bench, write_bench_report
         from surefoot.bench.peers import PeerOptions, add_peers, peers_text

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// eiquadprog-fast, the Goldfarb-Idnani solver of TSID. Rows are one-sided there: splitting them
+// counts in its time.
+#include <cmath>
+#include <eiquadprog/eiquadprog-fast.hpp>
+
+#include "adapter.hpp"
+
+namespace bench {
+
+namespace {
+
+namespace ei = eiquadprog::solvers;
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+class Eiquadprog : public Adapter {
+ public:
+  explicit Eiquadprog(const Setup& s) : setup_(s), minus_b_(s.n_eq), x_(s.n) {
+    x_.setZero();
+    solver_.reset(s.n, s.n_eq, 2 * s.n_in);
+  }
+
+  Description describe() const override {
+    return {"eiquadprog", "c++", PEER_VERSION,
+            "EiquadprogFast, exact but for rounding: no tolerance", "none"};
+  }
+  bool can_warm_start() const override { return false; }
+  void forget() override {}
+  void take(const Problem& p) override {
+    H_ = Eigen::Map<const RowMatrix>(p.H, p.n, p.n);
+    A_ = Eigen::Map<const RowMatrix>(p.A, p.n_eq, p.n);
+    C_ = Eigen::Map<const RowMatrix>(p.C, p.n_in, p.n);
+    g_ = Eigen::Map<const Eigen::VectorXd>(p.g, p.n);
+    b_ = Eigen::Map<const Eigen::VectorXd>(p.b, p.n_eq);
+    l_ = Eigen::Map<const Eigen::VectorXd>(p.l, p.n_in);
+    u_ = Eigen::Map<const Eigen::VectorXd>(p.u, p.n_in);
+  }
+  Said solve() override {
+    split();
+    minus_b_ = -b_;
+    status_ = solver_.solve_quadprog(H_, g_, A_, minus_b_, CI_, ci_, x_);
+    return status_ == ei::EIQUADPROG_FAST_OPTIMAL ? Said::kSolved : Said::kFailed;
+  }
+  int iterations() const override { return solver_.getIteratios(); }
+  void read(Answer& a) const override {
+    a.x.assign(x_.begin(), x_.end());
+    a.y.assign(a.y.size(), 0.0);
+    a.z.assign(a.z.size(), 0.0);
+    // Its rows push up, so their multipliers have the other sign; equalities are counted -1, -2 ...
+    const auto& active = solver_.getActiveSet();
+    const auto& u = solver_.getLagrangeMultipliers();
+    for (std::size_t k = 0; k < solver_.getActiveSetSize(); ++k) {
+      const int row = active[Eigen::Index(k)];
+      const double multiplier = u[Eigen::Index(k)];
+      if (row < 0) {
+        a.y[-row - 1] = -multiplier;
+      } else {
+        a.z[row_[row]] += side_[row] * multiplier;
+      }
+    }
+  }
+
+ private:
+  // Rows that have no bound are left out, so the number of rows may change from tick to tick.
+  void split() {
+    row_.clear();
+    side_.clear();
+    for (int i = 0; i < setup_.n_in; ++i) {
+      if (std::isfinite(l_[i])) keep(i, -1.0);
+      if (std::isfinite(u_[i])) keep(i, 1.0);
+    }
+    const auto rows = static_cast<Eigen::Index>(row_.size());
+    CI_.resize(rows, setup_.n);
+    ci_.resize(rows);
+    for (Eigen::Index k = 0; k < rows; ++k) {
+      const int i = row_[k];
+      CI_.row(k) = -side_[k] * C_.row(i);
+      ci_[k] = side_[k] > 0.0 ? u_[i] : -l_[i];
+    }
+    if (rows != known_rows_) solver_.reset(setup_.n, setup_.n_eq, known_rows_ = rows);
+  }
+  void keep(int row, double side) {
+    row_.push_back(row);
+    side_.push_back(side);
+  }
+
+  Setup setup_;
+  ei::EiquadprogFast solver_;
+  ei::EiquadprogFast_status status_{};
+  Eigen::MatrixXd H_, A_, C_, CI_;
+  Eigen::VectorXd g_, b_, l_, u_, ci_, minus_b_, x_;
+  std::vector<int> row_;
+  std::vector<double> side_;
+  Eigen::Index known_rows_ = -1;
+};
+
+}  // namespace
+
+std::unique_ptr<Adapter> make_adapter(const Setup& setup) {
+  return std::make_unique<Eiquadprog>(setup);
+}
+
+}  // namespace bench

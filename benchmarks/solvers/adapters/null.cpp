@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Does nothing: what the clocks and the call add to every other figure.
+#include "adapter.hpp"
+
+namespace bench {
+
+namespace {
+
+class Null : public Adapter {
+ public:
+  Description describe() const override { return {"null loop", "c++", "-", "solves nothing", "-"}; }
+  void forget() override {}
+  void take(const Problem&) override {}
+  Said solve() override { return Said::kNothing; }
+  int iterations() const override { return 0; }
+  void read(Answer&) const override {}
+};
+
+}  // namespace
+
+std::unique_ptr<Adapter> make_adapter(const Setup&) { return std::make_unique<Null>(); }
+
+}  // namespace bench

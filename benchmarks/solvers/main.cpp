@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One solver over one sequence: PROGRAM describe, or
+//   PROGRAM SEQUENCE warm|cold RECORDS ANSWERS|- [TOLERANCE [ANSWERS_TO_WRITE]]
+// Timed is solve() alone; the program was loaded just before, as a controller has just written it.
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <fstream>
+
+#include "allocation_count.hpp"
+#include "records.hpp"
+#include "residuals.hpp"
+#include "sequence_file.hpp"
+
+namespace {
+
+using namespace bench;
+
+double now(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return 1e9 * double(t.tv_sec) + double(t.tv_nsec);
+}
+
+std::vector<double> read_answers(const std::string& path, std::size_t count) {
+  std::vector<double> answers(count, std::nan(""));
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(answers.data()), std::streamsize(8 * count));
+  return answers;
+}
+
+// The clocks' own cost is in every figure; the adapter that does nothing shows it.
+Record time_solve(Adapter& adapter) {
+  Record record{};
+  const long before = allocations();
+  count_allocations(true);
+  const double cpu = now(CLOCK_THREAD_CPUTIME_ID);
+  const double wall = now(CLOCK_MONOTONIC);
+  const Said said = adapter.solve();
+  record.wall_ns = now(CLOCK_MONOTONIC) - wall;
+  record.cpu_ns = now(CLOCK_THREAD_CPUTIME_ID) - cpu;
+  count_allocations(false);
+  record.allocations = double(allocations() - before);
+  record.said = double(said);
+  record.iterations = adapter.iterations();
+  return record;
+}
+
+void judge(const Problem& problem, const Answer& answer, const double* expected, Record& record) {
+  const Residuals r = residuals(problem, answer);
+  record.primal = r.primal;
+  record.dual = r.dual;
+  record.gap = r.gap;
+  record.distance = 0.0;
+  for (int j = 0; j < problem.n; ++j) {
+    const double distance = std::abs(answer.x[j] - expected[j]);
+    if (!(distance <= record.distance)) record.distance = distance;  // NaN stays
+  }
+}
+
+int describe() {
+  Setup setup;
+  setup.n = 1;
+  const Description d = make_adapter(setup)->describe();
+  std::printf("%s\n%s\n%s\n%s\n%s\n", d.name.c_str(), d.interface.c_str(), d.version.c_str(),
+              d.settings.c_str(), d.warm_start.c_str());
+  return 0;
+}
+
+int run(int count, char** words) {
+  SequenceFile sequence(words[1]);
+  Setup setup;
+  setup.n = sequence.size().n;
+  setup.n_eq = sequence.size().n_eq;
+  setup.n_in = sequence.size().n_in;
+  setup.warm = std::string(words[2]) == "warm";
+  if (count > 5) setup.tolerance = std::stod(words[5]);
+  sequence.patterns(setup);
+  const std::unique_ptr<Adapter> adapter = make_adapter(setup);
+  if (setup.warm && !adapter->can_warm_start()) return 3;
+  RecordFile records(words[3], sequence.ticks());
+  const std::vector<double> expected =
+      read_answers(words[4], std::size_t(sequence.ticks()) * setup.n);
+  std::ofstream written;
+  if (count > 6) written.open(words[6], std::ios::binary);
+  Answer answer{std::vector<double>(setup.n), std::vector<double>(setup.n_eq),
+                std::vector<double>(setup.n_in)};
+  adapter->forget();
+  for (int tick = 0; tick < sequence.ticks(); ++tick) {
+    if (!setup.warm) adapter->forget();
+    const Problem& problem = sequence.load(tick);
+    adapter->take(problem);
+    Record record = time_solve(*adapter);
+    adapter->read(answer);
+    judge(problem, answer, &expected[std::size_t(tick) * setup.n], record);
+    records[tick] = record;
+    written.write(reinterpret_cast<const char*>(answer.x.data()), std::streamsize(8 * setup.n));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  try {
+    if (count == 2 && std::string(words[1]) == "describe") return describe();
+    if (count >= 5) return run(count, words);
+    std::fprintf(stderr, "expected: SEQUENCE warm|cold RECORDS ANSWERS|- [TOLERANCE [WRITE]]\n");
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "%s\n", problem.what());
+  }
+  return 2;
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace bench {
+
+/// What is kept of one solve, all doubles so that NumPy reads the file as a (T, 9) array.
+struct Record {
+  double wall_ns, cpu_ns, said, iterations, allocations, primal, dual, gap, distance;
+};
+
+/// Records in a mapped file: what was done before a crash is there after it. A tick that was not
+/// reached has NaN in every field.
+class RecordFile {
+ public:
+  /// Throws std::runtime_error.
+  RecordFile(const std::string& path, int ticks);
+  ~RecordFile();
+  RecordFile(const RecordFile&) = delete;
+  RecordFile& operator=(const RecordFile&) = delete;
+  Record& operator[](int tick) { return records_[tick]; }
+
+ private:
+  Record* records_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace bench

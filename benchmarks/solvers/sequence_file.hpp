@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "adapter.hpp"
+
+namespace bench {
+
+/// Programs of one size from a raw file: "SFQPSEQ1", int64 n, n_eq, n_in, T, then H (T, n, n), g,
+/// A, b, C, l, u as doubles in the machine's order; and answers to compare with, (T, n) doubles.
+class SequenceFile {
+ public:
+  /// Throws std::runtime_error.
+  explicit SequenceFile(const std::string& path);
+  ~SequenceFile();
+  SequenceFile(const SequenceFile&) = delete;
+  SequenceFile& operator=(const SequenceFile&) = delete;
+
+  int ticks() const { return ticks_; }
+  const Problem& size() const { return size_; }
+  /// Copy a tick's program into memory that stays, where it is as warm as one just written.
+  const Problem& load(int tick);
+  /// Which entries are not zero in any tick.
+  void patterns(Setup& setup) const;
+
+ private:
+  std::vector<char> pattern(const double* data, int entries) const;
+  void* map_ = nullptr;
+  std::size_t bytes_ = 0;
+  int ticks_ = 0;
+  Problem size_;  // pointers to the first tick
+  Problem now_;   // pointers into buffer_
+  std::vector<double> buffer_;
+};
+
+}  // namespace bench

@@ -1,0 +1,43 @@
+"""Files that the programs read and write: plain doubles."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot.bench.problems.sequence import Sequence
+
+MAGIC = b"SFQPSEQ1"
+FIELDS = (
+    "wall_ns",
+    "cpu_ns",
+    "said",
+    "iterations",
+    "allocations",
+    "primal",
+    "dual",
+    "gap",
+    "distance",
+)
+Records = dict[str, npt.NDArray[np.float64]]
+
+
+def write_raw(sequence: Sequence, path: Path) -> None:
+    """Write MAGIC, int64 n, equalities, inequalities, ticks, then H, g, A, b, C, l, u."""
+    size = (sequence.g.shape[1], sequence.b.shape[1], sequence.l.shape[1], len(sequence))
+    with path.open("wb") as file:
+        file.write(MAGIC)
+        np.array(size, dtype=np.int64).tofile(file)
+        for name in "HgAbClu":
+            np.ascontiguousarray(getattr(sequence, name), dtype=np.float64).tofile(file)
+
+
+def read_records(path: Path, ticks: int) -> Records:
+    """Return every field of a run, NaN in ticks that it did not reach."""
+    rows = np.full((ticks, len(FIELDS)), np.nan)
+    if path.is_file():
+        found = np.fromfile(path).reshape(-1, len(FIELDS))
+        rows[: len(found)] = found
+    return {name: rows[:, k] for k, name in enumerate(FIELDS)}

@@ -1,0 +1,97 @@
+"""Solvers side by side as a table for people."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from surefoot.bench.text import machine_line
+
+HEAD: tuple[str, ...] = (
+    "[us]",
+    "start",
+    "p50",
+    "p99",
+    "max",
+    "cpu p50",
+    "cpu p99",
+    "iterations",
+    "mallocs",
+    "failed",
+    "no status",
+    "wrong",
+    "lied",
+    "interface",
+)
+NOTE = (
+    "update and solve of every tick. failed: said so, or was gone; wrong: primal or dual residual "
+    "or\ncomplementarity of the answer above {accepted:g}, computed here; lied: said solved and "
+    "was wrong.\ncpu: of the thread, without the system's other work, with the clock's own share."
+)
+
+
+def solvers_text(result: dict[str, Any]) -> str:
+    """Return what run_solvers() returned for people to read."""
+    parts = [machine_line(result["machine"])]
+    reasons: dict[str, None] = {}
+    for name, sequence in result["sequences"].items():
+        rows = [HEAD]
+        entries = {"(nothing)": sequence["baseline"], **sequence["solvers"]}
+        for solver, entry in entries.items():
+            for mode in ("warm", "cold"):
+                _add_rows(rows, reasons, solver, mode, entry)
+        title = (
+            f"{name}: {sequence['ticks']} programs, {sequence['variables']} variables, "
+            f"{sequence['equalities']} equalities, {sequence['inequalities']} two-sided rows"
+        )
+        parts += ["", title, *_align(rows)]
+    return "\n".join([*parts, "", NOTE.format(**result), *reasons])
+
+
+def _add_rows(
+    rows: list[tuple[str, ...]],
+    reasons: dict[str, None],
+    solver: str,
+    mode: str,
+    entry: dict[str, Any],
+) -> None:
+    if entry.get("reason"):
+        reasons[f"{solver}: {entry['reason']}"] = None
+        return
+    found = entry[mode]
+    if found["reason"]:
+        reasons[f"{solver} {mode}: {found['reason']}"] = None
+    if "n" in found:
+        rows.append(_row(solver, mode, entry, found, is_baseline=solver == "(nothing)"))
+
+
+def _row(
+    solver: str, mode: str, entry: dict[str, Any], found: dict[str, Any], is_baseline: bool
+) -> tuple[str, ...]:
+    wall, cpu = found["wall_us"], found["cpu_us"]
+    times = [wall["p50"], wall["p99"], wall["max"], cpu["p50"], cpu["p99"]]
+    numbers = ["-" if value is None else f"{value:.2f}" for value in times]
+    if is_baseline:
+        return (solver, mode, *numbers, *["-"] * 6, entry["interface"])
+    counts = ("failures", "no_status", "wrong", "said_solved_but_wrong")
+    steps, mallocs = found["iterations"]["mean"], found["allocations"]["mean"]
+    return (
+        solver,
+        mode,
+        *numbers,
+        "-" if steps is None else f"{steps:.1f}",
+        "-" if mallocs is None else f"{mallocs:.1f}",
+        *(str(found[name]) for name in counts),
+        entry["interface"],
+    )
+
+
+def _align(rows: list[tuple[str, ...]]) -> list[str]:
+    widths = [max(len(row[k]) for row in rows) for k in range(len(HEAD))]
+    ends = (0, 1, len(HEAD) - 1)
+    return [
+        "  ".join(
+            cell.ljust(width) if k in ends else cell.rjust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    ]
