@@ -14,11 +14,10 @@ class Surefoot : public Adapter {
 
   Description describe() const override {
     return {"surefoot", "c++", SUREFOOT_VERSION,
-            "QpSolver: a dual active set method from the last tick's rows, ProxQP's dense solver "
-            "without "
-            "preconditioner where none of them passes; tolerance as asked; residuals and gap are "
-            "checked after every attempt, in its time",
-            "active rows of the last tick for the steps, its primal and dual variables for ProxQP"};
+            "QpSolver: the dual active set method from the rows that were active last, and ProxQP "
+            "without preconditioner where that does not end; tolerance as asked; residuals and gap "
+            "are checked after every attempt, in its time",
+            "active rows of the last tick; x, y and z for ProxQP"};
   }
   void forget() override { solver_.reset(); }
   void take(const Problem& p) override {

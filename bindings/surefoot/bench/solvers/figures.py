@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from surefoot.bench.figures import PERCENTILES
 from surefoot.bench.solvers.raw_file import Records
-from surefoot.bench.timing import PERCENTILES
 
 NOTHING, SOLVED, FAILED = 0, 1, 2
 ACCEPT = 5.0  # times the tolerance asked: more is wrong, as in the controller's own check

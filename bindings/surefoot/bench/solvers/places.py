@@ -54,9 +54,10 @@ def sites() -> Iterator[Path]:
         if entry and Path(entry).name in ("site-packages", "dist-packages"):
             yield Path(entry)
     given = os.environ.get(PEERS)
-    root = Path(given) if given else _REPOSITORY / ".venv-peers" / "solvers"
+    root = Path(given) if given else Path(".venv-peers")  # which surefoot bench --peers makes
     yield root
     yield from sorted(root.glob("lib/python3*/site-packages"))
+    yield from sorted(root.glob("*/lib/python3*/site-packages"))
 
 
 def _add(found: dict[str, str], name: str, folder: Path, witness: str) -> bool:
