@@ -36,7 +36,8 @@ def machine_line(m: dict[str, Any]) -> str:
     versions = ", ".join(f"{name} {v}" for name, v in m["versions"].items() if v is not None)
     governor = f"governor {m['governor'] or 'unknown'}"
     parts = [m["cpu"] or "unknown processor", f"{m['cores']} cores", governor]
-    return ", ".join([*parts, m["system"], versions, m["build"]])
+    build = [m["build"]] if "build" in m else []  # programs that are built elsewhere say it there
+    return ", ".join([*parts, m["system"], versions, *build])
 
 
 _CPU = ("p50", "p99", "p99.9", "max")
