@@ -34,6 +34,23 @@ bool ActiveRows::start(const QpProblem& problem) noexcept {
   return true;
 }
 
+bool ActiveRows::start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) noexcept {
+  count_ = A.rows();
+  if (count_ == 0) return true;
+  if (count_ > V_.cols()) return false;
+  auto V = V_.leftCols(count_);
+  V = A.transpose();
+  H_.matrixL().solveInPlace(V);
+  auto R = R_.topLeftCorner(count_, count_);
+  R.noalias() = V.transpose() * V;
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(R);
+  for (Eigen::Index k = 0; k < count_; ++k)
+    rows_[static_cast<std::size_t>(k)] = static_cast<int>(k);
+  sides_.head(count_).setOnes();
+  bounds_.head(count_) = b;
+  return in_place.info() == Eigen::Success;
+}
+
 void ActiveRows::look() noexcept {
   H_.matrixL().solveInPlace(v_);
   auto l = l_.head(count_);

@@ -20,6 +20,9 @@ class ActiveRows {
   /// Take a program, without rows. @return is H positive definite?
   bool start(const QpProblem& problem) noexcept;
 
+  /// Take in A x = b, all rows at once, before any other. @return do they not depend on each other?
+  bool start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) noexcept;
+
   /// Look at a row: what of it do the rows that are there not span?
   template <typename Row>
   void look_at(const Row& c, double side) noexcept {

@@ -43,10 +43,7 @@ ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, 
 
 bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept {
   if (!rows_.start(problem)) return false;
-  for (int row = 0; row < n_eq_; ++row) {
-    rows_.look_at(problem.A.row(row), 1.0);
-    if (!rows_.append(row, 1.0, problem.b[row], 0.0)) return false;
-  }
+  if (!rows_.start_equalities(problem.A, problem.b)) return false;
   for (int row = 0; row < z.size(); ++row) {
     if (z[row] == 0.0) continue;
     const double side = z[row] > 0.0 ? 1.0 : -1.0;

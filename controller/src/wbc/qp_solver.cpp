@@ -5,6 +5,7 @@
 #include "wbc/proxqp_no_malloc.hpp"
 #include "surefoot/stage_clock.hpp"
 #include "wbc/active_set.hpp"
+#include "wbc/qp_check.hpp"
 #include <proxsuite/proxqp/dense/dense.hpp>
 // clang-format on
 
@@ -17,7 +18,6 @@ namespace {
 namespace proxqp = proxsuite::proxqp;
 
 constexpr double kSolverGap = 0.1;  // times the tolerance
-constexpr double kAccept = 5.0;     // the same, ours: residuals computed by us
 constexpr double kResidue = 1e-12;
 constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
 constexpr int kAttempts = 6;      // nothing, and on from there
@@ -26,23 +26,15 @@ constexpr int kTightFactor = 10;
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
-bool finite(const QpProblem& p) {
-  // NaN in l or u would silently drop that bound inside ProxQP; infinities are allowed there.
-  return p.H.allFinite() && p.g.allFinite() && p.A.allFinite() && p.b.allFinite() &&
-         p.C.allFinite() && !p.l.hasNaN() && !p.u.hasNaN();
-}
-
 }  // namespace
 
 struct QpSolver::Workspace {
   Workspace(int n, int n_eq, int n_in)
       : qp(n, n_eq, n_in, false, proxqp::DenseBackend::PrimalDualLDLT),
-        Ax(n_eq),
-        Cx(n_in),
-        gradient(n),
+        check(n, n_eq, n_in),
         active_set(n, n_eq, n_in) {}
   proxqp::dense::QP<double> qp;
-  Eigen::VectorXd Ax, Cx, gradient;
+  QpCheck check;
   ActiveSet active_set;
 };
 
@@ -96,7 +88,7 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasi
   if (!has_answer_) forget();
   result = try_active_set(problem);
   if (result.status == Status::kOk) return result;
-  if (!finite(problem)) {
+  if (!QpCheck::finite(problem)) {
     result.status = Status::kNonFinite;
     return result;
   }
@@ -143,17 +135,10 @@ void QpSolver::forget() noexcept {
 void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
   auto& z = workspace_->qp.results.z;
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    if (!(gap(problem, i) <= tolerance_)) z[i] = 0.0;
+    const double gap =
+        QpCheck::row_gap(z[i], workspace_->check.Cx()[i], problem.l[i], problem.u[i]);
+    if (!(gap <= tolerance_)) z[i] = 0.0;
   }
-}
-
-double QpSolver::gap(const QpProblem& problem, Eigen::Index i) const noexcept {
-  const double z = workspace_->qp.results.z[i];
-  const double bound = z > 0.0 ? problem.u[i] : problem.l[i];
-  // A multiplier on a side that has no bound is wrong by its whole size.
-  // Beyond one a multiplier says no more than that its row must lie on the bound.
-  return std::min(std::abs(z), 1.0) *
-         (std::abs(bound) < kNoBound ? std::abs(bound - workspace_->Cx[i]) : 1.0);
 }
 
 void QpSolver::write(const QpProblem& problem) noexcept {
@@ -193,38 +178,18 @@ QpResult QpSolver::run(const QpProblem& problem) noexcept {
   qp.results.cleanup_statistics();
   proxqp::dense::qp_solve(qp.settings, qp.model, qp.results, work, false, qp.which_dense_backend(),
                           qp.which_hessian_type(), qp.ruiz);
-  return check(problem);
+  QpResult result = check(problem);
+  result.iterations = static_cast<int>(info.iter);
+  const bool infeasible = info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||
+                          info.status == proxqp::QPSolverOutput::PROXQP_DUAL_INFEASIBLE;
+  if (infeasible && result.status != Status::kOk) result.status = Status::kInfeasible;
+  return result;
 }
 
-// Our own residuals on the program as we posed it; the solver's word decides nothing.
 QpResult QpSolver::check(const QpProblem& problem) noexcept {
   const StageScope stage(Stage::kCheck);
-  auto& [qp, Ax, Cx, gradient, active_set] = *workspace_;
-  const auto& results = qp.results;
-  Cx.noalias() = problem.C * results.x;
-  gradient = problem.g;
-  gradient.noalias() += problem.H * results.x;
-  gradient.noalias() += problem.C.transpose() * results.z;
-  if (Ax.size() > 0) {
-    Ax.noalias() = problem.A * results.x;
-    gradient.noalias() += problem.A.transpose() * results.y;
-  }
-
-  QpResult out;
-  out.iterations = static_cast<int>(results.info.iter);
-  out.primal_residual = std::max({0.0, (problem.l - Cx).maxCoeff(), (Cx - problem.u).maxCoeff()});
-  if (Ax.size() > 0) {
-    out.primal_residual = std::max(out.primal_residual, (Ax - problem.b).lpNorm<Eigen::Infinity>());
-  }
-  out.dual_residual = gradient.lpNorm<Eigen::Infinity>();
-  for (Eigen::Index i = 0; i < Cx.size(); ++i) out.gap = std::max(out.gap, gap(problem, i));
-  const bool accepted = results.x.allFinite() && results.z.allFinite() && results.y.allFinite() &&
-                        out.primal_residual <= kAccept * tolerance_ &&
-                        out.dual_residual <= kAccept * tolerance_ && out.gap <= tolerance_;
-  const bool infeasible = results.info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||
-                          results.info.status == proxqp::QPSolverOutput::PROXQP_DUAL_INFEASIBLE;
-  out.status = accepted ? Status::kOk : infeasible ? Status::kInfeasible : Status::kMaxIterations;
-  return out;
+  const auto& results = workspace_->qp.results;
+  return workspace_->check(problem, results.x, results.y, results.z, tolerance_);
 }
 
 }  // namespace surefoot

@@ -61,7 +61,6 @@ class QpSolver {
   QpResult try_active_set(const QpProblem& problem) noexcept;
   QpResult run(const QpProblem& problem) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
-  double gap(const QpProblem& problem, Eigen::Index row) const noexcept;
   void drop_slack_multipliers(const QpProblem& problem) noexcept;
   void forget() noexcept;
   std::unique_ptr<Workspace> workspace_;
