@@ -11,7 +11,7 @@ namespace surefoot {
 /// A program's answer as we checked it ourselves.
 struct QpResult {
   Status status = Status::kWaiting;
-  int iterations = 0;            ///< inner iterations
+  int iterations = 0;            ///< changes of active rows, and inner iterations of ProxQP
   double primal_residual = 0.0;  ///< greatest violation of A x = b, l <= C x <= u
   double dual_residual = 0.0;    ///< greatest entry of H x + g + A'y + C'z
   double gap = 0.0;              ///< greatest min(|z_i|, 1) times row i's distance from its bound
@@ -57,9 +57,8 @@ class QpSolver {
 
  private:
   struct Workspace;
-  void write(const QpProblem& problem) noexcept;
   QpResult try_active_set(const QpProblem& problem) noexcept;
-  QpResult run(const QpProblem& problem) noexcept;
+  QpResult run_proxqp(const QpProblem& problem, int budget, int spent) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
   void drop_slack_multipliers(const QpProblem& problem) noexcept;
   void forget() noexcept;
