@@ -1,48 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dynamics/dynamics.hpp"
 
-#include <pinocchio/algorithm/crba.hpp>
-#include <pinocchio/algorithm/rnea.hpp>
-
+#include "dynamics/pinocchio_dynamics.hpp"
+#include "dynamics/quadruped_dynamics.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stage_clock.hpp"
 
 namespace surefoot {
 
-struct Dynamics::Pinocchio {
-  explicit Pinocchio(const pinocchio::Model& m) : model(m), data(m) {}
-  const pinocchio::Model& model;  // lives in the Robot that Dynamics keeps
-  pinocchio::Data data;
-};
-
-Dynamics::Dynamics(const Robot& robot)
-    : pinocchio_(std::make_unique<Pinocchio>(robot.model())),
-      robot_(robot),
-      condensable_(has_chains_of_three()) {
-  const Vector3 gravity = robot.model().gravity.linear();
-  if ((gravity + kGravity * Vector3::UnitZ()).norm() > 1e-6) {
+Dynamics::Dynamics(const Robot& robot, Source source)
+    : robot_(robot), condensable_(has_chains_of_three(robot)) {
+  if (!has_standard_gravity(robot)) {
     throw Error("robot '" + robot.config().name + "': the model's gravity is not (0, 0, -9.81)");
+  }
+  if (source == Source::kAuto && QuadrupedDynamics::fits(robot)) {
+    quadruped_ = std::make_unique<QuadrupedDynamics>(robot);
+  } else {
+    pinocchio_ = std::make_unique<PinocchioDynamics>(robot);
   }
   // Which side of the hip axis is below: the one where the feet stand.
   update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
-  for (int leg = 0; leg < kLegs; ++leg) depth_sign_[leg] = legs_[leg].depth < 0.0 ? -1.0 : 1.0;
-}
-
-// The condensed form reads a leg's blocks as contiguous 3x3 pieces of the mass matrix, and knows of
-// nothing but legs.
-bool Dynamics::has_chains_of_three() const noexcept {
-  const auto& model = robot_.model();
-  if (model.nv != 6 + kMotors || model.nq != 7 + kMotors) return false;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    pinocchio::JointIndex parent = 1;
-    for (int k = 0; k < kLegJoints; ++k) {
-      const auto joint = model.getJointId(robot_.config().joint_names[3 * leg + k]);
-      if (model.parents[joint] != parent) return false;
-      if (robot_.motor_to_v()[3 * leg + k] != robot_.motor_to_v()[3 * leg] + k) return false;
-      parent = joint;
-    }
-  }
-  return true;
+  for (int leg = 0; leg < kLegs; ++leg) depth_sign_[leg] = now_.legs[leg].depth < 0.0 ? -1.0 : 1.0;
 }
 
 Dynamics::~Dynamics() = default;
@@ -51,113 +29,44 @@ Dynamics::Dynamics(Dynamics&&) noexcept = default;
 void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       const Vector3& ground_normal) noexcept {
   const StageScope stage(Stage::kDynamics);
-  auto& [model, data] = *pinocchio_;
-  // One pass each: mass matrix, world Jacobian and placements; then velocities, drifts and bias.
-  pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
-  pinocchio::nonLinearEffects(model, data, q, v);
-
-  R_world_base_ = data.oMi[1].rotation();
-  p_world_base_ = data.oMi[1].translation();
-  v_base_ = v.head<3>();
-  w_base_ = v.segment<3>(3);
-  v_world_base_ = R_world_base_ * v_base_;
-  M_base_ = data.M.topLeftCorner<6, 6>().selfadjointView<Eigen::Upper>();
-  h_base_ = data.nle.head<6>();
+  if (quadruped_) {
+    quadruped_->update(q, v, ground_normal, now_);
+  } else {
+    pinocchio_->update(q, v, ground_normal, now_);
+  }
+  for (int leg = 0; leg < kLegs; ++leg) now_.legs[leg].depth *= depth_sign_[leg];
   a_base_shift_.setZero();
-  update_com(v);
-  for (int leg = 0; leg < kLegs; ++leg) update_leg(leg, ground_normal);
 }
 
 void Dynamics::shift(const Vector3& p_world, const Vector3& v_world) noexcept {
-  p_world_com_ += p_world;
-  v_world_com_ += v_world;
-  p_world_base_ += p_world;
-  v_world_base_ += v_world;
-  a_base_shift_ = -w_base_.cross(R_world_base_.transpose() * v_world);
-  for (LegDynamics& leg : legs_) {
+  now_.p_world_com += p_world;
+  now_.v_world_com += v_world;
+  now_.p_world_base += p_world;
+  now_.v_world_base += v_world;
+  a_base_shift_ = -now_.w_base.cross(now_.R_world_base.transpose() * v_world);
+  for (LegDynamics& leg : now_.legs) {
     leg.p_world_contact += p_world;
     leg.v_world_contact += v_world;
   }
 }
 
-void Dynamics::update_com(const Eigen::VectorXd& v) noexcept {
-  const auto& data = pinocchio_->data;
-  p_world_com_ = data.oYcrb[1].lever();
-  I_world_com_ = data.oYcrb[1].inertia().matrix();
-  // The first six rows of M are the momentum about the base's origin, in base axes.
-  Vector6 momentum = M_base_ * v.head<6>();
-  momentum.noalias() += data.M.topRows<6>().rightCols(v.size() - 6) * v.tail(v.size() - 6);
-  const Vector3 linear = R_world_base_ * momentum.head<3>();
-  v_world_com_ = linear / robot_.mass();
-  L_world_com_ = R_world_base_ * momentum.tail<3>() - (p_world_com_ - p_world_base_).cross(linear);
-}
-
-void Dynamics::update_leg(int leg, const Vector3& ground_normal) noexcept {
-  const auto& [model, data] = *pinocchio_;
-  const auto& frame = model.frames[robot_.foot_frame_ids()[leg]];
-  const auto& placement = data.oMi[frame.parentJoint];
-  const int* column = &robot_.motor_to_v()[3 * leg];
-  LegDynamics& out = legs_[leg];
-
-  // Contact point and its rows: v_p = v_O + w x p from the spatial Jacobian about the world origin.
-  const Vector3 p_centre = placement.act(frame.placement.translation());
-  const Vector3 lever = robot_.config().foot_radius * ground_normal;
-  out.p_world_contact = p_centre - lever;
-  const auto J_base = data.J.middleCols<6>(0);
-  const Matrix3 p_cross = skew(out.p_world_contact);
-  out.J_base = J_base.topRows<3>() - p_cross * J_base.bottomRows<3>();
-  for (int k = 0; k < kLegJoints; ++k) {
-    const auto J = data.J.col(column[k]);
-    out.J_leg.col(k) = J.head<3>() - out.p_world_contact.cross(J.tail<3>());
-  }
-
-  // Drift: classical acceleration of the foot centre at zero joint acceleration (a_gf carries
-  // -gravity), plus the rolling term.
-  const auto& twist = data.v[frame.parentJoint];
-  const auto& accel = data.a_gf[frame.parentJoint];
-  const Vector3 w = twist.angular();
-  const Vector3 r = frame.placement.translation();
-  out.v_world_contact =
-      placement.rotation() * (twist.linear() + w.cross(r)) + lever.cross(placement.rotation() * w);
-  const Vector3 centre =
-      accel.linear() + accel.angular().cross(r) + w.cross(twist.linear() + w.cross(r));
-  out.drift = placement.rotation() * centre + model.gravity.linear() +
-              lever.cross(placement.rotation() * accel.angular());
-
-  for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
-  if (condensable_) {
-    out.M_base_leg = data.M.block<6, 3>(0, column[0]);
-    out.M_leg = data.M.block<3, 3>(column[0], column[0]).selfadjointView<Eigen::Upper>();
-  }
-  update_depth(leg);
-}
-
-// The hip's column of J is its axis crossed with the way to the foot; its part along the thigh's
-// axis is the foot's distance below the hip axis, and a factor of the Jacobian's determinant.
-void Dynamics::update_depth(int leg) noexcept {
-  const Vector3 thigh_axis = pinocchio_->data.J.col(robot_.motor_to_v()[3 * leg + 1]).tail<3>();
-  legs_[leg].depth = depth_sign_[leg] * legs_[leg].J_leg.col(0).dot(thigh_axis);
-}
-
 void Dynamics::write_full(FullDynamics& out) const noexcept {
-  const auto& [model, data] = *pinocchio_;
-  out.M.triangularView<Eigen::Upper>() = data.M.triangularView<Eigen::Upper>();
-  out.M.triangularView<Eigen::StrictlyLower>() =
-      out.M.transpose().triangularView<Eigen::StrictlyLower>();
-  out.h = data.nle;
-  out.J.setZero();
-  // Pinocchio's Jacobian is about the origin of update()'s frame, the points have been shifted.
-  const Vector3 shift = p_world_base_ - data.oMi[1].translation();
+  if (pinocchio_) {
+    pinocchio_->write_full(now_, out);
+    return;
+  }
+  // Legs meet in the base only: what is no block here is zero, and stays so from construction.
+  out.M.topLeftCorner<6, 6>() = now_.M_base;
+  out.h.head<6>() = now_.h_base;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;
-    const Vector3 p = legs_[leg].p_world_contact - shift;
-    for (const auto joint : model.supports[calf]) {
-      for (int k = 0; k < model.nvs[joint]; ++k) {
-        const int column = model.idx_vs[joint] + k;
-        const auto J = data.J.col(column);
-        out.J.block<3, 1>(3 * leg, column) = J.head<3>() - p.cross(J.tail<3>());
-      }
-    }
+    const LegDynamics& L = now_.legs[leg];
+    const int row = 3 * leg, column = robot_.motor_to_v()[row];
+    out.M.block<6, 3>(0, column) = L.M_base_leg;
+    out.M.block<3, 6>(column, 0) = L.M_base_leg.transpose();
+    out.M.block<3, 3>(column, column) = L.M_leg;
+    out.h.segment<3>(column) = L.h_leg;
+    out.J.block<3, 6>(row, 0) = L.J_base;
+    out.J.block<3, 3>(row, column) = L.J_leg;
   }
 }
 

@@ -1,48 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <memory>
 
+#include "dynamics/tick_dynamics.hpp"
 #include "surefoot/robot.hpp"
 
 namespace surefoot {
 
-using Matrix63 = Eigen::Matrix<double, 6, 3>;
-using Matrix36 = Eigen::Matrix<double, 3, 6>;
+class PinocchioDynamics;
+class QuadrupedDynamics;
 
-/// One leg's share of the equations of motion, and its contact point. World axes for points.
-struct LegDynamics {
-  Vector3 p_world_contact;  ///< [m] foot centre minus radius times ground normal
-  Vector3 v_world_contact;  ///< [m/s] of the foot's material point there: zero when it rolls
-  Matrix36 J_base;          ///< contact velocity from the base twist
-  Matrix3 J_leg;            ///< contact velocity from the leg's three joint velocities
-  Vector3 drift;            ///< [m/s^2] contact acceleration at zero generalised acceleration
-  Matrix63 M_base_leg;      ///< block of the mass matrix
-  Matrix3 M_leg;            ///< block of the mass matrix, armature included
-  Vector3 h_leg;            ///< [N.m] Coriolis, centrifugal and gravity
-  double depth;             ///< [m] of the foot below the hip axis, in the plane of the leg
-};
-
-/// The same for a model of any shape, for the general form.
-struct FullDynamics {
-  explicit FullDynamics(int nv)
-      : M(Eigen::MatrixXd::Zero(nv, nv)),
-        h(Eigen::VectorXd::Zero(nv)),
-        J(Eigen::MatrixXd::Zero(3 * kLegs, nv)) {}
-  Eigen::MatrixXd M;  ///< mass matrix, armature included
-  Eigen::VectorXd h;  ///< Coriolis, centrifugal and gravity
-  Eigen::MatrixXd J;  ///< contact velocities FR FL RR RL from v
-};
-
-/// Everything Pinocchio computes in one tick; the only caller of its algorithms.
+/// The robot's dynamics in one tick: from generated code where the robot has the shape that it is
+/// for (QuadrupedDynamics), else from Pinocchio.
 ///
 /// Base quantities are in base axes, as Pinocchio's v is. The contact rows are those of a sphere
 /// that rolls on the ground: J = J_centre + [r n]x J_angular, so that no friction force is needed
 /// to let the shank turn about the foot. Real-time: update() yes.
 class Dynamics {
  public:
-  explicit Dynamics(const Robot& robot);
+  enum class Source { kAuto, kPinocchio };  ///< the second for tests: one against the other
+  explicit Dynamics(const Robot& robot, Source source = Source::kAuto);
   ~Dynamics();
   Dynamics(Dynamics&&) noexcept;
 
@@ -62,40 +40,34 @@ class Dynamics {
   /// Copy out what the general form needs. Real-time: yes.
   void write_full(FullDynamics& out) const noexcept;
 
-  const std::array<LegDynamics, kLegs>& legs() const noexcept { return legs_; }
+  /// Does the generated code serve this robot?
+  bool generated() const noexcept { return quadruped_ != nullptr; }
+
+  const std::array<LegDynamics, kLegs>& legs() const noexcept { return now_.legs; }
   /// Rotational inertia about the centre of mass with all joints locked, world axes [kg.m^2].
-  const Matrix3& I_world_com() const noexcept { return I_world_com_; }
-  const Matrix6& M_base() const noexcept { return M_base_; }
-  const Vector6& h_base() const noexcept { return h_base_; }
-  const Matrix3& R_world_base() const noexcept { return R_world_base_; }
-  const Vector3& p_world_com() const noexcept { return p_world_com_; }
-  const Vector3& v_world_com() const noexcept { return v_world_com_; }
+  const Matrix3& I_world_com() const noexcept { return now_.I_world_com; }
+  const Matrix6& M_base() const noexcept { return now_.M_base; }
+  const Vector6& h_base() const noexcept { return now_.h_base; }
+  const Matrix3& R_world_base() const noexcept { return now_.R_world_base; }
+  const Vector3& p_world_com() const noexcept { return now_.p_world_com; }
+  const Vector3& v_world_com() const noexcept { return now_.v_world_com; }
   /// What shift() adds to the base's linear spatial acceleration: -w x v, base axes [m/s^2].
   const Vector3& a_base_shift() const noexcept { return a_base_shift_; }
-  Vector3 w_world_base() const noexcept { return R_world_base_ * w_base_; }
-  const Vector3& w_base() const noexcept { return w_base_; }
-  const Vector3& p_world_base() const noexcept { return p_world_base_; }
-  const Vector3& v_world_base() const noexcept { return v_world_base_; }
+  Vector3 w_world_base() const noexcept { return now_.R_world_base * now_.w_base; }
+  const Vector3& w_base() const noexcept { return now_.w_base; }
+  const Vector3& p_world_base() const noexcept { return now_.p_world_base; }
+  const Vector3& v_world_base() const noexcept { return now_.v_world_base; }
   /// Base velocity that update() was given, base axes [m/s]: M and h belong to this one.
-  const Vector3& v_base() const noexcept { return v_base_; }
+  const Vector3& v_base() const noexcept { return now_.v_base; }
   /// Angular momentum about the centre of mass, world axes [kg.m^2/s].
-  const Vector3& L_world_com() const noexcept { return L_world_com_; }
+  const Vector3& L_world_com() const noexcept { return now_.L_world_com; }
 
  private:
-  void update_leg(int leg, const Vector3& ground_normal) noexcept;
-  void update_com(const Eigen::VectorXd& v) noexcept;
-  void update_depth(int leg) noexcept;
-  bool has_chains_of_three() const noexcept;
-
-  struct Pinocchio;
-  std::unique_ptr<Pinocchio> pinocchio_;
   Robot robot_;
-  std::array<LegDynamics, kLegs> legs_;
-  Matrix6 M_base_;
-  Vector6 h_base_;
-  Matrix3 R_world_base_, I_world_com_;
-  Vector3 p_world_com_, v_world_com_, L_world_com_, w_base_, v_base_, a_base_shift_;
-  Vector3 p_world_base_, v_world_base_;
+  std::unique_ptr<QuadrupedDynamics> quadruped_;  ///< null: the robot has another shape
+  std::unique_ptr<PinocchioDynamics> pinocchio_;  ///< null: not needed
+  TickDynamics now_;
+  Vector3 a_base_shift_;
   bool condensable_;
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};
 };

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "symbolic/leg_model.hpp"
+
+#include "symbolic/scalar.hpp"
+
+// After the scalar's header, which CasADi's support in Pinocchio needs to be the first.
+#include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/rnea.hpp>
+
+namespace surefoot::symbolic {
+
+namespace {
+
+// Hands out a column's entries from first to last: the order of the calls is the data's layout.
+struct Reader {
+  SX symbols;
+  int next = 0;
+  SX scalar() { return symbols(next++); }
+  Vector3 vector() {
+    Vector3 out;
+    for (int i = 0; i < 3; ++i) out[i] = scalar();
+    return out;
+  }
+};
+
+template <typename Derived>
+void append(const Eigen::MatrixBase<Derived>& m, std::vector<SX>& out) {
+  for (Eigen::Index j = 0; j < m.cols(); ++j) {
+    for (Eigen::Index i = 0; i < m.rows(); ++i) out.push_back(m(i, j));
+  }
+}
+
+template <typename Derived>
+void append_symmetric(const Eigen::MatrixBase<Derived>& m, std::vector<SX>& out) {
+  for (Eigen::Index j = 0; j < m.cols(); ++j) append(m.col(j).head(j + 1), out);
+}
+
+// Starts a new part of the results and returns where it goes.
+std::vector<SX>& part(LegExpressions& out, const std::string& name, const std::string& meaning) {
+  out.fields.push_back({name, meaning, static_cast<int>(out.results.size())});
+  return out.results;
+}
+
+// The joints are "unbounded": their configuration is (cos, sin), which the caller computes once.
+Model leg_model(Reader parameters, Vector3& p_calf_foot) {
+  Model model;
+  const Matrix3 level = Matrix3::Identity();
+  auto parent =
+      model.addJoint(0, pinocchio::JointModelFreeFlyerTpl<SX>(), Model::SE3::Identity(), "base");
+  const auto add = [&](const auto& joint, const std::string& name) {
+    parent = model.addJoint(parent, joint, Model::SE3(level, parameters.vector()), name);
+    Model::Inertia& inertia = model.inertias[parent];
+    inertia.mass() = parameters.scalar();
+    inertia.lever() = parameters.vector();
+    for (int i = 0; i < 6; ++i) inertia.inertia().data()[i] = parameters.scalar();
+    model.armature[model.idx_vs[parent]] = parameters.scalar();
+  };
+  add(pinocchio::JointModelRevoluteUnboundedTpl<SX, 0, 0>(), "hip");
+  add(pinocchio::JointModelRevoluteUnboundedTpl<SX, 0, 1>(), "thigh");
+  add(pinocchio::JointModelRevoluteUnboundedTpl<SX, 0, 1>(), "calf");
+  p_calf_foot = parameters.vector();
+  return model;
+}
+
+struct BaseState {
+  Vector3 v, w;     // base axes
+  Matrix3 R;        // world from base
+  Vector3 gravity;  // base axes
+  Vector3 lever;    // foot radius times ground normal, base axes
+};
+
+BaseState read_base(Reader base) {
+  BaseState out;
+  out.v = base.vector();
+  out.w = base.vector();
+  for (int k = 0; k < 3; ++k) out.R.col(k) = base.vector();
+  out.gravity = base.vector();
+  out.lever = base.vector();
+  return out;
+}
+
+void add_dynamics(const Data& data, const Vector3& dq, LegExpressions& out) {
+  const auto& body = data.oYcrb[2];
+  const Eigen::Matrix<SX, 6, 3> M_base_leg = data.M.topRightCorner<6, 3>();
+  append((body.mass() * body.lever()).eval(), part(out, "MassLever", "mass times centre of mass"));
+  append_symmetric(body.matrix().bottomRightCorner<3, 3>(),
+                   part(out, "Inertia", "rotational inertia about the base's origin"));
+  append(M_base_leg * dq, part(out, "Momentum", "of the joints' motion alone, linear first"));
+  append(data.nle.head<6>(), part(out, "HBase", "share of the base's bias"));
+  out.shared = static_cast<int>(out.results.size());
+  append(data.nle.tail<3>(), part(out, "HLeg", "bias of the joints"));
+  append(M_base_leg, part(out, "MBaseLeg", "block of the mass matrix"));
+  append_symmetric(data.M.bottomRightCorner<3, 3>(), part(out, "MLeg", "block of the mass matrix"));
+}
+
+// The rows of a sphere that rolls on the ground, as in PinocchioDynamics::update_leg().
+void add_contact(const Data& data, const BaseState& base, const Vector3& p_calf_foot,
+                 LegExpressions& out) {
+  const auto& calf = data.oMi[4];
+  const Vector3 p_contact = calf.act(p_calf_foot) - base.lever;
+  Matrix3 J_leg;
+  for (int k = 0; k < 3; ++k) {
+    const auto J = data.J.col(6 + k);
+    J_leg.col(k) = J.template head<3>() - p_contact.cross(J.template tail<3>());
+  }
+  const Vector3 w = data.v[4].angular(), alpha = data.a_gf[4].angular();
+  const Vector3 v_centre = data.v[4].linear() + w.cross(p_calf_foot);
+  const Vector3 a_centre = data.a_gf[4].linear() + alpha.cross(p_calf_foot) + w.cross(v_centre);
+  const Vector3 v_contact = calf.rotation() * v_centre + base.lever.cross(calf.rotation() * w);
+  const Vector3 drift =
+      calf.rotation() * a_centre + base.gravity + base.lever.cross(calf.rotation() * alpha);
+  append(base.R * p_contact, part(out, "PContact", "from the base's origin, world axes"));
+  append(base.R * v_contact, part(out, "VContact", "world axes"));
+  append(base.R * drift, part(out, "Drift", "world axes"));
+  append(-base.R * pinocchio::skew(p_contact),
+         part(out, "JBaseAngular", "contact velocity from w_base, world axes"));
+  append(base.R * J_leg, part(out, "JLeg", "contact velocity from the joints, world axes"));
+  const SX depth = J_leg.col(0).dot(data.J.col(7).template tail<3>());
+  part(out, "Depth", "foot below the hip axis, but for the sign").push_back(depth);
+}
+
+}  // namespace
+
+LegExpressions leg_expressions() {
+  LegExpressions out;
+  out.parameters = SX::sym("parameters", 3 * 14 + 3);
+  out.base = SX::sym("base", 21);
+  out.leg = SX::sym("leg", 9);
+  Vector3 p_calf_foot;
+  Model model = leg_model({out.parameters}, p_calf_foot);
+  const BaseState base = read_base({out.base});
+  model.gravity.linear() = base.gravity;
+
+  VectorX q = VectorX::Zero(model.nq), v(model.nv);
+  q[6] = SX(1.0);
+  for (int i = 0; i < 6; ++i) q[7 + i] = out.leg(i);
+  const Vector3 dq(out.leg(6), out.leg(7), out.leg(8));
+  v << base.v, base.w, dq;
+  Data data(model);
+  pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
+  pinocchio::nonLinearEffects(model, data, q, v);
+
+  add_dynamics(data, dq, out);
+  add_contact(data, base, p_calf_foot, out);
+  return out;
+}
+
+}  // namespace surefoot::symbolic

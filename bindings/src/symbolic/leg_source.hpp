@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace surefoot::symbolic {
+
+/// The text of controller/src/dynamics/generated/leg_dynamics.hpp.
+std::string leg_source();
+
+}  // namespace surefoot::symbolic

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dynamics/pinocchio_dynamics.hpp"
+
+#include <pinocchio/algorithm/crba.hpp>
+#include <pinocchio/algorithm/rnea.hpp>
+
+namespace surefoot {
+
+// The condensed form reads a leg's blocks as contiguous 3x3 pieces of the mass matrix, and knows of
+// nothing but legs.
+bool has_chains_of_three(const Robot& robot) noexcept {
+  const auto& model = robot.model();
+  if (model.nv != 6 + kMotors || model.nq != 7 + kMotors) return false;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    pinocchio::JointIndex parent = 1;
+    for (int k = 0; k < kLegJoints; ++k) {
+      const auto joint = model.getJointId(robot.config().joint_names[3 * leg + k]);
+      if (model.parents[joint] != parent) return false;
+      if (robot.motor_to_v()[3 * leg + k] != robot.motor_to_v()[3 * leg] + k) return false;
+      parent = joint;
+    }
+  }
+  return true;
+}
+
+bool has_standard_gravity(const Robot& robot) noexcept {
+  const Vector3 gravity = robot.model().gravity.linear();
+  return (gravity + kGravity * Vector3::UnitZ()).norm() <= 1e-6;
+}
+
+struct PinocchioDynamics::Pinocchio {
+  explicit Pinocchio(const pinocchio::Model& m) : model(m), data(m) {}
+  const pinocchio::Model& model;  // lives in the Robot that PinocchioDynamics keeps
+  pinocchio::Data data;
+};
+
+PinocchioDynamics::PinocchioDynamics(const Robot& robot)
+    : pinocchio_(std::make_unique<Pinocchio>(robot.model())),
+      robot_(robot),
+      condensable_(has_chains_of_three(robot)) {}
+
+PinocchioDynamics::~PinocchioDynamics() = default;
+
+void PinocchioDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                               const Vector3& ground_normal, TickDynamics& out) noexcept {
+  auto& [model, data] = *pinocchio_;
+  // One pass each: mass matrix, world Jacobian and placements; then velocities, drifts and bias.
+  pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
+  pinocchio::nonLinearEffects(model, data, q, v);
+
+  out.R_world_base = data.oMi[1].rotation();
+  out.p_world_base = data.oMi[1].translation();
+  out.v_base = v.head<3>();
+  out.w_base = v.segment<3>(3);
+  out.v_world_base = out.R_world_base * out.v_base;
+  out.M_base = data.M.topLeftCorner<6, 6>().selfadjointView<Eigen::Upper>();
+  out.h_base = data.nle.head<6>();
+  update_com(v, out);
+  for (int leg = 0; leg < kLegs; ++leg) update_leg(leg, ground_normal, out.legs[leg]);
+}
+
+void PinocchioDynamics::update_com(const Eigen::VectorXd& v, TickDynamics& out) noexcept {
+  const auto& data = pinocchio_->data;
+  out.p_world_com = data.oYcrb[1].lever();
+  out.I_world_com = data.oYcrb[1].inertia().matrix();
+  // The first six rows of M are the momentum about the base's origin, in base axes.
+  Vector6 momentum = out.M_base * v.head<6>();
+  momentum.noalias() += data.M.topRows<6>().rightCols(v.size() - 6) * v.tail(v.size() - 6);
+  const Vector3 linear = out.R_world_base * momentum.head<3>();
+  out.v_world_com = linear / robot_.mass();
+  out.L_world_com =
+      out.R_world_base * momentum.tail<3>() - (out.p_world_com - out.p_world_base).cross(linear);
+}
+
+void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
+                                   LegDynamics& out) noexcept {
+  const auto& [model, data] = *pinocchio_;
+  const auto& frame = model.frames[robot_.foot_frame_ids()[leg]];
+  const auto& placement = data.oMi[frame.parentJoint];
+  const int* column = &robot_.motor_to_v()[3 * leg];
+
+  // Contact point and its rows: v_p = v_O + w x p from the spatial Jacobian about the world origin.
+  const Vector3 p_centre = placement.act(frame.placement.translation());
+  const Vector3 lever = robot_.config().foot_radius * ground_normal;
+  out.p_world_contact = p_centre - lever;
+  const auto J_base = data.J.middleCols<6>(0);
+  const Matrix3 p_cross = skew(out.p_world_contact);
+  out.J_base = J_base.topRows<3>() - p_cross * J_base.bottomRows<3>();
+  for (int k = 0; k < kLegJoints; ++k) {
+    const auto J = data.J.col(column[k]);
+    out.J_leg.col(k) = J.head<3>() - out.p_world_contact.cross(J.tail<3>());
+  }
+
+  // Drift: classical acceleration of the foot centre at zero joint acceleration (a_gf carries
+  // -gravity), plus the rolling term.
+  const auto& twist = data.v[frame.parentJoint];
+  const auto& accel = data.a_gf[frame.parentJoint];
+  const Vector3 w = twist.angular();
+  const Vector3 r = frame.placement.translation();
+  out.v_world_contact =
+      placement.rotation() * (twist.linear() + w.cross(r)) + lever.cross(placement.rotation() * w);
+  const Vector3 centre =
+      accel.linear() + accel.angular().cross(r) + w.cross(twist.linear() + w.cross(r));
+  out.drift = placement.rotation() * centre + model.gravity.linear() +
+              lever.cross(placement.rotation() * accel.angular());
+
+  for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
+  if (condensable_) {
+    out.M_base_leg = data.M.block<6, 3>(0, column[0]);
+    out.M_leg = data.M.block<3, 3>(column[0], column[0]).selfadjointView<Eigen::Upper>();
+  }
+  // The hip's column of J is its axis crossed with the way to the foot; its part along the thigh's
+  // axis is the foot's distance below the hip axis, and a factor of the Jacobian's determinant.
+  out.depth = out.J_leg.col(0).dot(data.J.col(column[1]).tail<3>());
+}
+
+void PinocchioDynamics::write_full(const TickDynamics& now, FullDynamics& out) const noexcept {
+  const auto& [model, data] = *pinocchio_;
+  out.M.triangularView<Eigen::Upper>() = data.M.triangularView<Eigen::Upper>();
+  out.M.triangularView<Eigen::StrictlyLower>() =
+      out.M.transpose().triangularView<Eigen::StrictlyLower>();
+  out.h = data.nle;
+  out.J.setZero();
+  // Pinocchio's Jacobian is about the origin of update()'s frame, the points have been shifted.
+  const Vector3 shift = now.p_world_base - data.oMi[1].translation();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;
+    const Vector3 p = now.legs[leg].p_world_contact - shift;
+    for (const auto joint : model.supports[calf]) {
+      for (int k = 0; k < model.nvs[joint]; ++k) {
+        const int column = model.idx_vs[joint] + k;
+        const auto J = data.J.col(column);
+        out.J.block<3, 1>(3 * leg, column) = J.head<3>() - p.cross(J.tail<3>());
+      }
+    }
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "dynamics/tick_dynamics.hpp"
+#include "surefoot/robot.hpp"
+
+namespace surefoot {
+
+/// The dynamics of a quadruped of Unitree's shape, by code generated from Pinocchio's algorithms.
+///
+/// The shape: a free base and four legs of hip x, thigh y, calf y, no placement turned. Lengths,
+/// masses and inertias are data, so that own robots of that shape are served alike. The legs are
+/// evaluated two at a time, one in each half of a vector register. Real-time: update() yes.
+class QuadrupedDynamics {
+ public:
+  static bool fits(const Robot& robot) noexcept;
+
+  /// @param robot one that fits()
+  explicit QuadrupedDynamics(const Robot& robot);
+  ~QuadrupedDynamics();
+
+  /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
+  void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
+              TickDynamics& out) noexcept;
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace surefoot
