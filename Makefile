@@ -12,9 +12,9 @@ export CMAKE_BUILD_PARALLEL_LEVEL ?= 2
 SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
   $(shell find controller bindings/src bindings/surefoot benchmarks cmake models -type f -not -name '*.pyc')
 BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
-  "nanobind>=2.9,<4" "cmake>=3.22" "ninja>=1.11"
+  "nanobind>=2.9,<4" "casadi==3.8.2" "cmake>=3.22" "ninja>=1.11"
 
-.PHONY: install stand test lint sanitize fuzz clean
+.PHONY: install stand test generate lint sanitize fuzz clean
 
 .venv/.tools: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -38,6 +38,13 @@ test: install
 	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz
 	cd $(BUILD) && ctest --output-on-failure
 	$(BIN)/python -m pytest
+
+# The committed code of a tick's dynamics, anew from bindings/src/symbolic; a test compares them.
+GENERATED := controller/src/dynamics/generated/leg_dynamics.hpp
+generate: install
+	$(BIN)/python -c "from surefoot import _symbolic; print(_symbolic.leg_source(), end='')" \
+	  > build/leg_dynamics.hpp
+	mv build/leg_dynamics.hpp $(GENERATED)
 
 lint: install
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-
+#include "dynamics/leg_pairs.hpp"
 #include "dynamics/tick_dynamics.hpp"
 #include "surefoot/robot.hpp"
 
@@ -19,15 +18,21 @@ class QuadrupedDynamics {
 
   /// @param robot one that fits()
   explicit QuadrupedDynamics(const Robot& robot);
-  ~QuadrupedDynamics();
 
   /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
               TickDynamics& out) noexcept;
 
  private:
-  struct Work;
-  std::unique_ptr<Work> work_;
+  void add_up(const Vector3& g_base, TickDynamics& out) const noexcept;
+
+  LegPairs legs_;
+  double mass_;
+  Vector3 gravity_;  ///< world axes [m/s^2]
+  // The base's own body: mass, mass times centre, rotational inertia about the base's origin.
+  double base_mass_;
+  Vector3 base_mass_lever_;
+  Matrix3 base_inertia_;
 };
 
 }  // namespace surefoot
