@@ -117,18 +117,23 @@ Function of_q_v(Robot& r, const SX& out, const std::string& name) {
   return {name, Columns{r.q, r.v}, Columns{SX::densify(out)}, Names{"q", "v"}, Names{name}};
 }
 
-// A function of q, v and one more, and its derivatives.
-Function of_motion(Robot& r, const SX& last, const SX& out, const std::string& name) {
-  return {name, Columns{r.q, r.v, last}, Columns{SX::densify(out)},
-          Names{"q", "v", last(0).name() == "a_0" ? "a" : "tau"}, Names{name}};
+// The variable after q and v.
+struct Last {
+  SX symbol;
+  std::string name;
+};
+
+Function of_motion(Robot& r, const Last& last, const SX& out, const std::string& name) {
+  return {name, Columns{r.q, r.v, last.symbol}, Columns{SX::densify(out)},
+          Names{"q", "v", last.name}, Names{name}};
 }
 
-Function derivatives(Robot& r, const SX& last, const SX& out, const std::string& name) {
+// Of the function of q, v and one more whose expression `out` is.
+Function derivatives(Robot& r, const Last& last, const SX& out, const std::string& name) {
   const Columns parts = {SX::densify(r.by_tangent(out)), SX::densify(SX::jacobian(out, r.v)),
-                         SX::densify(SX::jacobian(out, last))};
-  const std::string third = last(0).name() == "a_0" ? "a" : "tau";
-  return {name, Columns{r.q, r.v, last}, parts, Names{"q", "v", third},
-          Names{"by_q", "by_v", "by_" + third}};
+                         SX::densify(SX::jacobian(out, last.symbol))};
+  return {name, Columns{r.q, r.v, last.symbol}, parts, Names{"q", "v", last.name},
+          Names{"by_q", "by_v", "by_" + last.name}};
 }
 
 using Maker = std::function<Function(Robot&, const std::string& name)>;
@@ -146,13 +151,13 @@ const std::map<std::string, Maker>& makers() {
       {"centroidal_momentum",
        [](Robot& r, N n) { return of_q_v(r, SX::mtimes(r.centroidal_matrix(), r.v), n); }},
       {"inverse_dynamics",
-       [](Robot& r, N n) { return of_motion(r, r.a, r.inverse_dynamics(), n); }},
+       [](Robot& r, N n) { return of_motion(r, {r.a, "a"}, r.inverse_dynamics(), n); }},
       {"forward_dynamics",
-       [](Robot& r, N n) { return of_motion(r, r.tau, r.forward_dynamics(), n); }},
+       [](Robot& r, N n) { return of_motion(r, {r.tau, "tau"}, r.forward_dynamics(), n); }},
       {"inverse_dynamics_derivatives",
-       [](Robot& r, N n) { return derivatives(r, r.a, r.inverse_dynamics(), n); }},
+       [](Robot& r, N n) { return derivatives(r, {r.a, "a"}, r.inverse_dynamics(), n); }},
       {"forward_dynamics_derivatives",
-       [](Robot& r, N n) { return derivatives(r, r.tau, r.forward_dynamics(), n); }},
+       [](Robot& r, N n) { return derivatives(r, {r.tau, "tau"}, r.forward_dynamics(), n); }},
   };
   return table;
 }
