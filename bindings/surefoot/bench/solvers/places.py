@@ -54,7 +54,8 @@ def sites() -> Iterator[Path]:
         if entry and Path(entry).name in ("site-packages", "dist-packages"):
             yield Path(entry)
     given = os.environ.get(PEERS)
-    root = Path(given) if given else Path(".venv-peers")  # which surefoot bench --peers makes
+    # Absolute: CMake takes a relative folder from its own. surefoot bench --peers makes the default.
+    root = Path(given or ".venv-peers").absolute()
     yield root
     yield from sorted(root.glob("lib/python3*/site-packages"))
     yield from sorted(root.glob("*/lib/python3*/site-packages"))
