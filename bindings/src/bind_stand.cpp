@@ -6,7 +6,6 @@
 #include "bindings.hpp"
 #include "pending_error.hpp"
 #include "surefoot/stand_controller.hpp"
-#include "surefoot/state_estimator.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -43,19 +42,6 @@ void bind_body_reference(nb::module_& m) {
       .def_ro("limit", &ReachStatus::limit, "Which.")
       .def_ro("motor", &ReachStatus::motor,
               "SDK motor: JOINT the joint's, FOOT_HEIGHT the leg's hip; else -1.");
-}
-
-void bind_estimator(nb::module_& m) {
-  nb::class_<StateEstimator>(m, "StateEstimator", "LowState in, RobotState out.")
-      .def(nb::init<const Robot&>(), "robot"_a)
-      .def("update", &StateEstimator::update, "low_state"_a, "dt"_a,
-           "Take in one report, dt seconds after the last: Status. Never raises.")
-      .def_prop_ro(
-          "state", [](const StateEstimator& e) { return RobotState(e.state()); }, "A copy.")
-      .def_prop_ro("torque_force", &StateEstimator::torque_force, "Normal force per foot [N].")
-      .def_prop_ro("foot_force_alive", &StateEstimator::foot_force_alive, "Does footForceEst live?")
-      .def("set_gains", &StateEstimator::set_gains, "gains"_a, "Raise Error if one is invalid.")
-      .def("reset", &StateEstimator::reset, "Begin anew with the next report.");
 }
 
 void bind_controller(nb::module_& m) {
@@ -115,6 +101,9 @@ void bind_controller(nb::module_& m) {
           "The program that the last tick solved: a copy.")
       .def_prop_ro(
           "solution", [](const StandController& c) { return Solution(c.solution()); }, "A copy.")
+      .def_prop_ro(
+          "estimator_report",
+          [](const StandController& c) { return EstimatorReport(c.estimator_report()); }, "A copy.")
       .def_prop_ro("torque_force", &StandController::torque_force,
                    "Normal force per foot from torques [N].")
       .def_prop_ro("foot_force_alive", &StandController::foot_force_alive,
@@ -133,6 +122,5 @@ void bind_controller(nb::module_& m) {
 
 void bind_stand(nb::module_& m) {
   bind_body_reference(m);
-  bind_estimator(m);
   bind_controller(m);
 }

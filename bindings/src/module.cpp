@@ -17,6 +17,7 @@ NB_MODULE(_core, m) {
   bind_types(m);
   bind_task(m);
   bind_whole_body(m);
+  bind_estimator(m);
   bind_stand(m);
   bind_link(m);
   bind_run(m);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "surefoot/body_reference.hpp"
+#include "surefoot/estimator_report.hpp"
 #include "surefoot/qp_problem.hpp"
 #include "surefoot/robot.hpp"
 #include "surefoot/task.hpp"
@@ -67,7 +68,8 @@ class StandController {
   /// What was wrong when the last tick was not kOk; stays after the damping has latched.
   Status fault() const noexcept;
 
-  const RobotState& state() const noexcept;       ///< estimated
+  const RobotState& state() const noexcept;  ///< estimated
+  const EstimatorReport& estimator_report() const noexcept;
   const Reference& reference() const noexcept;    ///< of the last good tick
   const Solution& solution() const noexcept;      ///< of the last good tick
   const QpProblem& program() const noexcept;      ///< see WholeBodyController::program()

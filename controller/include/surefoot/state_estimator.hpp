@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "surefoot/estimator_report.hpp"
 #include "surefoot/robot.hpp"
 #include "surefoot/types.hpp"
 
@@ -28,6 +29,8 @@ class StateEstimator {
   Status update(const LowState& low_state, double dt) noexcept;
 
   const RobotState& state() const noexcept;
+  /// How sure the state is, and what the sensors are worth.
+  const EstimatorReport& report() const noexcept;
   /// Normal force per foot from the motors' torques [N].
   const Eigen::Vector4d& torque_force() const noexcept;
   /// Does footForceEst carry anything?

@@ -35,6 +35,7 @@ struct StateEstimator::Impl {
   Vector6 planned = Vector6::Zero();
   bool has_plan = false;
   RobotState state;
+  EstimatorReport report;
   Vector12 tau_est = Vector12::Zero();
   Vector3 normal = Vector3::UnitZ();
   bool started = false;
@@ -46,6 +47,7 @@ StateEstimator::StateEstimator(StateEstimator&&) noexcept = default;
 
 const RobotState& StateEstimator::state() const noexcept { return impl_->state; }
 const Dynamics& StateEstimator::dynamics() const noexcept { return impl_->dynamics; }
+const EstimatorReport& StateEstimator::report() const noexcept { return impl_->report; }
 bool StateEstimator::foot_force_alive() const noexcept { return impl_->contact.foot_force_alive(); }
 const Eigen::Vector4d& StateEstimator::torque_force() const noexcept {
   return impl_->contact.torque_force();
