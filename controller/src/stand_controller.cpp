@@ -135,7 +135,7 @@ StandController::StandController(StandController&&) noexcept = default;
 Status StandController::status() const noexcept { return impl_->status; }
 Status StandController::fault() const noexcept { return impl_->fault; }
 const RobotState& StandController::state() const noexcept { return impl_->estimator.state(); }
-const EstimatorReport& StandController::estimator_report() const noexcept {
+EstimatorReport StandController::estimator_report() const noexcept {
   return impl_->estimator.report();
 }
 const Reference& StandController::reference() const noexcept {

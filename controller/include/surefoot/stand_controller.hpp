@@ -68,13 +68,13 @@ class StandController {
   /// What was wrong when the last tick was not kOk; stays after the damping has latched.
   Status fault() const noexcept;
 
-  const RobotState& state() const noexcept;  ///< estimated
-  const EstimatorReport& estimator_report() const noexcept;
-  const Reference& reference() const noexcept;    ///< of the last good tick
-  const Solution& solution() const noexcept;      ///< of the last good tick
-  const QpProblem& program() const noexcept;      ///< see WholeBodyController::program()
-  bool foot_force_alive() const noexcept;         ///< does footForceEst carry anything?
-  Eigen::Vector4d torque_force() const noexcept;  ///< [N] normal force per foot from torques
+  const RobotState& state() const noexcept;           ///< estimated
+  EstimatorReport estimator_report() const noexcept;  ///< see StateEstimator::report()
+  const Reference& reference() const noexcept;        ///< of the last good tick
+  const Solution& solution() const noexcept;          ///< of the last good tick
+  const QpProblem& program() const noexcept;          ///< see WholeBodyController::program()
+  bool foot_force_alive() const noexcept;             ///< does footForceEst carry anything?
+  Eigen::Vector4d torque_force() const noexcept;      ///< [N] normal force per foot from torques
   /// [W] sum |tau dq| that the last good tick's command takes, by the joint velocities it was made
   /// for. Above the option power_limit only where holding still alone is above it.
   double power() const noexcept;

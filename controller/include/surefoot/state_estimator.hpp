@@ -13,10 +13,12 @@ class Dynamics;
 
 /// LowState in, RobotState out: what the robot's own sensors say about its base and its contacts.
 ///
-/// Orientation and rate from the IMU at its mount; contact from footForceEst with hysteresis, or
-/// from joint torques where that field is dead; position and velocity from leg kinematics and
-/// accelerometer in a gated Kalman filter. The world frame starts with the base's heading, the feet
-/// at height zero, and drifts in x, y and yaw, as it must. Real-time: update() yes.
+/// Raw gyroscope and accelerometer and the legs' kinematics drive a contact-aided invariant Kalman
+/// filter (orientation, velocity, position, contact points, biases); the IMU's own quaternion only
+/// starts it, cross-checks it, and stands in for a gyroscope that has stopped. Contact is a belief
+/// per foot, fused from footForceEst, footForce, joint torques and the feet's own motion, each
+/// judged by the others. The world frame starts with the base's heading, the feet at height zero,
+/// and drifts in x, y, z and yaw, as it must; report() says by how much. Real-time: update() yes.
 class StateEstimator {
  public:
   explicit StateEstimator(const Robot& robot);
@@ -24,15 +26,15 @@ class StateEstimator {
   StateEstimator(StateEstimator&&) noexcept;
 
   /// Take in one report. @param dt [s] since the last one taken in, 0 < dt <= 0.1
-  /// @return kOk; kStaleTick (dt), kNonFinite, kImplausible or kBadQuaternion with the state as it
-  /// was
+  /// @return kOk; kStaleTick (dt), kNonFinite or kImplausible with the state as it was. A
+  /// quaternion that is none only counts against itself: see report().
   Status update(const LowState& low_state, double dt) noexcept;
 
   const RobotState& state() const noexcept;
-  /// How sure the state is, and what the sensors are worth.
-  const EstimatorReport& report() const noexcept;
+  /// How sure the state is, and what the sensors are worth. Real-time: yes.
+  EstimatorReport report() const noexcept;
   /// Normal force per foot from the motors' torques [N].
-  const Eigen::Vector4d& torque_force() const noexcept;
+  Eigen::Vector4d torque_force() const noexcept;
   /// Does footForceEst carry anything?
   bool foot_force_alive() const noexcept;
   /// Pinocchio's terms at the present state, for whoever needs them in the same tick.

@@ -42,6 +42,10 @@ struct RobotState {
   Eigen::Vector4d contact = Eigen::Vector4d::Ones();
   /// [N] force on the body from outside, through its centre of mass, world axes: a push, a payload.
   Vector3 f_outside = Vector3::Zero();
+  /// [N.m] moment on the body from outside about its centre of mass, world axes: a payload off it.
+  Vector3 moment_outside = Vector3::Zero();
+  /// What is left of each foot's friction coefficient, 0 .. 1, FR FL RR RL: less while it slips.
+  Eigen::Vector4d friction = Eigen::Vector4d::Ones();
 };
 
 /// What one foot is asked to do, in the world frame of RobotState.

@@ -106,6 +106,11 @@ void LegPairs::read_leg(int leg, TickDynamics& out) const noexcept {
   half.read_symmetric(code::kMLeg, L.M_leg);
   L.p_world_contact = out.p_world_base + half.vector(code::kPContact);
   half.read(code::kVContact, L.v_world_contact);
+  // Hip about x, thigh and calf about the y that the hip has turned.
+  const Half joints{legs_[leg / 2], leg % 2};
+  const double bent = joints[7] + joints[8];
+  const Vector3 w_leg(joints[6], joints[0] * bent, joints[1] * bent);
+  L.w_world_shank = out.R_world_base * (out.w_base + w_leg);
   half.read(code::kDrift, L.drift);
   half.read(code::kJLeg, L.J_leg);
   L.J_base.leftCols<3>() = out.R_world_base;

@@ -97,6 +97,7 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   const auto& accel = data.a_gf[frame.parentJoint];
   const Vector3 w = twist.angular();
   const Vector3 r = frame.placement.translation();
+  out.w_world_shank = placement.rotation() * w;
   out.v_world_contact =
       placement.rotation() * (twist.linear() + w.cross(r)) + lever.cross(placement.rotation() * w);
   const Vector3 centre =

@@ -2,16 +2,18 @@
 #pragma once
 
 #include "dynamics/dynamics.hpp"
+#include "surefoot/types.hpp"
 
 namespace surefoot {
 
-/// Torques that hold a standing robot against gravity, the most evenly that its feet allow:
-///   tau_leg = h_leg - J_leg^T f,   sum f = m g up,   no moment about the centre of mass
+/// Torques that hold a standing robot, the most evenly that its feet allow:
+///   tau_leg = h_leg - J_leg^T f,   sum f = m g up - f_outside,   sum (p - c) x f = -moment_outside
 /// with what Coriolis and centrifugal forces take included (h). Friction and torque limits are not
 /// looked at; a foot that would have to pull carries nothing.
-/// @param mass [kg] @param share how much of the load each foot may take, 0 .. 1, FR FL RR RL
+/// @param mass [kg] @param state of which what comes from outside is read @param share how much of
+/// the load each foot may take, 0 .. 1, FR FL RR RL
 /// @return shape (12,), SDK motor order [N.m]. Real-time: yes.
-Vector12 holding_torques(const Dynamics& dynamics, double mass,
+Vector12 holding_torques(const Dynamics& dynamics, double mass, const RobotState& state,
                          const Eigen::Vector4d& share) noexcept;
 
 }  // namespace surefoot

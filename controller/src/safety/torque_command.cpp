@@ -21,7 +21,7 @@ Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
     dq[i] = state.v[robot_.motor_to_v()[i]];
   }
   const Eigen::Vector4d share = load_shares(gains, state.contact, reference);
-  const Vector12 hold = holding_torques(dynamics, robot_.mass(), share);
+  const Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
   limited_ = limit_power(tau, hold, dq, options_.power_limit, options_.motor_damping);
   // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
   // the power on its way. The command goes as it is; the protection is there for the rest.

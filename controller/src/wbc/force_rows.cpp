@@ -7,13 +7,15 @@ namespace surefoot {
 
 void write_force_rows(const ProgramTerms& terms, int first, double unit, QpProblem& out) noexcept {
   constexpr int kRows = ProgramLayout::kFootRows;
-  const ConeRows cone = friction_cone(terms.ground_normal, terms.friction);
+  const ConeRows full = friction_cone(terms.ground_normal, terms.friction.maxCoeff());
   for (int leg = 0; leg < kLegs; ++leg) {
     auto C = out.C.block<kRows, 3>(leg * kRows, first + 3 * leg);
     auto l = out.l.segment<kRows>(leg * kRows);
     auto u = out.u.segment<kRows>(leg * kRows);
     l.setConstant(-kNoBound);
     if (terms.normal_max[leg] > 0.0) {
+      const bool less = terms.friction[leg] < terms.friction.maxCoeff();
+      const ConeRows cone = less ? friction_cone(terms.ground_normal, terms.friction[leg]) : full;
       C << cone, terms.ground_normal.transpose();
       u.setZero();
       l[kFacets] = 0.0;

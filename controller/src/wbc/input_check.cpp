@@ -25,10 +25,14 @@ bool finite(const Reference& r) noexcept {
 Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (state.q.size() != robot.nq() || state.v.size() != robot.nv()) return Status::kWrongSize;
   if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite() ||
-      !state.f_outside.allFinite()) {
+      !state.f_outside.allFinite() || !state.moment_outside.allFinite() ||
+      !state.friction.allFinite()) {
     return Status::kNonFinite;
   }
-  if ((state.contact.array() < 0.0).any() || (state.contact.array() > 1.0).any()) {
+  const auto share = [](const Eigen::Vector4d& x) {
+    return x.minCoeff() >= 0.0 && x.maxCoeff() <= 1.0;
+  };
+  if (!share(state.contact) || !share(state.friction)) {
     return Status::kImplausible;
   }
   const double norm = state.q.segment<4>(3).norm();

@@ -43,7 +43,7 @@ struct ProgramTerms {
   std::vector<CustomTask> custom;
 
   Vector3 ground_normal = Vector3::UnitZ();
-  double friction = 0.0;
+  Eigen::Vector4d friction = Eigen::Vector4d::Zero();    ///< coefficient per foot
   Eigen::Vector4d normal_max = Eigen::Vector4d::Zero();  ///< [N]; 0: no force of any direction
   Eigen::Vector4d hold_down = Eigen::Vector4d::Zero();   ///< [N]
 };

@@ -20,12 +20,12 @@ namespace {
 constexpr double kNearlyHard =
     10.0;  // times the price of a soft foot's row where it begins to give
 
-// Of a force through the centre of mass, about the base's origin.
-Vector6 outside_wrench(const Dynamics& dynamics, const Vector3& f_world) noexcept {
+// Of a force through the centre of mass and a moment, about the base's origin.
+Vector6 outside_wrench(const Dynamics& dynamics, const RobotState& state) noexcept {
   const Matrix3 R = dynamics.R_world_base().transpose();
   const Vector3 arm = dynamics.p_world_com() - dynamics.p_world_base();
   Vector6 wrench;
-  wrench << R * f_world, R * arm.cross(f_world);
+  wrench << R * state.f_outside, R * (arm.cross(state.f_outside) + state.moment_outside);
   return wrench;
 }
 
@@ -42,9 +42,7 @@ TermsWriter::TermsWriter(const Robot& robot)
     : robot_(robot),
       units_(robot),
       joints_(make_joint_table(robot)),
-      terms_(static_cast<int>(joints_.size())) {
-  terms_.friction = robot.config().friction;
-}
+      terms_(static_cast<int>(joints_.size())) {}
 
 void TermsWriter::add_task(std::shared_ptr<Task> task, int rows) {
   terms_.custom.push_back(
@@ -57,13 +55,14 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
   const StageScope stage(Stage::kTasks);
   const double weight = robot_.mass() * kGravity;
   terms_.feet_acceleration = feet_accelerations(gains, reference, dynamics);
-  terms_.outside = outside_wrench(dynamics, state.f_outside);
+  terms_.outside = outside_wrench(dynamics, state);
   terms_.foot_softness = foot_softness;
   for (int leg = 0; leg < kLegs; ++leg) {
     terms_.weight_foot_soft[leg] =
         gains.weight_foot_soft * std::pow(kNearlyHard, 1.0 - foot_softness[leg]);
   }
   terms_.ground_normal = reference.ground_normal;
+  terms_.friction = robot_.config().friction * state.friction;
   terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
   const double fade = edge_fade(gains, dynamics, reference);
   terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);
@@ -95,6 +94,7 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
   terms_.body_tasks = 2;
   if (gains.weight_momentum > 0.0) {
     momentum = momentum_task(gains, reference, dynamics);
+    momentum.b -= state.moment_outside;
     momentum.scale = units_.scale_momentum;
     terms_.body_tasks = 3;
   }
@@ -107,7 +107,8 @@ void TermsWriter::write_even(const Dynamics& dynamics, const Vector3& a, const V
                              const RobotState& state, const Eigen::Vector4d& share) noexcept {
   if (!terms_.has_condensed) {
     const Vector3 force = robot_.mass() * (a + kGravity * Vector3::UnitZ()) - state.f_outside;
-    even_ = even_forces(dynamics, force, turning_moment(dynamics, alpha), share);
+    const Vector3 moment = turning_moment(dynamics, alpha) - state.moment_outside;
+    even_ = even_forces(dynamics, force, moment, share);
     return;
   }
   Matrix6x12 A;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimator/push_observer.hpp"
+#include "estimator/outside/push_observer.hpp"
 
 #include <algorithm>
 

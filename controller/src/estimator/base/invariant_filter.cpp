@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/base/invariant_filter.hpp"
+
+#include <Eigen/LU>
+
+namespace surefoot {
+
+using namespace error;
+
+namespace {
+constexpr double kSmallestFoot = 1e-12;  // [m^2] keeps a perfectly known foot invertible
+}
+
+void InvariantFilter::reset(const Quaternion& R, const Vector3& v, const Vector3& p,
+                            const FeetMatrix& p_feet, const StartDoubt& doubt) noexcept {
+  *this = InvariantFilter();
+  q_ = R;
+  R_ = R.toRotationMatrix();
+  v_ = v;
+  p_ = p;
+  feet_ = p_feet;
+  const auto square = [](double x) { return x * x; };
+  P_.set_variance(kRotation, 2, square(doubt.tilt));
+  P_.set_variance(kVelocity, 3, square(doubt.velocity));
+  P_.set_variance(kFeet, 3 * kLegs, square(doubt.foot));
+  P_.set_variance(kGyroscope, 3, square(doubt.gyroscope));
+  P_.set_variance(kAccelerometer, 3, square(doubt.accelerometer));
+}
+
+void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
+                              const FeetMatrix& foot_motion,
+                              const Eigen::Vector4d& foot_variance) noexcept {
+  const double dt = imu.dt;
+  ErrorMotion motion;
+  motion.dt = dt;
+  motion.by_force = dt * R_;
+  motion.by_rate.middleRows<3>(kRotation) = dt * R_;
+  motion.by_rate.middleRows<3>(kVelocity) = skew(v_) * motion.by_force;
+  motion.by_rate.middleRows<3>(kPosition) = skew(p_) * motion.by_force;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    motion.by_rate.middleRows<3>(kFeet + 3 * leg) = skew(feet_.col(leg)) * motion.by_force;
+  }
+  motion.rate_variance = imu.w_variance;
+  motion.force_variance = imu.f_variance;
+  motion.foot_variance = foot_variance;
+  motion.gyroscope_drift = gains.gyroscope_drift * gains.gyroscope_drift * dt;
+  motion.accelerometer_drift = gains.accelerometer_drift * gains.accelerometer_drift * dt;
+  P_.propagate(motion);
+
+  // The specific force is turned by half of the tick's rotation: its mean over the tick.
+  const Vector3 turn = dt * (imu.w_base - gyroscope_bias_);
+  const Vector3 force = imu.f_base - accelerometer_bias_;
+  const Vector3 a = R_ * (force + 0.5 * turn.cross(force)) - kGravity * Vector3::UnitZ();
+  p_ += dt * v_ + 0.5 * dt * dt * a;
+  v_ += dt * a;
+  feet_ += dt * foot_motion;
+  q_ = (q_ * exp_so3(turn)).normalized();
+  R_ = q_.toRotationMatrix();
+}
+
+void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance,
+                              double gate) noexcept {
+  Error xi = Error::Zero();
+  nis_ = 0.0;
+  nis_dimension_ = 0;
+  const FeetMatrix z = R_ * y_base - (feet_.colwise() - p_);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    correct_foot(leg, z.col(leg), variance[leg], gate, xi);
+  }
+  apply(xi);
+}
+
+// z = R y - (d - p) = xi_p - xi_d, to first order and whatever the state. The feet share one point
+// of linearisation: what those before have explained is taken off.
+void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, double gate,
+                                   Error& xi) noexcept {
+  const int foot = kFeet + 3 * leg;
+  ErrorCovariance::Columns W, K;
+  P_.project(leg, W);
+  Matrix3 S;
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) S(i, k) = W[k][kPosition + i] - W[k][foot + i];
+  }
+  expected_[leg] = S.trace() / 3.0;
+  S.diagonal().array() += variance + kSmallestFoot;
+  const Vector3 innovation = z - (xi.segment<3>(kPosition) - xi.segment<3>(foot));
+  Matrix3 inverse = S.inverse();
+  const double nis = innovation.dot(inverse * innovation);
+  const double surprise = nis / (gate * gate);
+  foot_nis_[leg] = nis;
+  refused_[leg] = !(surprise <= kRefuse * kRefuse);
+  if (refused_[leg]) return;
+  if (surprise > 1.0) {
+    S.diagonal().array() += (surprise - 1.0) * S.trace() / 3.0;
+    inverse = S.inverse();
+  }
+  nis_ += nis;
+  nis_dimension_ += 3;
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < ErrorCovariance::kPadded; ++i) {
+      K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
+      xi[i] += K[k][i] * innovation[k];
+    }
+  }
+  P_.correct(W, K, S);
+}
+
+// X = exp(-xi) X.
+void InvariantFilter::apply(const Error& xi) noexcept {
+  const Vector3 turn = -xi.segment<3>(kRotation);
+  const Quaternion dq = exp_so3(turn);
+  const Matrix3 dR = dq.toRotationMatrix(), cross = skew(turn);
+  // Left Jacobian of the rotation, to second order.
+  const Matrix3 J = Matrix3::Identity() + 0.5 * cross + cross * cross / 6.0;
+  q_ = (dq * q_).normalized();
+  R_ = q_.toRotationMatrix();
+  v_ = dR * v_ - J * xi.segment<3>(kVelocity);
+  p_ = dR * p_ - J * xi.segment<3>(kPosition);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    feet_.col(leg) = dR * feet_.col(leg) - J * xi.segment<3>(kFeet + 3 * leg);
+  }
+  gyroscope_bias_ -= xi.segment<3>(kGyroscope);
+  accelerometer_bias_ -= xi.segment<3>(kAccelerometer);
+}
+
+}  // namespace surefoot

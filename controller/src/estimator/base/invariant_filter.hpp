@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "estimator/base/error_covariance.hpp"
+#include "surefoot/gains.hpp"
+
+namespace surefoot {
+
+/// Standard deviations that a filter starts with.
+struct StartDoubt {
+  double tilt = 0.0;           ///< [rad]
+  double velocity = 0.0;       ///< [m/s]
+  double foot = 0.0;           ///< [m]
+  double gyroscope = 0.0;      ///< [rad/s]
+  double accelerometer = 0.0;  ///< [m/s^2]
+};
+
+/// What one tick's IMU says, and how sure it is.
+struct InertialStep {
+  Vector3 w_base = Vector3::Zero();  ///< [rad/s] as read
+  Vector3 f_base = Vector3::Zero();  ///< [m/s^2] specific force as read
+  double w_variance = 0.0;           ///< [rad^2/s^2]
+  double f_variance = 0.0;           ///< [m^2/s^4]
+  double dt = 0.0;                   ///< [s]
+};
+
+/// Contact-aided invariant extended Kalman filter for orientation, velocity, position, contact
+/// points and the IMU's biases.
+///
+/// State of the IMU's own point, X = (R, v, p, d_1 .. d_4) on SE_6(3), and biases in base axes.
+/// The error is right-invariant, X_estimate = exp(xi) X: its motion does not depend on the state
+/// but through the biases, so it converges from far and learns nothing of what cannot be seen (yaw,
+/// position, and the horizontal accelerometer bias at rest). Hartley, Ghaffari, Eustice, Grizzle
+/// 2020, "Contact-aided invariant extended Kalman filtering for robot state estimation", sections
+/// IV and V. Real-time: yes.
+class InvariantFilter {
+ public:
+  /// Begin at rest. @param p IMU's point, @param p_feet contact points, world axes [m]
+  void reset(const Quaternion& R, const Vector3& v, const Vector3& p, const FeetMatrix& p_feet,
+             const StartDoubt& doubt) noexcept;
+
+  /// Move on by one IMU reading.
+  /// @param foot_motion [m/s] of contact points that roll, world axes
+  /// @param foot_variance [m^2] that each may have moved besides
+  void predict(const Gains& gains, const InertialStep& imu, const FeetMatrix& foot_motion,
+               const Eigen::Vector4d& foot_variance) noexcept;
+
+  /// Take in where the legs say the contact points are.
+  /// @param y_base from the IMU's point, base axes [m], @param variance [m^2] of each
+  /// @param gate standard deviations beyond which a foot counts for less (Huber's way: as if its
+  /// measurement were as noisy as its surprise); beyond kRefuse times that it is refused
+  void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate) noexcept;
+
+  const Matrix3& R_world_base() const noexcept { return R_; }
+  const Quaternion& quaternion() const noexcept { return q_; }
+  const Vector3& v() const noexcept { return v_; }
+  const Vector3& p() const noexcept { return p_; }
+  const FeetMatrix& feet() const noexcept { return feet_; }
+  const Vector3& gyroscope_bias() const noexcept { return gyroscope_bias_; }
+  const Vector3& accelerometer_bias() const noexcept { return accelerometer_bias_; }
+  const ErrorCovariance& covariance() const noexcept { return P_; }
+
+  /// Of the last correct(): refused feet; normalised innovation squared of the others.
+  const std::array<bool, kLegs>& refused() const noexcept { return refused_; }
+  double nis() const noexcept { return nis_; }
+  int nis_dimension() const noexcept { return nis_dimension_; }
+  /// The same foot by foot, and the innovations' variance without the measurement's own [m^2].
+  const Eigen::Vector4d& foot_nis() const noexcept { return foot_nis_; }
+  const Eigen::Vector4d& expected() const noexcept { return expected_; }
+
+  /// More doubt about the velocity: a blow has clipped the accelerometer.
+  void doubt_velocity(double variance) noexcept { P_.add_variance(error::kVelocity, 3, variance); }
+
+ private:
+  static constexpr double kRefuse = 5.0;
+  using Error = Eigen::Matrix<double, ErrorCovariance::kPadded, 1>;
+  void correct_foot(int leg, const Vector3& z, double variance, double gate, Error& xi) noexcept;
+  void apply(const Error& xi) noexcept;
+
+  Quaternion q_ = Quaternion::Identity();
+  Matrix3 R_ = Matrix3::Identity();
+  Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
+  FeetMatrix feet_ = FeetMatrix::Zero();
+  Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
+  ErrorCovariance P_;
+  std::array<bool, kLegs> refused_{};
+  Eigen::Vector4d foot_nis_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d expected_ = Eigen::Vector4d::Zero();
+  double nis_ = 0.0;
+  int nis_dimension_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/contact/contact_belief.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kJudgement = 0.1;       // [s] before a field is believed, or no longer
+constexpr double kDenying = 0.25;        // share of the weight below which a field denies the load
+constexpr double kCarrying = 0.5;        // share of the weight that shows the robot is carried
+constexpr double kBalanced = 0.25;       // share by which torques may miss what is felt
+constexpr double kContradiction = 0.15;  // share of the weight between two views of one load
+constexpr double kPatience = 0.3;        // [s] of contradiction before a foot's sensor is left out
+constexpr double kMoving = 0.3;          // [m/s] no foot that bears load moves like this for long
+constexpr double kResting = 0.1;         // [m/s]
+constexpr double kSlipVote = 0.5;        // a foot may slide under load
+constexpr double kUndecided = 0.1;       // least agreement that moves the belief
+constexpr double kMajority = 3.0;        // two of three move it at full speed
+
+constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
+constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
+constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
+constexpr int kNoSlip = static_cast<int>(ContactSource::kNoSlip);
+
+}  // namespace
+
+void ContactBelief::update(const Gains& gains, const ContactSignals& signals, double dt) noexcept {
+  judge_est_field(signals, dt);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    Foot& foot = feet_[leg];
+    const bool torques = signals.tau_est == Verdict::kGood;
+    const double load = torques ? signals.torque_load[leg] : NAN;
+    foot.evidence[kEst] = see_est(gains, signals, leg, dt);
+    foot.evidence[kCount] =
+        foot.count.update(gains, signals.foot_force[leg], load, foot.loaded, dt);
+    foot.evidence[kTau] = {torques ? say_load(gains, load, 0.0, foot.loaded) : 0.0,
+                           signals.tau_est};
+    foot.evidence[kNoSlip] = {signals.speed[leg] > kMoving ? -1.0 : 0.0, Verdict::kGood};
+    vote(gains, signals, leg, dt);
+  }
+}
+
+// The field as a whole: newtons that carry the robot, or a field that says nothing. Without torques
+// the weight itself is the witness. In the air both are silent, and nothing is learnt.
+void ContactBelief::judge_est_field(const ContactSignals& signals, double dt) noexcept {
+  const auto& f = signals.foot_force_est;
+  const double sum = (static_cast<double>(f[0]) + f[1] + f[2] + f[3]) / weight_;
+  const bool torques = signals.tau_est == Verdict::kGood;
+  const bool carried = torques ? signals.torque_load.sum() > kCarrying : sum < 2.0;
+  const bool contradicts =
+      est_alive_ ? torques && carried && sum < kDenying : carried && sum > kCarrying;
+  est_doubt_ = contradicts ? est_doubt_ + dt : 0.0;
+  if (est_doubt_ > kJudgement) {
+    est_alive_ = !est_alive_;
+    est_doubt_ = 0.0;
+  }
+}
+
+Evidence ContactBelief::see_est(const Gains& gains, const ContactSignals& signals, int leg,
+                                double dt) noexcept {
+  Foot& foot = feet_[leg];
+  const bool torques = signals.tau_est == Verdict::kGood;
+  const double tau_load = torques ? signals.torque_load[leg] : NAN;
+  const double load = signals.foot_force_est[leg] / weight_;
+  Verdict verdict = foot.est.see(signals.foot_force_est[leg], tau_load, dt);
+  const bool contradicts =
+      std::abs(load - tau_load) > std::max(kContradiction, 0.5 * std::abs(tau_load));
+  const double step = contradicts ? dt : -dt;
+  foot.contradicted = std::clamp(foot.contradicted + step, 0.0, 2.0 * kPatience);
+  if (!est_alive_) {
+    const bool zero = verdict == Verdict::kZero;
+    return {0.0, zero ? verdict : Verdict::kUnjudged};
+  }
+  if (verdict == Verdict::kGood && foot.contradicted > kPatience) verdict = Verdict::kDisagrees;
+  if (verdict != Verdict::kGood) return {0.0, verdict};
+  return {say_load(gains, load, 0.0, foot.loaded), verdict};
+}
+
+// Do the torques carry what the accelerometer feels?
+bool ContactBelief::balanced(const ContactSignals& signals) const noexcept {
+  const double felt = std::max(signals.felt, 0.0);
+  return std::abs(signals.torque_load.sum() - felt) < kBalanced * std::max(felt, 0.5);
+}
+
+void ContactBelief::vote(const Gains& gains, const ContactSignals& signals, int leg,
+                         double dt) noexcept {
+  Foot& foot = feet_[leg];
+  const double weight_tau = balanced(signals) ? 1.5 : 1.0;
+  const double weights[kContactSources] = {1.0, 1.0, weight_tau, kSlipVote};
+  double sum = 0.0, voters = 0.0;
+  for (int k = 0; k < kContactSources; ++k) {
+    const Evidence& one = foot.evidence[k];
+    if (one.verdict != Verdict::kGood || one.says == 0.0) continue;
+    sum += weights[k] * one.says;
+    voters += weights[k];
+  }
+  double drive = 0.0;
+  if (voters > 0.0) {
+    const double agreement = sum / voters;
+    if (std::abs(agreement) > kUndecided) drive = std::clamp(kMajority * agreement, -1.0, 1.0);
+  } else if (signals.speed[leg] < kResting) {
+    drive = 0.5;  // nothing but a foot that rests
+  }
+  const double step = gains.contact_dwell > dt ? dt / gains.contact_dwell : 1.0;
+  probability_[leg] = std::clamp(probability_[leg] + drive * step, 0.0, 1.0);
+  if (probability_[leg] >= 1.0) foot.loaded = true;
+  if (probability_[leg] <= 0.0) foot.loaded = false;
+}
+
+void ContactBelief::write(EstimatorReport& report) const noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    for (int k = 0; k < kContactSources; ++k) {
+      const Evidence& one = feet_[leg].evidence[k];
+      report.contact_sources[k][leg] = one.verdict;
+      report.contact_by_source(k, leg) = 0.5 + 0.5 * one.says;
+    }
+  }
+}
+
+}  // namespace surefoot

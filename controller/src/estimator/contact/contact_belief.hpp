@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "estimator/contact/foot_count.hpp"
+
+namespace surefoot {
+
+/// What one tick tells of the feet's contact.
+struct ContactSignals {
+  Eigen::Vector4d torque_load = Eigen::Vector4d::Zero();  ///< normal force / weight, by torques
+  Verdict tau_est = Verdict::kGood;                       ///< are the torques to be had at all?
+  std::array<std::int16_t, kLegs> foot_force_est{};       ///< [N]
+  std::array<std::int16_t, kLegs> foot_force{};           ///< [counts]
+  Eigen::Vector4d speed = Eigen::Vector4d::Zero();        ///< [m/s] of the contact points
+  double felt = 1.0;  ///< vertical specific force / g: what the feet would bear of the weight
+};
+
+/// Belief that each foot bears load, from every source that is alive.
+///
+/// Sources vote, -1 .. 1, and the belief moves towards what they agree on, over the gain
+/// contact_dwell: a single wrong sample moves it by one step, and two sources that contradict each
+/// other leave it where it is. The torques count half as much again while their sum bears out what
+/// the accelerometer feels, for then two sensors say so. Real-time: yes.
+class ContactBelief {
+ public:
+  explicit ContactBelief(double weight) : weight_(weight) {}
+
+  void update(const Gains& gains, const ContactSignals& signals, double dt) noexcept;
+
+  const Eigen::Vector4d& probability() const noexcept { return probability_; }
+  bool foot_force_est_alive() const noexcept { return est_alive_; }
+  /// Verdicts and votes into a report.
+  void write(EstimatorReport& report) const noexcept;
+
+  void reset() noexcept { *this = ContactBelief(weight_); }
+
+ private:
+  struct Foot {
+    std::array<Evidence, kContactSources> evidence{};
+    StuckDetector est;
+    FootCount count;
+    double contradicted = 0.0;  // [s] for which footForceEst has contradicted the torques
+    bool loaded = true;
+  };
+  void judge_est_field(const ContactSignals& signals, double dt) noexcept;
+  Evidence see_est(const Gains& gains, const ContactSignals& signals, int leg, double dt) noexcept;
+  void vote(const Gains& gains, const ContactSignals& signals, int leg, double dt) noexcept;
+  bool balanced(const ContactSignals& signals) const noexcept;
+
+  double weight_;
+  bool est_alive_ = false;
+  double est_doubt_ = 0.0;  // [s] for which the torques have contradicted what is held of the field
+  std::array<Foot, kLegs> feet_{};
+  Eigen::Vector4d probability_ = Eigen::Vector4d::Ones();
+};
+
+}  // namespace surefoot

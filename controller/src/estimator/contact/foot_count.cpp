@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/contact/foot_count.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+constexpr double kOffsetTime = 5.0;  // [s] in which the offset follows a drift
+constexpr double kNoiseTime = 5.0;   // [s]
+constexpr double kScaleTime = 2.0;   // [s] of changing load in which the scale follows
+constexpr double kExcited = 0.04;    // share of the weight by which a load has changed
+constexpr double kEnough = 0.1;      // [s] of changing load before the line is believed
+constexpr double kFollows = 0.5;     // least share of the counts' spread that the load explains
+constexpr double kIgnores = 0.2;
+constexpr double kRangeTime = 30.0;  // [s] in which the range that was seen is forgotten
+constexpr double kRangeNoise = 8.0;  // times the noise that a range must span ...
+constexpr double kLeastRange = 5.0;  // [counts] ... and at least this
+constexpr double kRangeLoad = 0.4;   // share of the weight at the top of a range
+}  // namespace
+
+Evidence FootCount::update(const Gains& gains, int count, double load, bool loaded,
+                           double dt) noexcept {
+  const double c = count;
+  if (!started_) {
+    last_ = mean_count_ = low_ = high_ = c;
+    mean_load_ = std::isnan(load) ? 0.0 : load;
+    started_ = true;
+  }
+  noise_ += dt / (dt + kNoiseTime) * (0.5 * (c - last_) * (c - last_) - noise_);
+  last_ = c;
+  Evidence out;
+  out.verdict = stuck_.see(count, load, dt);
+  const double by_range = load_by_range(c, dt);
+  if (out.verdict != Verdict::kGood) return out;
+  if (std::isnan(load)) {
+    if (std::isnan(by_range)) return {0.0, Verdict::kUnjudged};
+    const double doubt = kRangeLoad * std::sqrt(noise_) / (high_ - low_);
+    return {say_load(gains, by_range, 2.0 * doubt, loaded), Verdict::kGood};
+  }
+  learn(c, load, dt);
+  out.verdict = judge();
+  if (out.verdict != Verdict::kGood) return out;
+  const double doubt = std::sqrt(noise_) / scale_;
+  out.says = say_load(gains, (c - offset()) / scale_, 2.0 * doubt, loaded);
+  return out;
+}
+
+void FootCount::learn(double count, double load, double dt) noexcept {
+  const double blend = dt / (dt + kOffsetTime);
+  mean_count_ += blend * (count - mean_count_);
+  mean_load_ += blend * (load - mean_load_);
+  const double dc = count - mean_count_, df = load - mean_load_;
+  if (std::abs(df) < kExcited) return;
+  const double keep = 1.0 - dt / (dt + kScaleTime);
+  weight_ = keep * weight_ + dt;
+  spread_load_ = keep * spread_load_ + dt * df * df;
+  spread_count_ = keep * spread_count_ + dt * dc * dc;
+  covariance_ = keep * covariance_ + dt * dc * df;
+  scale_ = std::max(covariance_ / spread_load_, 0.0);
+}
+
+Verdict FootCount::judge() const noexcept {
+  if (weight_ < kEnough) return Verdict::kUnjudged;
+  const double explained = covariance_ * covariance_ / (spread_load_ * spread_count_ + 1e-12);
+  if (scale_ > 0.0 && explained > kFollows) return Verdict::kGood;
+  if (explained > kIgnores && scale_ > 0.0) return Verdict::kUnjudged;
+  return spread_count_ < 4.0 * weight_ * (noise_ + 1.0) ? Verdict::kConstant : Verdict::kDisagrees;
+}
+
+// Both ends of the range creep to the present count, so that a drift does not widen it for ever.
+double FootCount::load_by_range(double count, double dt) noexcept {
+  const double blend = dt / (dt + kRangeTime);
+  low_ = std::min(count, low_ + blend * (count - low_));
+  high_ = std::max(count, high_ + blend * (count - high_));
+  const double range = high_ - low_;
+  if (range < std::max(kLeastRange, kRangeNoise * std::sqrt(noise_))) return NAN;
+  return kRangeLoad * (count - low_) / range;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/imu/inertial_input.hpp"
+
+#include <Eigen/LU>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kRateChange = 10.0;      // [rad/s^2] by which a held rate grows wrong
+constexpr double kForceChange = 100.0;    // [m/s^3] the same of a held specific force
+constexpr double kQuaternionRate = 0.05;  // [rad/s] noise of the vendor's quaternion's turn
+constexpr double kLegRate = 0.2;          // [rad/s] noise of a rate from the legs
+constexpr double kBlindRate = 1.0;        // [rad/s] doubt where nothing tells
+constexpr double kBlindForce = 3.0;       // [m/s^2]
+
+double square(double x) noexcept { return x * x; }
+
+// Of one held sample in a row: the noise of n alike adds up to n times itself, not its root.
+double held_variance(double sigma, int age, double change, double dt) noexcept {
+  return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
+}
+
+}  // namespace
+
+InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
+                                 const InvariantFilter& filter, const Dynamics& dynamics,
+                                 const Eigen::Vector4d& contact, double dt) noexcept {
+  InertialStep out;
+  out.dt = dt;
+  if (!started_) {
+    last_w_ = imu.w_base;
+    last_f_ = imu.f_base;
+    w_noise_.reset(gains.noise_gyroscope);
+    f_noise_.reset(gains.noise_accelerometer);
+    started_ = true;
+  }
+  if (imu.w_age == 1) w_noise_.update(imu.w_base, dt);
+  if (imu.f_age == 1) f_noise_.update(imu.f_base, dt);
+  out.w_base = 0.5 * (imu.w_base + last_w_);
+  out.f_base = 0.5 * (imu.f_base + last_f_);
+  out.w_variance = held_variance(w_noise_.sigma(), imu.w_age, kRateChange, dt);
+  out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kForceChange, dt);
+  if (imu.gyroscope != Verdict::kGood) replace_rate(imu, filter, dynamics, contact, dt, out);
+  if (imu.accelerometer != Verdict::kGood) {
+    out.f_base = filter.R_world_base().transpose() * (kGravity * Vector3::UnitZ()) +
+                 filter.accelerometer_bias();
+    out.f_variance = square(kBlindForce);
+  }
+  last_w_ = imu.w_base;
+  last_f_ = imu.f_base;
+  last_ = imu.R_world_base;
+  has_last_ = imu.has_quaternion;
+  return out;
+}
+
+void InertialInput::replace_rate(const ImuReading& imu, const InvariantFilter& filter,
+                                 const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                                 double dt, InertialStep& out) const noexcept {
+  const bool moves = has_last_ && imu.has_quaternion && imu.R_world_base.coeffs() != last_.coeffs();
+  Vector3 w = Vector3::Zero();
+  double sigma = kBlindRate;
+  if (moves) {
+    w = log_so3(last_.conjugate() * imu.R_world_base) / dt;
+    sigma = kQuaternionRate;
+  } else if (rate_from_legs(dynamics, contact, w)) {
+    sigma = kLegRate;
+  }
+  out.w_base = w + filter.gyroscope_bias();
+  out.w_variance = square(sigma);
+}
+
+// Contact points at rest do not turn about each other: a rate that is too high by b makes of them
+// v_i - mean = b x (p_i - mean).
+bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                    Vector3& w_base) noexcept {
+  Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();
+  int feet = 0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contact[leg] < 0.5) continue;
+    p_mean += dynamics.legs()[leg].p_world_contact;
+    v_mean += dynamics.legs()[leg].v_world_contact;
+    ++feet;
+  }
+  if (feet < 3) return false;
+  p_mean /= feet;
+  v_mean /= feet;
+  Matrix3 normal_matrix = Matrix3::Zero();
+  Vector3 moment = Vector3::Zero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contact[leg] < 0.5) continue;
+    const Vector3 arm = dynamics.legs()[leg].p_world_contact - p_mean;
+    normal_matrix += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
+    moment += arm.cross(dynamics.legs()[leg].v_world_contact - v_mean);
+  }
+  const Vector3 excess = normal_matrix.inverse() * moment;
+  if (!excess.allFinite()) return false;
+  w_base = dynamics.R_world_base().transpose() * (dynamics.w_world_base() - excess);
+  return true;
+}
+
+}  // namespace surefoot

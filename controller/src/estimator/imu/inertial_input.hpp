@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "estimator/base/invariant_filter.hpp"
+#include "estimator/imu/imu_reader.hpp"
+#include "estimator/imu/sample_noise.hpp"
+
+namespace surefoot {
+
+/// Turns a reading of the IMU into a step of the filter, with variances that say what it is worth.
+///
+/// The tick's mean is half the last sample and half this one. Their noise is measured, by second
+/// differences, from the gain's value on. A held sample is wrong by the same noise again and by
+/// what has changed since. A gyroscope that has stopped is replaced by the turn of the vendor's
+/// quaternion while that moves, else by the legs that stand; an accelerometer that has stopped by
+/// rest. Real-time: yes.
+class InertialInput {
+ public:
+  /// @param dynamics,contact of the tick before
+  InertialStep step(const Gains& gains, const ImuReading& imu, const InvariantFilter& filter,
+                    const Dynamics& dynamics, const Eigen::Vector4d& contact, double dt) noexcept;
+
+  void reset() noexcept { *this = InertialInput(); }
+
+ private:
+  void replace_rate(const ImuReading& imu, const InvariantFilter& filter, const Dynamics& dynamics,
+                    const Eigen::Vector4d& contact, double dt, InertialStep& out) const noexcept;
+
+  SampleNoise w_noise_, f_noise_;
+  Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
+  Quaternion last_ = Quaternion::Identity();  // the vendor's
+  bool has_last_ = false;                     // a quaternion
+  bool started_ = false;
+};
+
+/// Rate of the base [rad/s], base axes, at which the standing feet would rest: least squares.
+///
+/// @return false, and w_base as it was, where fewer than three feet stand
+bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                    Vector3& w_base) noexcept;
+
+}  // namespace surefoot

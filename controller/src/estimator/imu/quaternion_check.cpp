@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/imu/quaternion_check.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+constexpr double kApart = 0.0873;  // [rad] 5 deg: vendors' filters lean by that under acceleration
+constexpr double kSigmas = 4.0;    // of our own doubt besides
+constexpr double kPatience = 1.0;  // [s]
+}  // namespace
+
+void QuaternionCheck::update(const ImuReading& imu, const Matrix3& R_world_base, double sigma,
+                             double dt) noexcept {
+  if (!imu.has_quaternion) {
+    verdict_ = imu.quaternion;
+    return;
+  }
+  const Vector3 up = imu.R_world_base.conjugate() * Vector3::UnitZ();
+  apart_ = std::acos(std::clamp(up.dot(R_world_base.row(2).transpose()), -1.0, 1.0));
+  const bool contradicts = apart_ > kApart + kSigmas * sigma;
+  against_ = std::clamp(against_ + (contradicts ? dt : -dt), 0.0, 2.0 * kPatience);
+  verdict_ = against_ > kPatience ? Verdict::kDisagrees : Verdict::kGood;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/outside/payload_observer.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kLever = 0.1;  // [m] at which the greatest force may act: bounds the moment
+
+Vector3 bounded(const Vector3& value, double most) noexcept {
+  const double size = value.norm();
+  return size > most ? Vector3(most / size * value) : value;
+}
+
+}  // namespace
+
+void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& forces,
+                             bool carried, double dt) noexcept {
+  const Vector3 linear = mass_ * dynamics.v_world_com();
+  const Vector3& angular = dynamics.L_world_com();
+  if (!carried || !started_) {
+    // Frozen: what is explained follows what is, so that nothing is made up for afterwards.
+    linear_ = linear - gains.payload_time * force_;
+    angular_ = angular - gains.payload_time * moment_;
+    started_ = true;
+    return;
+  }
+  Vector3 moment = Vector3::Zero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 arm = dynamics.legs()[leg].p_world_contact - dynamics.p_world_com();
+    moment += arm.cross(forces.col(leg));
+  }
+  const Vector3 weight = -mass_ * kGravity * Vector3::UnitZ();
+  linear_ += dt * (forces.rowwise().sum() + weight + force_);
+  angular_ += dt * (moment + moment_);
+  const double most = gains.payload_max * mass_ * kGravity;
+  force_ = bounded((linear - linear_) / gains.payload_time, most);
+  moment_ = bounded((angular - angular_) / gains.payload_time, kLever * most);
+  linear_ = linear - gains.payload_time * force_;
+  angular_ = angular - gains.payload_time * moment_;
+}
+
+// N = r x (-m_p g z) for a mass m_p at r; m_p r / (m + m_p) is what it moves the centre by.
+Vector3 PayloadObserver::com_shift() const noexcept {
+  const double total = std::max(mass_ + mass(), 0.1 * mass_);
+  return Vector3(moment_.y(), -moment_.x(), 0.0) / (kGravity * total);
+}
+
+}  // namespace surefoot
