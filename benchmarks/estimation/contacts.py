@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -38,7 +39,7 @@ def true_transitions(share: Array, rate: float) -> list[Transition]:
     phases = _phases(share, max(1, round(DWELL * rate)))
     window = max(1, round(SLOPE_TIME * rate))
     transitions = []
-    for (_, end, _), (start, _, loaded) in zip(phases[:-1], phases[1:], strict=True):
+    for (_, end, _), (start, _, loaded) in pairwise(phases):
         between = share[end : start + 1]
         if loaded:
             row = end + 1 + int(np.flatnonzero(between[:-1] <= UP)[-1])
