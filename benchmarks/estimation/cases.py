@@ -17,6 +17,7 @@ PUSH_SHARE, SHOVE_SHARE = 60.0, 80.0  # percent of the pendulum's limit
 PUSH_TIMES = (1.5, 3.5, 5.5, 7.5)  # [s]
 STILL = 10.0  # [s] before the body moves, in the case of biases
 SWAY_DEG = 10.0
+SNATCH = 1.2  # [m/s] of a lift that takes a fifth of the weight off each foot within 20 ms
 
 _STEP = 1.0  # [s] between references
 
@@ -45,7 +46,7 @@ def lifts(robot: str, seed: int) -> Recording:
     """The trunk lifted off and put down five times in an instant, then once slowly."""
     rng = np.random.default_rng([seed, 1])
     lifts = [
-        Lift("trunk", 1.5 + 2.5 * k, rng.uniform(0.4, 0.7), rng.uniform(0.05, 0.07))
+        Lift("trunk", 1.5 + 2.5 * k, rng.uniform(0.4, 0.7), rng.uniform(0.05, 0.07), SNATCH)
         for k in range(5)
     ]
     lifts.append(Lift("trunk", 14.0, 2.0, 0.06, 0.04, 0.8))
