@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from surefoot.sim.flaws import Flaws
+from surefoot.sim.hands import Lift
 from surefoot.sim.plant import Plant
 from surefoot.sim.settings import PlantSettings, Push
 from surefoot.sim.truth import Truth
@@ -11,7 +13,7 @@ from surefoot.sim.truth import Truth
 if TYPE_CHECKING:
     from surefoot.sim.render import Renderer
 
-__all__ = ["Plant", "PlantSettings", "Push", "Renderer", "Truth"]
+__all__ = ["Flaws", "Lift", "Plant", "PlantSettings", "Push", "Renderer", "Truth"]
 
 
 def __getattr__(name: str) -> Any:

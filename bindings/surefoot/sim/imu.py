@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 
 from surefoot.sim.attitude import MahonyFilter
+from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.handles import Handles
 from surefoot.sim.rotations import Array
 
@@ -24,12 +25,14 @@ class IdealImu:
     MuJoCo's accelerometer tells of the physics step just taken, the others of this instant.
 
     Attributes:
+        bias: (6,) zeros.
         gyro: (3,) [rad/s], IMU axes.
         accelerometer: (3,) specific force [m/s^2], IMU axes.
         quaternion: (4,) w, x, y, z: IMU to world.
     """
 
     def __init__(self, data: mujoco.MjData, handles: Handles) -> None:
+        self.bias: Array = np.zeros(6)
         # Views into MuJoCo's memory: they follow it.
         self.gyro: Array = data.sensordata[handles.gyro]
         self.accelerometer: Array = data.sensordata[handles.accelerometer]
@@ -50,22 +53,31 @@ class RealImu:
         handles: Indices into it.
         dt: Physics step [s].
         rng: Draws biases and noise.
+        flaws: What the biases are.
 
     Attributes:
+        bias: (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes; the truth, for judging.
         gyro: (3,) [rad/s], IMU axes.
         accelerometer: (3,) specific force [m/s^2], IMU axes.
         quaternion: (4,) w, x, y, z: IMU to world, the filter's; its yaw starts at 0 and drifts.
     """
 
     def __init__(
-        self, data: mujoco.MjData, handles: Handles, dt: float, rng: np.random.Generator
+        self,
+        data: mujoco.MjData,
+        handles: Handles,
+        dt: float,
+        rng: np.random.Generator,
+        flaws: Flaws,
     ) -> None:
         self._exact = IdealImu(data, handles)
         self._rng = rng
         self._steps = max(1, round(SAMPLE_PERIOD / dt))
         self._period = self._steps * dt
         self._count = 0
-        self._bias = np.repeat([GYRO_BIAS, ACCELEROMETER_BIAS], 3) * rng.uniform(-1.0, 1.0, 6)
+        gyro_bias = draw_bias(flaws.gyro_bias, GYRO_BIAS, rng)
+        accelerometer_bias = draw_bias(flaws.accelerometer_bias, ACCELEROMETER_BIAS, rng)
+        self.bias = np.concatenate([gyro_bias, accelerometer_bias])
         self._noise = np.repeat([GYRO_NOISE, ACCELEROMETER_NOISE], 3)
         self._reading = np.zeros(6)
         self._filter = MahonyFilter(0.0, 0.0, 9.81)
@@ -87,7 +99,7 @@ class RealImu:
 
     def start(self) -> None:
         """Start the filter from the resting accelerometer, its noise long averaged out."""
-        rest = self._exact.accelerometer + self._bias[3:]
+        rest = self._exact.accelerometer + self.bias[3:]
         self._filter = MahonyFilter(*rest.tolist())
 
     def step(self) -> None:
@@ -95,7 +107,7 @@ class RealImu:
         self._count += 1
         if self._count % self._steps:
             return
-        reading = self._bias + self._noise * self._rng.standard_normal(6)
+        reading = self.bias + self._noise * self._rng.standard_normal(6)
         reading[:3] += self._exact.gyro
         reading[3:] += self._exact.accelerometer
         self._reading = reading

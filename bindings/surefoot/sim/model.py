@@ -5,6 +5,7 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 
 import mujoco
+import numpy as np
 
 from surefoot._core import Error, Robot
 from surefoot.robots import RobotDescription, per_motor
@@ -51,6 +52,7 @@ def build_model(
     set_contacts(spec, robot, settings)
     add_soft_contacts(spec, robot, settings)
     exclude_pairs(spec, description)
+    flaw_trunk(spec, settings)
     add_payload(spec, settings)
     add_sensors(spec, robot)
     if visuals:
@@ -117,6 +119,18 @@ def exclude_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
         first, second = entry.get("link1"), entry.get("link2")
         if first in names and second in names and first != second:
             spec.add_exclude(bodyname1=first, bodyname2=second)
+
+
+def flaw_trunk(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
+    """Scale the trunk and move its centre of mass; it is the heaviest body fixed to the base."""
+    scale, shift = settings.flaws.trunk_mass_scale, settings.flaws.trunk_com_shift
+    base = root_body(spec)
+    fixed = [base, *(body for body in base.bodies if not body.joints)]
+    trunk = max(fixed, key=lambda body: float(body.mass))
+    trunk.mass *= scale
+    trunk.fullinertia = trunk.fullinertia * scale
+    trunk.inertia = trunk.inertia * scale
+    trunk.ipos = trunk.ipos + np.array(shift)
 
 
 def add_payload(spec: mujoco.MjSpec, settings: PlantSettings) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import RobotConfig, VelStopF
+from surefoot.sim.flaws import Flaws
 from surefoot.sim.rotations import Array
 from surefoot.sim.wire import MOTORS, Command
 
@@ -17,7 +18,6 @@ DAMPING = 0x00
 # The SDK's PosStopF is 2.146e9, that of the vendor's Python examples 1e9; no joint turns so far.
 POSITION_OFF = 1e9  # [rad]
 BRAKE_KD = 3.0  # [N.m.s/rad] of a motor that is not in servo mode
-SCALE_SPREAD = 0.05  # a real motor's torque is off by up to this fraction, for good
 
 
 @dataclass(frozen=True)
@@ -67,6 +67,7 @@ class Motors:
         dt: Physics step [s].
         lag: Time constant of the torque [s]; 0 is none.
         scale_rng: Draws each motor's lasting torque error; None for perfect motors.
+        torque_error: Greatest fraction of that error.
 
     Attributes:
         law: The law in force.
@@ -75,7 +76,12 @@ class Motors:
     """
 
     def __init__(
-        self, config: RobotConfig, dt: float, lag: float, scale_rng: np.random.Generator | None
+        self,
+        config: RobotConfig,
+        dt: float,
+        lag: float,
+        scale_rng: np.random.Generator | None,
+        torque_error: float = Flaws.torque_error,
     ) -> None:
         self.law = Law(np.zeros(MOTORS), np.zeros(MOTORS), np.zeros(MOTORS))
         self.believed = np.zeros(MOTORS)
@@ -84,7 +90,7 @@ class Motors:
         self._share = 1.0 if lag <= 0.0 else -math.expm1(-dt / lag)
         self._scale = np.ones(MOTORS)
         if scale_rng is not None:
-            self._scale = scale_rng.uniform(1 - SCALE_SPREAD, 1 + SCALE_SPREAD, MOTORS)
+            self._scale = scale_rng.uniform(1 - torque_error, 1 + torque_error, MOTORS)
         self._tau_max = np.array(config.tau_max)
         self._slope = self._tau_max / (np.array(config.no_load_speed) - config.corner_speed)
         self._stall = self._slope * config.no_load_speed

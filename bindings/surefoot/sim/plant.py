@@ -13,6 +13,7 @@ from surefoot._core import Error, LowCmd, LowState
 from surefoot.robots import RobotDescription, build_robot, describe_robot, load_pinocchio_model
 from surefoot.sim.adapter import Adapter
 from surefoot.sim.handles import find_handles
+from surefoot.sim.hands import Hand, Lift
 from surefoot.sim.hanging import hang
 from surefoot.sim.model import build_model
 from surefoot.sim.motors import Law, Motors, command_law
@@ -68,6 +69,7 @@ class Plant:
         self._wire = Wire(self.robot.name, self.settings.real)
         self._tick0 = tick0
         self._pushes = list(pushes)
+        self._lifts: list[Lift] = []
         self.reset()
 
     @property
@@ -87,6 +89,11 @@ class Plant:
         return self._motors
 
     @property
+    def imu_bias(self) -> Array:
+        """True bias (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes."""
+        return self._sensors.imu.bias
+
+    @property
     def push_force(self) -> tuple[Array, Array]:
         """Force of the pushes (3,) [N] in the last physics step, and its point (3,), world."""
         return self._schedule.force, self._schedule.point
@@ -96,6 +103,11 @@ class Plant:
         self._pushes.append(push)
         self._schedule.add(push)
 
+    def add_lift(self, lift: Lift) -> None:
+        """Add a lift by a hand; after reset() it comes again at its time."""
+        self._lifts.append(lift)
+        self._hands.append(self._hand_of(lift))
+
     def reset(self) -> LowState:
         """Stand the robot up, let it settle in position mode and return the first LowState.
 
@@ -104,12 +116,14 @@ class Plant:
         """
         settings = self.settings
         rng = np.random.default_rng([settings.seed, _MOTOR_STREAM]) if settings.real else None
-        self._motors = Motors(self.robot.config, settings.physics_dt, settings.lag, rng)
+        error = settings.flaws.torque_error
+        self._motors = Motors(self.robot.config, settings.physics_dt, settings.lag, rng, error)
         self._motors.law = standing_law(self.robot)
         self._sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
         self._commands: deque[tuple[int, Law]] = deque()
         self._schedule = PushSchedule(self.handles.root, settings.physics_dt, ())
         self._hand: Array | None = None
+        self._hands: list[Hand] = []
         self._step = 0
         place(self.model, self.data, self.handles, self.robot, settings)
         mujoco.mj_step1(self.model, self.data)
@@ -128,6 +142,7 @@ class Plant:
         self._step = 0
         for push in self._pushes:
             self._schedule.add(push)
+        self._hands = [self._hand_of(lift) for lift in self._lifts]
         return first
 
     def step(self, cmd: LowCmd) -> LowState:
@@ -201,12 +216,23 @@ class Plant:
             applied[motor_v] = motors.step(qpos[motor_q], dq)
             if self._hand is not None:
                 self._apply_hand(self._hand)
+            if self._hands:
+                self._lift()
             self._schedule.apply(data, self.time)
             mujoco.mj_step2(model, data)
             mujoco.mj_step1(model, data)
             dq = qvel[motor_v]
             self._sensors.step(dq)
             self._step += 1
+
+    def _lift(self) -> None:
+        # Pushes write the trunk's force anew as long as one is to come, and then leave it alone.
+        self.data.xfrc_applied[:] = 0.0
+        for hand in self._hands:
+            hand.apply(self.data, self.time)
+
+    def _hand_of(self, lift: Lift) -> Hand:
+        return Hand(self.model, self.handles, self.robot, lift)
 
     def _apply_hand(self, torque: Array) -> None:
         # Hands hold the link; with play in the gears it is not where the motor's torque goes.

@@ -25,6 +25,9 @@ class Sensors:
         handles: Indices into it.
         settings: Kind of sensors, rates, seed; foot_force resolved.
         tick0: LowState.tick of the first reading [ms].
+
+    Attributes:
+        imu: The IMU; its `bias` is the truth, for judging.
     """
 
     def __init__(
@@ -39,7 +42,7 @@ class Sensors:
         self._wire = Wire(robot.name, settings.real)
         self._frame = StateFrame()
         self._tick0, self._readings, self._rate = tick0, 0, settings.control_rate
-        self._imu: IdealImu | RealImu
+        self.imu: IdealImu | RealImu
         self._encoders: IdealEncoders | RealEncoders
         # A stream of random numbers for each: one sensor's draws never shift another's.
         imu_rng, encoder_rng, foot_rng = (
@@ -47,29 +50,29 @@ class Sensors:
         )
         kind, period = settings.foot_force or "dead", 1.0 / settings.control_rate
         if settings.real:
-            self._imu = RealImu(data, handles, settings.physics_dt, imu_rng)
+            self.imu = RealImu(data, handles, settings.physics_dt, imu_rng, settings.flaws)
             self._encoders = RealEncoders(settings.physics_dt, encoder_rng)
             self._feet = FootSensors(kind, period, foot_rng)
         else:
-            self._imu, self._encoders = IdealImu(data, handles), IdealEncoders()
+            self.imu, self._encoders = IdealImu(data, handles), IdealEncoders()
             self._feet = FootSensors(kind, period, None)
 
     def start(self) -> None:
         """Begin, with the robot at rest."""
-        self._imu.start()
+        self.imu.start()
 
     def step(self, dq: Array) -> None:
         """Advance one physics step; dq (12,) are the true velocities at the motors [rad/s]."""
-        self._imu.step()
+        self.imu.step()
         self._encoders.step(dq)
 
     def read(self, motors: Motors) -> LowState:
         """Return the LowState of this instant; torques are what the drivers think they make."""
         data, handles, fields = self._data, self._handles, self._frame.fields
-        quaternion = self._imu.quaternion
+        quaternion = self.imu.quaternion
         fields["quaternion"][:] = quaternion
-        fields["gyroscope"][:] = self._imu.gyro
-        fields["accelerometer"][:] = self._imu.accelerometer
+        fields["gyroscope"][:] = self.imu.gyro
+        fields["accelerometer"][:] = self.imu.accelerometer
         fields["rpy"][:] = rpy_from_wxyz(quaternion)
         fields["motor_q"][:], fields["motor_dq"][:] = self._encoders.read(
             data.qpos[handles.motor_q], data.qvel[handles.motor_v]

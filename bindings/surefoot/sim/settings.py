@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from surefoot._core import Error
 from surefoot.sim.checks import number, one_of
+from surefoot.sim.flaws import Flaws
 
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
@@ -37,6 +38,7 @@ class PlantSettings:
             the rotor's side of it (see sim/backlash.py).
         motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
+        flaws: IMU biases, torque errors, trunk mass (see sim/flaws.py).
         hung: The base is fixed in the air, level, and the legs are free (see sim/hanging.py).
         seed: Of every random number; the same seed gives the same run.
     """
@@ -56,6 +58,7 @@ class PlantSettings:
     backlash_deg: float = 0.0
     motor_lag: float | None = None
     extra_delay: float = 0.0
+    flaws: Flaws = field(default_factory=Flaws)
     hung: bool = False
     seed: int = 0
 

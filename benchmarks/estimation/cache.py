@@ -1,0 +1,31 @@
+"""Recorded logs on disk, one .npz each; a log is made anew when what it was made from changes."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from pathlib import Path
+
+import numpy as np
+
+from estimation.recording import Log, Recording, record
+
+VERSION = 1  # of the log's layout
+
+
+def cached(folder: Path, case: str, seed: int, recording: Recording) -> Log:
+    """Return a log from `folder`/case/robot-seed-key.npz, recorded if it is not there yet.
+
+    The key is that of the recording's settings; the controller's code is not in it, so remove the
+    folder to record with another controller.
+    """
+    key = hashlib.sha256(f"{VERSION} {recording!r}".encode()).hexdigest()[:10]
+    path = folder / case / f"{recording.robot}-{seed}-{key}.npz"
+    if not path.is_file():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        part = path.with_suffix(f".{os.getpid()}.part")
+        with part.open("wb") as file:
+            np.savez(file, **record(recording))
+        part.replace(path)
+    with np.load(path) as arrays:
+        return dict(arrays)

@@ -1,0 +1,46 @@
+"""Whether an estimator is as sure as it should be: squared errors against their chi-square band."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from statistics import NormalDist
+
+import numpy as np
+
+from estimation.recording import Array
+
+SHARE = 0.95  # of the band
+
+
+def band(dof: Array) -> tuple[Array, Array]:
+    """Return the ends of the chi-square band of 95 % for degrees of freedom (n,).
+
+    Wilson's and Hilferty's approximation: within 1 % for 5 degrees and more.
+    """
+    z = NormalDist().inv_cdf(0.5 + SHARE / 2.0)
+    spread = 2.0 / (9.0 * np.maximum(dof, 1))
+    low, high = (
+        dof * np.maximum(1.0 - spread + sign * z * np.sqrt(spread), 0.0) ** 3 for sign in (-1, 1)
+    )
+    return low, high
+
+
+def within_band(squares: Sequence[Array], dofs: Sequence[Array]) -> tuple[float, float]:
+    """Return the share of ticks [%] whose sum over seeds is in its band, and the mean per degree.
+
+    Args:
+        squares: (n,) of every seed; they are cut to the shortest.
+        dofs: (n,) of every seed.
+
+    Returns:
+        NaN, NaN if there is nothing to judge.
+    """
+    n = min(len(values) for values in squares)
+    total = np.sum([values[:n] for values in squares], axis=0)
+    dof = np.sum([values[:n] for values in dofs], axis=0)
+    judged = (dof > 0) & np.isfinite(total)
+    if not judged.any():
+        return float("nan"), float("nan")
+    low, high = band(dof[judged])
+    inside = (total[judged] >= low) & (total[judged] <= high)
+    return 100.0 * float(inside.mean()), float(total[judged].sum() / dof[judged].sum())

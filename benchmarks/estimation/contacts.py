@@ -1,0 +1,146 @@
+"""True contact transitions of a foot, how late an estimate follows them, and false ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from estimation.recording import Array
+
+UP, DOWN = 0.05, 0.10  # share of the weight that a load crosses when a contact closes, opens
+SLOPE, SLOPE_TIME = 0.20, 0.020  # share of the weight per time [s] that makes a transition fast
+DWELL = 0.020  # [s] a phase shorter than this need not be followed
+EARLY, LATE = 0.020, 0.300  # [s] around a true transition within which one estimated is its own
+START = 0.5  # [s] at a log's beginning in which nothing is called false
+
+
+@dataclass(frozen=True)
+class Transition:
+    """A true transition of a foot.
+
+    Attributes:
+        row: The first on the other side of the threshold.
+        closes: Whether the foot takes load.
+        fast: Whether the load changes fast enough for the delay to be judged.
+    """
+
+    row: int
+    closes: bool
+    fast: bool
+
+
+def true_transitions(share: Array, rate: float) -> list[Transition]:
+    """Return the transitions of a foot's normal load (n,) as a share of the robot's weight.
+
+    A load goes all the way: from above 10 % to below 5 % or back.
+    """
+    phases = _phases(share, max(1, round(DWELL * rate)))
+    window = max(1, round(SLOPE_TIME * rate))
+    transitions = []
+    for (_, end, _), (start, _, loaded) in pairwise(phases):
+        between = share[end : start + 1]
+        if loaded:
+            row = end + 1 + int(np.flatnonzero(between[:-1] <= UP)[-1])
+        else:
+            row = end + 1 + int(np.flatnonzero(between[:-1] >= DOWN)[-1])
+        near = share[max(0, row - window) : row + window + 1]
+        change = (near[window:] - near[:-window]) * (1.0 if loaded else -1.0)
+        fast = bool(len(change) and change.max() >= SLOPE)
+        transitions.append(Transition(row, loaded, fast))
+    return transitions
+
+
+def _phases(share: Array, dwell: int) -> list[tuple[int, int, bool]]:
+    """Return (first, last, loaded) of the phases surely loaded or surely not, none short."""
+    kind = np.where(share > DOWN, 1, np.where(share < UP, 0, -1))
+    rows = np.flatnonzero(kind >= 0)
+    phases: list[tuple[int, int, bool]] = []
+    if len(rows) == 0:
+        return phases
+    breaks = np.flatnonzero(np.diff(kind[rows])) + 1
+    for part in np.split(rows, breaks):
+        phases.append((int(part[0]), int(part[-1]), bool(kind[part[0]])))
+    while len(phases) > 1:
+        lengths = [last - first + 1 for first, last, _ in phases]
+        k = int(np.argmin(lengths))
+        if lengths[k] >= dwell:
+            break
+        del phases[k]
+        if 0 < k < len(phases) and phases[k - 1][2] == phases[k][2]:
+            phases[k - 1 : k + 1] = [(phases[k - 1][0], phases[k][1], phases[k][2])]
+    return phases
+
+
+@dataclass
+class Score:
+    """How an estimate followed the transitions of one or more feet.
+
+    Attributes:
+        delays: [s] of those that are fast; infinite if missed, NaN if there was nothing to follow.
+        false: Estimated transitions that belong to no true one.
+        calibration: (m, 2) probability and truth in the neighbourhood of slow transitions.
+    """
+
+    delays: list[float]
+    false: int
+    calibration: Array
+
+    def __add__(self, other: Score) -> Score:
+        """Take two scores together."""
+        both = np.concatenate([self.calibration, other.calibration])
+        return Score(self.delays + other.delays, self.false + other.false, both)
+
+
+def score(share: Array, probability: Array, rate: float) -> Score:
+    """Score a foot's probability of contact (n,) against its load (n,), a share of the weight."""
+    truth = true_transitions(share, rate)
+    estimated = probability > 0.5
+    changes = np.flatnonzero(np.diff(estimated)) + 1
+    early, late = round(EARLY * rate), round(LATE * rate)
+    owned = np.zeros(len(changes), bool)
+    delays = []
+    for k, transition in enumerate(truth):
+        end = truth[k + 1].row - early if k + 1 < len(truth) else len(share)
+        start = transition.row - early
+        end = max(start + 1, min(end, transition.row + late))
+        mine = (changes >= start) & (changes < end)
+        right = np.flatnonzero(mine & (estimated[changes] == transition.closes))
+        if len(right):
+            owned[right[0]] = True
+            delay = (changes[right[0]] - transition.row) / rate
+        else:
+            # It may be there already, because it never left or came too early: nothing to follow.
+            delay = np.nan if estimated[max(0, start)] == transition.closes else np.inf
+        if transition.fast:
+            delays.append(float(np.maximum(delay, 0.0)))
+    unsure = _unsure(share, 2 * early)
+    settled = changes >= round(START * rate)
+    false = int(np.sum(~owned & ~unsure[changes] & settled))
+    return Score(delays, false, _near_slow(share, probability, truth, late))
+
+
+def _unsure(share: Array, reach: int) -> Array:
+    """Return rows near a load between the thresholds, or near a bounce: neither yes nor no."""
+    between = (share >= 0.5 * UP) & (share <= 1.5 * DOWN)
+    spread = np.convolve(between, np.ones(reach), mode="full")[: len(share)]
+    return np.asarray(spread > 0.0)
+
+
+def _near_slow(share: Array, probability: Array, truth: list[Transition], reach: int) -> Array:
+    near = np.zeros(len(share), bool)
+    for transition in truth:
+        if not transition.fast:
+            near[max(0, transition.row - reach) : transition.row + reach] = True
+    near &= (share < UP) | (share > DOWN)
+    return np.stack([probability[near], share[near] > DOWN], axis=1)
+
+
+def calibration_error(pairs: Array, bins: int = 10) -> float:
+    """Return the mean distance between probability and frequency over bins; NaN without rows."""
+    if len(pairs) == 0:
+        return float("nan")
+    index = np.minimum((pairs[:, 0] * bins).astype(int), bins - 1)
+    gaps = [abs(np.sum(pairs[index == k, 0] - pairs[index == k, 1])) for k in range(bins)]
+    return float(np.sum(gaps) / len(pairs))

@@ -1,0 +1,109 @@
+"""Errors of estimates against the truth, row by row: what is compared, and in which axes.
+
+The estimator's world turns against the true one, about the vertical, as it must; the turn of every
+instant is taken out first. Errors are estimate less truth, in true world axes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from estimation.recording import Array, Log
+from estimation.replay import Estimates
+
+GRAVITY = 9.81  # [m/s^2]
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Errors of every row.
+
+    Attributes:
+        tilt: (n, 2) x and y of the rotation vector [rad].
+        explained: (n, 2) part of it that the accelerometer's bias alone makes: no standing robot's
+            sensors can tell it from a tilt.
+        velocity: (n, 3) [m/s].
+        height: (n,) [m] of the base, the estimator's offset of the first row taken out.
+        covariance: (n, 5, 5) that the estimator gives tilt and velocity; zeros if not kept.
+    """
+
+    tilt: Array
+    explained: Array
+    velocity: Array
+    height: Array
+    covariance: Array
+
+    @property
+    def nees(self) -> Array:
+        """(n,) normalised error squared of tilt and velocity; NaN without a covariance."""
+        error = np.concatenate([self.tilt, self.velocity], axis=1)
+        size = np.trace(self.covariance, axis1=1, axis2=2)
+        known = size > 0.0
+        nees = np.full(len(error), np.nan)
+        if known.any():
+            solved = np.linalg.solve(self.covariance[known], error[known][:, :, None])
+            nees[known] = np.einsum("ni,ni->n", error[known], solved[:, :, 0])
+        return nees
+
+
+def compare(log: Log, estimates: Estimates) -> Errors:
+    """Return the errors of estimates against their log's truth."""
+    R_true = matrices(log["truth_quaternion"])
+    R = matrices(estimates.q[:, [6, 3, 4, 5]])
+    turn = R @ np.swapaxes(R_true, 1, 2)
+    # A rotation is one about the vertical after one about a horizontal axis.
+    yaw = np.arctan2(turn[:, 1, 0] - turn[:, 0, 1], turn[:, 0, 0] + turn[:, 1, 1])
+    unturn = about_z(-yaw)
+    v_world = np.einsum("nij,njk,nk->ni", unturn, R, estimates.v[:, :3])
+    up = np.einsum("nij,j->ni", R_true, log["truth_accelerometer_bias"]) / GRAVITY
+    pick = [0, 1, 3, 4, 5]
+    turn5 = np.zeros((len(yaw), 5, 5))
+    turn5[:, :2, :2], turn5[:, 2:, 2:] = unturn[:, :2, :2], unturn
+    covariance = np.zeros((len(yaw), 5, 5))
+    if len(estimates.covariance):
+        covariance = turn5 @ estimates.covariance[:, pick][:, :, pick] @ np.swapaxes(turn5, 1, 2)
+    return Errors(
+        rotation_vectors(unturn @ turn)[:, :2],
+        np.stack([up[:, 1], -up[:, 0]], axis=1),
+        v_world - log["truth_v"],
+        estimates.q[:, 2] - log["truth_p"][:, 2],
+        covariance,
+    )
+
+
+def matrices(quaternions: Array) -> Array:
+    """Return rotation matrices (n, 3, 3) of quaternions (n, 4) w x y z."""
+    q = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
+    w, x, y, z = q.T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), 2, 0)
+
+
+def about_z(angle: Array) -> Array:
+    """Return rotations (n, 3, 3) by angles (n,) [rad] about z."""
+    R = np.zeros((len(angle), 3, 3))
+    R[:, 0, 0] = R[:, 1, 1] = np.cos(angle)
+    R[:, 1, 0], R[:, 0, 1] = np.sin(angle), -np.sin(angle)
+    R[:, 2, 2] = 1.0
+    return R
+
+
+def rotation_vectors(R: Array) -> Array:
+    """Return the logarithms (n, 3) [rad] of rotations (n, 3, 3) of less than 180 deg."""
+    axis = 0.5 * np.stack(
+        [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1
+    )
+    sine = np.linalg.norm(axis, axis=1)
+    angle = np.arctan2(sine, 0.5 * (np.trace(R, axis1=1, axis2=2) - 1.0))
+    return np.asarray(axis * (angle / np.maximum(sine, 1e-12))[:, None])
+
+
+def rms(values: Array) -> float:
+    """Return the root of the mean square of all values."""
+    return float(np.sqrt(np.mean(np.square(values))))

@@ -1,0 +1,80 @@
+"""A log through the state estimator alone, as fast as Python can."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from surefoot import LowState, Robot, StateEstimator
+from surefoot.sim.wire import LOW_STATE, MOTORS, StateFrame
+
+from estimation.recording import Array, Log, rate_of
+
+MOST_DT = 0.1  # [s] that StateEstimator.update takes
+
+
+@dataclass(frozen=True)
+class Estimates:
+    """What the estimator said after every row of a log; arrays in its own world.
+
+    Attributes:
+        q: (n, 19), v: (n, 18) Pinocchio's.
+        contact: (n, 4) probabilities.
+        covariance: (n, 15, 15) as EstimatorReport says, or (0, 15, 15) if it was not to be kept.
+        nis: (n,), nis_dimension: (n,).
+        gyro_bias: (n, 3), accelerometer_bias: (n, 3) base axes.
+        forces: (n, 3, 4) ground on foot from torques [N], world axes.
+    """
+
+    q: Array
+    v: Array
+    contact: Array
+    covariance: Array
+    nis: Array
+    nis_dimension: Array
+    gyro_bias: Array
+    accelerometer_bias: Array
+    forces: Array
+
+
+def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
+    """Run a fresh estimator over a log; dt is the difference of ticks.
+
+    A covariance takes a kilobyte a row, which is why it must be asked for.
+    """
+    frames, n = frames_of(log), len(log["tick"])
+    dt = np.diff(log["tick"].astype(np.int64), prepend=0) / 1000.0
+    dt[0] = 1.0 / rate_of(log)
+    steps = np.clip(dt, 0.0, MOST_DT).tolist()
+    out = Estimates(
+        *(np.zeros((n, robot.nq)), np.zeros((n, robot.nv)), np.zeros((n, 4))),
+        np.zeros((n if keep_covariance else 0, 15, 15), np.float32),
+        *(np.zeros(n), np.zeros(n, np.int64)),
+        *(np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3, 4), np.float32)),
+    )
+    estimator, low_state = StateEstimator(robot), LowState()
+    raw = low_state.raw  # the LowState's own memory
+    for k in range(n):
+        raw[:] = frames[k]
+        estimator.update(low_state, steps[k])
+        state, report = estimator.state, estimator.report
+        out.q[k], out.v[k], out.contact[k] = state.q, state.v, state.contact
+        out.forces[k] = report.torque_forces
+        if keep_covariance:
+            out.covariance[k] = report.covariance
+        out.nis[k], out.nis_dimension[k] = report.nis, report.nis_dimension
+        out.gyro_bias[k] = report.gyroscope_bias
+        out.accelerometer_bias[k] = report.accelerometer_bias
+    return out
+
+
+def frames_of(log: Log) -> Array:
+    """Return the LowStates of a log as bytes (n, 937)."""
+    template = np.array(StateFrame().copy().raw)
+    rows = np.tile(template, (len(log["tick"]), 1))
+    fields = rows.view(LOW_STATE)[:, 0]
+    for name in ("accelerometer", "gyroscope", "quaternion", "footForce", "footForceEst", "tick"):
+        fields[name] = log[name]
+    for name in ("q", "dq", "tauEst"):
+        fields["motorState"][name][:, :MOTORS] = log[name]
+    return rows

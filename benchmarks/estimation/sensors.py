@@ -1,0 +1,116 @@
+"""Sensor conditions: what a log would have been with other, worse or broken sensors."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable
+
+import numpy as np
+
+from estimation.recording import Array, Log
+
+NEWTON_NOISE = 3.0  # [N] of footForceEst
+COUNT_OFFSET, COUNT_GAIN = (5.0, 50.0), (1.0, 2.0)  # counts, counts per newton
+COUNT_NOISE = 2.0
+COUNT_WALK = 5.0  # counts, standard deviation of the random walk after a minute
+FAULT_DRIFT = 50.0  # counts per minute of a foot that drifts
+TORQUE_ERROR = 0.2
+FULL = 32767
+
+Condition = Callable[[Log, np.random.Generator], Log]
+
+
+def normal_forces(log: Log) -> Array:
+    """Return the true vertical force on every foot (n, 4) [N]."""
+    return np.asarray(log["truth_foot_forces"].reshape(-1, 4, 3)[:, :, 2])
+
+
+def alive(log: Log, rng: np.random.Generator) -> Log:
+    """Both foot force fields live; motors as recorded."""
+    newtons = normal_forces(log)
+    newtons = newtons + NEWTON_NOISE * rng.standard_normal(newtons.shape)
+    return {**log, "footForceEst": int16(newtons), "footForce": int16(counts(log, rng))}
+
+
+def raw(log: Log, rng: np.random.Generator) -> Log:
+    """Only raw counts, and every motor's torque off by up to 20 %."""
+    wrong = rng.uniform(1.0 - TORQUE_ERROR, 1.0 + TORQUE_ERROR, 12)
+    tau = (log["tauEst"] * wrong).astype(np.float32)
+    nothing = np.zeros_like(log["footForceEst"])
+    return {**log, "footForceEst": nothing, "footForce": int16(counts(log, rng)), "tauEst": tau}
+
+
+def torque(log: Log, rng: np.random.Generator) -> Log:
+    """No foot force at all; motors as recorded."""
+    nothing = np.zeros_like(log["footForceEst"])
+    return {**log, "footForceEst": nothing, "footForce": nothing.copy()}
+
+
+def _one_foot(fault: str) -> Condition:
+    def condition(log: Log, rng: np.random.Generator) -> Log:
+        foot = int(rng.integers(4))
+        out = alive(log, rng)
+        for name in ("footForceEst", "footForce"):
+            values = out[name].copy()
+            values[:, foot] = {"stuck": values[0, foot], "zero": 0, "saturated": FULL}[fault]
+            out[name] = values
+        return out
+
+    condition.__doc__ = f"Both fields live, one foot's are {fault}."
+    return condition
+
+
+def drifting(log: Log, rng: np.random.Generator) -> Log:
+    """Only raw counts, one foot's drift by 50 counts a minute; motors as recorded."""
+    foot = int(rng.integers(4))
+    values = counts(log, rng)
+    sign = rng.choice([-1.0, 1.0])
+    values[:, foot] += sign * FAULT_DRIFT / 60.0 * seconds(log)
+    return {
+        **log,
+        "footForceEst": np.zeros_like(log["footForceEst"]),
+        "footForce": int16(values),
+    }
+
+
+def counts(log: Log, rng: np.random.Generator) -> Array:
+    """Return what raw foot sensors would read (n, 4), not yet rounded."""
+    newtons = normal_forces(log)
+    step = np.sqrt(np.diff(seconds(log), prepend=0.0) / 60.0)[:, None]
+    walk = np.cumsum(COUNT_WALK * step * rng.standard_normal(newtons.shape), axis=0)
+    offset, gain = rng.uniform(*COUNT_OFFSET, 4), rng.uniform(*COUNT_GAIN, 4)
+    noise = COUNT_NOISE * rng.standard_normal(newtons.shape)
+    return np.asarray(offset + walk + gain * newtons + noise)
+
+
+def seconds(log: Log) -> Array:
+    """Return the time (n,) [s] since the first row."""
+    tick = log["tick"].astype(np.int64)
+    return np.asarray((tick - tick[0]) / 1000.0)
+
+
+def int16(values: Array) -> Array:
+    """Round to what the field holds."""
+    return np.clip(np.round(values), -32768, FULL).astype(np.int16)
+
+
+def recorded(log: Log, rng: np.random.Generator) -> Log:
+    """As the controller got it."""
+    return log
+
+
+CONDITIONS: dict[str, Condition] = {
+    "est": alive,
+    "raw": raw,
+    "torque": torque,
+    "stuck": _one_foot("stuck"),
+    "zero": _one_foot("zero"),
+    "saturated": _one_foot("saturated"),
+    "drifting": drifting,
+}
+
+
+def under(condition: str, log: Log, seed: int) -> Log:
+    """Return a log under one of CONDITIONS; its random numbers are the condition's own."""
+    rng = np.random.default_rng([seed, zlib.crc32(condition.encode())])
+    return CONDITIONS[condition](log, rng)

@@ -1,0 +1,77 @@
+"""Figures of standing still and of being pushed."""
+
+from __future__ import annotations
+
+import numpy as np
+from surefoot import Robot
+
+from estimation.contacts import score
+from estimation.errors import compare, rms
+from estimation.figures import Result, Values
+from estimation.recording import Log, rate_of
+from estimation.replay import Estimates, replay
+from estimation.rows import SETTLED, after
+from estimation.sensors import CONDITIONS, normal_forces, under
+
+Logs = dict[str, Log]
+
+
+def quiet(robot: Robot, logs: Logs, seed: int) -> Result:
+    """Drift in a minute, and false transitions under every sensor condition."""
+    log = logs["quiet"]
+    values = _drift(robot, log)
+    for condition in CONDITIONS:
+        estimates = replay(robot, under(condition, log, seed))
+        values[f"false: {condition}"] = false_transitions(log, estimates)
+    return Result(values)
+
+
+def quiet_long(robot: Robot, logs: Logs, seed: int) -> Result:
+    """Drift in ten minutes."""
+    return Result(_drift(robot, logs["quiet_long"]))
+
+
+def _drift(robot: Robot, log: Log) -> Values:
+    estimates = replay(robot, log)
+    height = compare(log, estimates).height[after(log, SETTLED)]
+    return {
+        "fell": float(log["fell"]),
+        "height drift": 1000.0 * float(np.abs(height - height[0]).max()),
+        "false: recorded": false_transitions(log, estimates),
+    }
+
+
+def false_transitions(log: Log, estimates: Estimates) -> float:
+    """Return how many of all feet's estimated transitions belong to no true one."""
+    share, rate = normal_forces(log) / log["weight"], rate_of(log)
+    scores = [score(share[:, k], estimates.contact[:, k], rate) for k in range(4)]
+    return float(sum(one.false for one in scores))
+
+
+def push60(robot: Robot, logs: Logs, seed: int) -> Result:
+    """Errors in pushes, and what consistency needs of every seed."""
+    log = logs["push60"]
+    estimates = replay(robot, log, keep_covariance=True)
+    errors, rows = compare(log, estimates), after(log, SETTLED)
+    velocity, tilt = errors.velocity[rows], np.degrees(errors.tilt[rows])
+    beyond = tilt - np.degrees(errors.explained[rows])
+    said = np.any(estimates.forces != 0.0)
+    force = (estimates.forces[:, 2] - normal_forces(log))[rows] / log["weight"]
+    per_foot = np.sqrt(np.mean(force**2, axis=0)) if said else np.full(4, np.nan)
+    values = {
+        "fell": float(log["fell"]),
+        "velocity RMSE": rms(np.linalg.norm(velocity, axis=1)),
+        "velocity RMSE per axis": max(rms(velocity[:, k]) for k in range(3)),
+        "tilt RMSE": max(rms(tilt[:, k]) for k in range(2)),
+        "tilt RMSE beyond bias": max(rms(beyond[:, k]) for k in range(2)),
+        "force RMSE": 100.0 * float(per_foot.max()),
+    }
+    dof = estimates.nis_dimension
+    nees = errors.nees[rows]
+    series = {
+        "NIS": estimates.nis[rows],
+        "NIS dof": dof[rows],
+        "NEES": nees,
+        "NEES dof": np.where(np.isfinite(nees), 5, 0),
+    }
+    return Result(values, series)

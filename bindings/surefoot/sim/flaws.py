@@ -1,0 +1,76 @@
+"""Flaws of one robot, drawn from the seed or given: IMU biases, torque errors, its trunk."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from statistics import NormalDist
+
+import numpy as np
+
+from surefoot._core import Error
+from surefoot.sim.checks import number
+from surefoot.sim.rotations import Array
+
+Bias = tuple[float, float, float] | float | None
+
+
+@dataclass(frozen=True)
+class Flaws:
+    """How one robot differs from its drawings; the first three are there with real sensors only.
+
+    A bias is three numbers, in IMU axes; or one, the standard deviation of a normal draw per axis;
+    or None for the IMU's usual uniform draw.
+
+    Attributes:
+        gyro_bias: Of the gyroscope [rad/s].
+        accelerometer_bias: Of the accelerometer [m/s^2].
+        torque_error: Each motor's torque is off from what its driver believes by a lasting
+            fraction, drawn uniform in +- this.
+        trunk_mass_scale: Factor on the trunk's mass and inertia.
+        trunk_com_shift: Of the trunk's centre of mass, base frame [m].
+    """
+
+    gyro_bias: Bias = None
+    accelerometer_bias: Bias = None
+    torque_error: float = 0.05
+    trunk_mass_scale: float = 1.0
+    trunk_com_shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        _check_bias("gyro_bias", self.gyro_bias, 1.0)
+        _check_bias("accelerometer_bias", self.accelerometer_bias, 10.0)
+        number("torque_error", self.torque_error, 0.0, 0.9)
+        number("trunk_mass_scale", self.trunk_mass_scale, 0.01, 100.0)
+        _three("trunk_com_shift", self.trunk_com_shift, 1.0)
+
+
+def draw_bias(bias: Bias, usual: float, rng: np.random.Generator) -> Array:
+    """Return a bias (3,) in IMU axes; every kind takes as many numbers out of the stream.
+
+    Args:
+        bias: As Flaws has it.
+        usual: Half the width of the uniform draw that None stands for.
+        rng: Draws it.
+    """
+    uniform = rng.uniform(-1.0, 1.0, 3)
+    if bias is None:
+        return usual * uniform
+    if isinstance(bias, tuple):
+        return np.array(bias)
+    return np.array([bias * NormalDist().inv_cdf((1.0 + float(u)) / 2.0) for u in uniform])
+
+
+def _check_bias(name: str, bias: Bias, most: float) -> None:
+    if bias is None:
+        return
+    if isinstance(bias, tuple):
+        _three(name, bias, most)
+    else:
+        number(name, bias, 0.0, most)
+
+
+def _three(name: str, values: tuple[float, ...], most: float) -> None:
+    if not isinstance(values, tuple) or len(values) != 3:
+        raise Error(f"{name}: got {values!r}, expected x, y, z")
+    for value in values:
+        number(name, value, -most, most)

@@ -1,0 +1,114 @@
+"""Hands that lift: the trunk off the ground and back, or one foot of a standing robot.
+
+A hand is a spring and a damper to a place above the one where it took hold. Its grip closes and
+opens in a few milliseconds, so loads leave the feet, and come back, faster than a leg could do it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from surefoot._core import Error, Robot
+from surefoot.sim.checks import number, one_of
+from surefoot.sim.handles import Handles
+from surefoot.sim.rotations import Array
+
+PARTS = ("trunk", "FR", "FL", "RR", "RL")
+TRUNK_RATE = 40.0  # [rad/s] of the critically damped hold
+TRUNK_GYRATION = 0.1  # [m^2] inertia per kilogram that the hold of the attitude reckons with
+FOOT_STIFFNESS = 250.0  # [N/m] per kilogram of robot: lifts a foot that pushes a quarter of it down
+FOOT_DAMPING = 4.0  # [N.s/m] per kilogram
+
+
+@dataclass(frozen=True)
+class Lift:
+    """One lift.
+
+    Attributes:
+        part: "trunk", or a foot: "FR", "FL", "RR", "RL".
+        time: When the grip begins to close, since reset [s].
+        duration: Until it begins to open [s].
+        height: How far above the place of the grip the hand wants the part [m].
+        speed: With which it wants it there [m/s].
+        ramp: In which the grip closes, and opens [s].
+    """
+
+    part: str
+    time: float
+    duration: float = 0.5
+    height: float = 0.03
+    speed: float = 0.6
+    ramp: float = 0.02
+
+    def __post_init__(self) -> None:
+        one_of("part", self.part, PARTS)
+        number("time", self.time, 0.0, 1e9)
+        for name, most in (("duration", 1e6), ("height", 1.0), ("speed", 100.0), ("ramp", 10.0)):
+            number(name, getattr(self, name), 1e-6, most)
+        if self.duration < self.ramp:
+            raise Error(
+                f"duration: got {self.duration:g} s, expected the ramp's {self.ramp:g} or more"
+            )
+
+    def grip(self, time: float) -> float:
+        """Return how firm the grip is, 0 .. 1, at a time [s]."""
+        closing = (time - self.time) / self.ramp
+        opening = 1.0 - (time - self.time - self.duration) / self.ramp
+        return max(0.0, min(1.0, closing, opening))
+
+
+class Hand:
+    """Carries out one lift.
+
+    Args:
+        model: MuJoCo's model.
+        handles: Indices into it.
+        robot: For its mass.
+        lift: What to do.
+    """
+
+    def __init__(self, model: mujoco.MjModel, handles: Handles, robot: Robot, lift: Lift) -> None:
+        self._model, self._lift, self._mass = model, lift, robot.mass
+        k = PARTS.index(lift.part)
+        self._trunk = k == 0
+        self._body = handles.root if k == 0 else int(handles.foot_bodies[k - 1])
+        self._start: tuple[Array, Array] | None = None
+
+    def apply(self, data: mujoco.MjData, time: float) -> None:
+        """Add to xfrc_applied for the step that begins at `time` [s]."""
+        grip = self._lift.grip(time)
+        if grip <= 0.0:
+            self._start = None
+            return
+        place, attitude = data.xpos[self._body], data.xmat[self._body].reshape(3, 3)
+        if self._start is None:
+            self._start = place.copy(), attitude.copy()
+        twist = np.zeros(6)  # angular, linear, world axes, of the body's origin
+        kind = mujoco.mjtObj.mjOBJ_XBODY
+        mujoco.mj_objectVelocity(self._model, data, kind, self._body, twist, 0)
+        rise = self._lift.speed * (time - self._lift.time)
+        target = self._start[0] + [0.0, 0.0, min(self._lift.height, rise)]
+        stiffness, damping = self._hold()
+        force = grip * (stiffness * (target - place) - damping * twist[3:])
+        # MuJoCo applies the force at the body's own centre of mass.
+        moment = np.cross(place - data.xipos[self._body], force)
+        if self._trunk:
+            inertia = grip * TRUNK_GYRATION * self._mass
+            moment += inertia * TRUNK_RATE**2 * rotation_error(self._start[1], attitude)
+            moment -= inertia * 2.0 * TRUNK_RATE * twist[:3]
+        data.xfrc_applied[self._body, :3] += force
+        data.xfrc_applied[self._body, 3:] += moment
+
+    def _hold(self) -> tuple[float, float]:
+        if self._trunk:
+            return self._mass * TRUNK_RATE**2, 2.0 * self._mass * TRUNK_RATE
+        return self._mass * FOOT_STIFFNESS, self._mass * FOOT_DAMPING
+
+
+def rotation_error(wanted: Array, got: Array) -> Array:
+    """Return the rotation (3,) [rad], small, that takes attitude `got` (3, 3) to `wanted`."""
+    E = wanted @ got.T
+    return 0.5 * np.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]])
