@@ -88,7 +88,8 @@ def _check_stance(robot: Robot, log: SensorLog, windows: Windows, feet: _Feet) -
         return []
     names = " ".join(LEGS[list(order).index(k)] for k in range(4))
     found = f"legs in the order {names}" + (f" with {flip} mirrored" if flip else "")
-    if _slide(table[:, :, 0, np.arange(4), np.arange(4)], np.swapaxes(back, 1, 2)) < FITS * own:
+    otherwise = _slide(table[:, :, 0, np.arange(4), np.arange(4)], np.swapaxes(back, 1, 2))
+    if otherwise < slides[flip, order]:
         found = "a gyroscope that turned the other way"
     slid = f"feet that slide by {1000 * np.sqrt(own):.0f} mm in 0.3 s as logged"
     if not bears_weight(robot, log, rows.ravel()):

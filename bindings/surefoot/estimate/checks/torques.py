@@ -35,7 +35,7 @@ def check_torques(robot: Robot, log: SensorLog) -> list[str]:
 
 
 def bears_weight(robot: Robot, log: SensorLog, rows: npt.NDArray[np.int64]) -> bool:
-    """Return whether all calf torques tell, most of the time in some rows, that feet bear weight."""
+    """Return whether in most of some rows all calf torques tell that feet bear weight."""
     if "tauEst" not in log.columns:
         return False
     share = finite_median(log.columns["tauEst"][rows])[2::3] / _carrying(robot, log)[2::3]
