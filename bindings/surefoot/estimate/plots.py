@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib import style
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from surefoot.estimate.plot_bands import band, three_bands
 from surefoot.estimate.plot_contact import draw_contact, draw_verdicts
 from surefoot.estimate.result import Estimate
 from surefoot.estimate.thinning import shown_rows
@@ -63,7 +63,7 @@ def draw_path(estimate: Estimate) -> Figure:
         ground.plot(x, y, color=ORANGE, lw=0.7, ls="--", label="2 sigma at the end")
     ground.set(xlabel="x [m]", ylabel="y [m]", title="over ground")
     ground.set_aspect("equal", adjustable="datalim")
-    _band(height, estimate.time[rows], p[:, 2], std[:, 2])
+    band(height, estimate.time[rows], p[:, 2], std[:, 2])
     height.set(xlabel="time [s]", ylabel="z [m]", title="height")
     handles, labels = ground.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
@@ -77,7 +77,9 @@ def draw_attitude(estimate: Estimate) -> Figure:
         truth = truth - [0.0, 0.0, heading_offset(estimate)]
         truth = np.degrees((truth + np.pi) % (2.0 * np.pi) - np.pi)
     values, std = np.degrees(estimate.rpy), np.degrees(estimate.rpy_std)
-    return _three(estimate, values, std, ("roll [deg]", "pitch [deg]", "yaw [deg]"), truth, 0.2)
+    return three_bands(
+        estimate, values, std, ("roll [deg]", "pitch [deg]", "yaw [deg]"), truth, 0.2
+    )
 
 
 def draw_velocity(estimate: Estimate) -> Figure:
@@ -85,7 +87,7 @@ def draw_velocity(estimate: Estimate) -> Figure:
     truth = true_rows(estimate, "truth_v")
     truth = None if truth is None else turned(truth, -heading_offset(estimate))
     labels = tuple(f"{axis} [m/s]" for axis in AXES)
-    return _three(estimate, estimate.v_world, estimate.std[:, 3:6], labels, truth, 0.02)
+    return three_bands(estimate, estimate.v_world, estimate.std[:, 3:6], labels, truth, 0.02)
 
 
 def draw_biases(estimate: Estimate) -> Figure:
@@ -98,7 +100,7 @@ def draw_biases(estimate: Estimate) -> Figure:
     )
     for ax, (label, values, std) in zip(chain.from_iterable(axes), sensors, strict=True):
         for k, color in enumerate((BLUE, ORANGE, GREEN)):
-            _band(ax, estimate.time[rows], values[rows, k], std[rows, k], color, AXES[k])
+            band(ax, estimate.time[rows], values[rows, k], std[rows, k], color, AXES[k])
         at_least(ax, 0.01)
         ax.set_ylabel(label)
     finish_time(figure, axes, float(estimate.time[-1]))
@@ -120,34 +122,6 @@ def draw_nis(estimate: Estimate) -> Figure:
     ax.set_ylabel("NIS / dimension")
     finish_time(figure, axes, float(estimate.time[-1]))
     return figure
-
-
-def _three(
-    estimate: Estimate,
-    values: Array,
-    std: Array,
-    labels: tuple[str, ...],
-    truth: Array | None,
-    span: float,
-) -> Figure:
-    rows = shown_rows(estimate)
-    figure, axes = grid(3, 1, 5.2)
-    for k, ax in enumerate(chain.from_iterable(axes)):
-        if truth is not None:
-            ax.plot(estimate.time[rows], truth[rows, k], color=BLUE, label="true")
-        _band(ax, estimate.time[rows], values[rows, k], std[rows, k], label="estimated, 2 sigma")
-        at_least(ax, span)
-        ax.set_ylabel(labels[k])
-    finish_time(figure, axes, float(estimate.time[-1]))
-    return figure
-
-
-def _band(
-    ax: Axes, time: Array, value: Array, std: Array, color: str = ORANGE, label: str = ""
-) -> None:
-    """Draw a value with two standard deviations to either side."""
-    ax.fill_between(time, value - 2.0 * std, value + 2.0 * std, color=color, alpha=0.2, lw=0)
-    ax.plot(time, value, color=color, lw=0.9, label=label or None)
 
 
 def _true_path(estimate: Estimate) -> Array | None:
