@@ -10,11 +10,11 @@ import pytest
 import surefoot
 from log_helpers import RATE, ROBOT, TICKS, still_log, turned
 from surefoot import LowCmd, Status
+from surefoot.plain import plain
 from surefoot.sim import PlantSettings, Push
 from surefoot.stand import FIELDS, StandSettings, parse_push, run_stand, summarise
 from surefoot.stand.geometry import feet_of, pose_from_feet
 from surefoot.stand.loop import is_torque_mode
-from surefoot.stand.metrics import plain
 from surefoot.stand.settling import settle_time, settled_ticks
 from surefoot.stand.text import push_line
 

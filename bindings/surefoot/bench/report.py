@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from surefoot.bench.run import WHOLE, Bench
 from surefoot.bench.text import bench_text
-from surefoot.stand.axes import BLUE, GREY, ORANGE, STYLE
+from surefoot.report_axes import BLUE, GREY, ORANGE, STYLE
 
 _COLOURS = dict(zip(WHOLE, (BLUE, ORANGE, GREY), strict=True))
 _PAGE = """<!doctype html><meta charset="utf-8"><title>{title}</title>

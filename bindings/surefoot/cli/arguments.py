@@ -9,6 +9,8 @@ from collections.abc import Callable, Sequence
 from typing import NoReturn
 
 from surefoot.cli.bench import add_bench_options, bench
+from surefoot.cli.estimate import estimate
+from surefoot.cli.estimate_options import add_estimate_options
 from surefoot.cli.export import export
 from surefoot.cli.robot import robot
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
@@ -55,6 +57,8 @@ def _build_parser() -> _Parser:
 
     add_stand_options(add("stand", stand, "let a robot stand on torques in simulation"))
     add_run_options(add("run", run, "let a robot stand over the SDK's UDP frames"))
+    text = "run the state estimator over a log of a robot's sensors"
+    add_estimate_options(add("estimate", estimate, text))
     _add_export_options(add("export", export, "write the one file that a robot computer needs"))
     add_bench_options(add("bench", bench, "time the controller on recorded runs"))
     add_virtual_robot_options(

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
+from surefoot.estimate.tables import check_table_name
 
 
 def choose_graphics() -> None:
@@ -31,11 +32,24 @@ def missing_module(command: str, problem: ModuleNotFoundError) -> Error:
 
 def check_json_place(place: str | None) -> None:
     """Find out before a run, not after it, that its result has no place to go; raises Error."""
-    if place in (None, "-"):
+    if place != "-":
+        check_place("--json", place)
+
+
+def check_table_place(option: str, place: str | None) -> None:
+    """Find out before a run that a .csv or .npz has another name or no place; raises Error."""
+    if place is not None:
+        check_table_name(place, option)
+        check_place(option, place)
+
+
+def check_place(option: str, place: str | None) -> None:
+    """Raise Error unless there is a folder for a file that an option asks for; None is none."""
+    if place is None:
         return
-    path = Path(str(place))
+    path = Path(place)
     if path.is_dir() or not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
-        raise Error(f"--json: got '{path}', expected a file in a folder that can be written")
+        raise Error(f"{option}: got '{path}', expected a file in a folder that can be written")
 
 
 def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2) -> None:

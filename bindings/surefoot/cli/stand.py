@@ -11,10 +11,12 @@ from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.simulation import (
     check_json_place,
+    check_table_place,
     choose_graphics,
     missing_module,
     write_json,
 )
+from surefoot.estimate import write_log
 from surefoot.robot_table import suggest
 from surefoot.robots import RobotDescription, build_robot, load_gains
 
@@ -33,15 +35,19 @@ def stand(arguments: argparse.Namespace) -> int:
     """
     choose_graphics()
     try:
-        from surefoot.stand import run_stand, summarise
+        from surefoot.stand import SensorRecorder, run_stand, summarise
         from surefoot.stand.text import summary_text
     except ModuleNotFoundError as problem:
         raise missing_module("stand", problem) from None
     settings = read_settings(arguments)
     check_json_place(arguments.json)
+    check_table_place("--log", arguments.log)
     _check_report(arguments.report)
     progress = progress_bar()
-    log = run_stand(settings, progress)
+    sensors = None if arguments.log is None else SensorRecorder()
+    log = run_stand(settings, progress, sensors)
+    if sensors is not None:
+        write_log(arguments.log, sensors.log())
     summary = summarise(log)
     write_json(arguments.json, summary)
     if arguments.report is not None:

@@ -30,6 +30,11 @@ def add_stand_options(parser: argparse.ArgumentParser) -> None:
     _add_controller_options(parser)
     add = parser.add_argument_group("results").add_argument
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
+    add(
+        "--log",
+        metavar="FILE.npz|FILE.csv",
+        help="write what the controller was told, and the truth apart, for surefoot estimate",
+    )
     add("--report", metavar="DIR", help="write film, plots, index.html and summary.json")
 
 

@@ -10,8 +10,9 @@ import numpy.typing as npt
 
 from surefoot._core import RobotConfig, VelStopF
 from surefoot.sim.flaws import Flaws
+from surefoot.low_state_layout import MOTORS
 from surefoot.sim.rotations import Array
-from surefoot.sim.wire import MOTORS, Command
+from surefoot.sim.wire import Command
 
 SERVO = 0x0A
 DAMPING = 0x00

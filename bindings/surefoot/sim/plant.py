@@ -84,6 +84,15 @@ class Plant:
         return measure_truth(self.model, self.data, self.handles, self._adapter, self.time, torque)
 
     @property
+    def first_truth(self) -> Truth:
+        """The true state of the instant that reset()'s LowState tells of.
+
+        With real sensors that is one period before the robot is handed over. Its time counts from
+        before reset() and means nothing.
+        """
+        return self._first_truth
+
+    @property
     def motors(self) -> Motors:
         """The motors: law in force, torques; read them, do not write them."""
         return self._motors
@@ -136,6 +145,7 @@ class Plant:
             )
         self._sensors.start()
         first = self._next = self.read()
+        self._first_truth = self.truth
         if settings.real:
             self.advance()
             self._next = self.read()

@@ -8,10 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import LowCmd, LowState, PosStopF, VelStopF
+from surefoot.low_state_layout import LOW_STATE, MOTOR_STATE, MOTORS, SLOTS
 from surefoot.sim.rotations import Array
-
-MOTORS = 12
-SLOTS = 20
 
 _MOTOR_CMD = np.dtype(
     {
@@ -23,28 +21,6 @@ _MOTOR_CMD = np.dtype(
 )
 _LOW_CMD = np.dtype(
     {"names": ["motorCmd"], "formats": [(_MOTOR_CMD, SLOTS)], "offsets": [22], "itemsize": 734}
-)
-_MOTOR_STATE = np.dtype(
-    {
-        "names": ["mode", "q", "dq", "ddq", "tauEst", "temperature"],
-        "formats": ["u1", "<f4", "<f4", "<f4", "<f4", "i1"],
-        "offsets": [0, 1, 5, 9, 13, 29],
-        "itemsize": 38,
-    }
-)
-LOW_STATE = np.dtype(
-    {
-        "names": [
-            *("quaternion", "gyroscope", "accelerometer", "rpy", "imu_temperature"),
-            *("motorState", "footForce", "footForceEst", "tick"),
-        ],
-        "formats": [
-            *(("<f4", 4), ("<f4", 3), ("<f4", 3), ("<f4", 3), "i1"),
-            *((_MOTOR_STATE, SLOTS), ("<i2", 4), ("<i2", 4), "<u4"),
-        ],
-        "offsets": [22, 38, 50, 62, 74, 75, 869, 877, 885],
-        "itemsize": 937,
-    }
 )
 
 
@@ -116,7 +92,7 @@ class StateFrame:
             for name in LOW_STATE.names or ()
         }
         motors = self.fields.pop("motorState")[:MOTORS]
-        for name in _MOTOR_STATE.names or ():
+        for name in MOTOR_STATE.names or ():
             self.fields[f"motor_{name}"] = motors[name]
         self.fields["motor_mode"][:] = 0x0A
         self.fields["motor_temperature"][:] = 35

@@ -6,6 +6,7 @@ from surefoot.stand.loop import run_stand
 from surefoot.stand.metrics import summarise
 from surefoot.stand.pushes import PushRequest, parse_push
 from surefoot.stand.references import ReferenceRequest, parse_reference
+from surefoot.stand.sensor_recorder import SensorRecorder
 from surefoot.stand.settings import StandSettings
 
 __all__ = [
@@ -13,6 +14,7 @@ __all__ = [
     "Field",
     "PushRequest",
     "ReferenceRequest",
+    "SensorRecorder",
     "StandLog",
     "StandSettings",
     "parse_push",

@@ -1,37 +1,12 @@
-"""How the plots look: colours, grids, shaded pushes."""
+"""How a stand's plots look: shaded pushes, times of the run."""
 
 from __future__ import annotations
-
-from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from surefoot.report_axes import RED, finish_time
 from surefoot.stand.log import StandLog
-
-BLUE, ORANGE, GREEN, RED, GREY = "#2f6db5", "#e08a1e", "#2a9d5c", "#d1342f", "#8a929b"
-STYLE: dict[str, Any] = {
-    "font.size": 9.0,
-    "axes.titlesize": 9.5,
-    "axes.titlelocation": "left",
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.edgecolor": "#b6bcc4",
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": "#e6e9ed",
-    "lines.linewidth": 1.1,
-    "legend.frameon": False,
-    "xtick.color": "#4a525b",
-    "ytick.color": "#4a525b",
-}
-
-
-def grid(rows: int, columns: int, height: float) -> tuple[Figure, list[list[Axes]]]:
-    """Return a figure of so many plots above the same times, `height` in inches."""
-    figure = Figure(figsize=(9.2, height), layout="constrained")
-    axes = figure.subplots(rows, columns, sharex=True, squeeze=False)
-    return figure, [list(row) for row in axes]
 
 
 def shade_pushes(ax: Axes, log: StandLog) -> None:
@@ -40,16 +15,6 @@ def shade_pushes(ax: Axes, log: StandLog) -> None:
         ax.axvspan(push.time, push.time + push.duration, color=RED, alpha=0.25, lw=0)
 
 
-def at_least(ax: Axes, span: float) -> None:
-    """Widen the y axis to at least +- span, so that a still robot does not look restless."""
-    low, high = ax.get_ylim()
-    ax.set_ylim(min(low, -span), max(high, span))
-
-
 def finish(figure: Figure, axes: list[list[Axes]], log: StandLog) -> None:
     """Label the time axis and explain the lines once, above all plots."""
-    for ax in axes[-1]:
-        ax.set_xlabel("time [s]")
-        ax.set_xlim(0.0, max(log.duration, 1e-3))
-    handles, labels = axes[0][0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
+    finish_time(figure, axes, log.duration)

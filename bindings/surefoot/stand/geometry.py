@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot._core import Robot
+from surefoot.row_rotations import matrices_from_xyzw, rpy_from_matrices
 from surefoot.stand.log import Array
 
 _FRONT = np.array([1.0, 1.0, -1.0, -1.0])  # FR FL against RR RL
@@ -30,27 +31,12 @@ class FootFramePose:
     @property
     def rpy(self) -> Array:
         """(n, 3) roll, pitch, yaw [rad] (ZYX)."""
-        R = self.rotation
-        roll = np.arctan2(R[:, 2, 1], R[:, 2, 2])
-        pitch = np.arcsin(np.clip(-R[:, 2, 0], -1.0, 1.0))
-        yaw = np.arctan2(R[:, 1, 0], R[:, 0, 0])
-        return np.stack([roll, pitch, yaw], axis=1)
+        return rpy_from_matrices(self.rotation)
 
     @property
     def rows(self) -> Array:
         """(n, 6) x, y, z [mm], roll, pitch, yaw [deg] without leaps."""
         return np.hstack([1000.0 * self.position, np.degrees(np.unwrap(self.rpy, axis=0))])
-
-
-def matrices_from_xyzw(quaternions: Array) -> Array:
-    """Return the (n, 3, 3) matrices of unit quaternions x y z w, (n, 4)."""
-    x, y, z, w = quaternions.T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), 2, 0)
 
 
 def matrices_from_rpy(rpy: Array) -> Array:

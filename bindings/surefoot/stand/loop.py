@@ -13,6 +13,7 @@ from surefoot._core import LowCmd, PosStopF, StandController, StandOptions, VelS
 from surefoot.sim import Plant, Push, Truth
 from surefoot.stand.log import StandLog
 from surefoot.stand.references import body_references
+from surefoot.stand.sensor_recorder import SensorRecorder
 from surefoot.stand.settings import StandSettings
 
 MOTORS = 12
@@ -22,10 +23,19 @@ Progress = Callable[[str, int, int], None]
 """Called with what is being done, how much of it is done, and how much there is."""
 
 
-def run_stand(settings: StandSettings, progress: Progress | None = None) -> StandLog:
+def run_stand(
+    settings: StandSettings,
+    progress: Progress | None = None,
+    sensors: SensorRecorder | None = None,
+) -> StandLog:
     """Run a stand to its end, or until the robot falls.
 
     The controller sees LowState and its robot's model, nothing else: the truth goes to the log.
+
+    Args:
+        settings: What to run.
+        progress: Told how far it is.
+        sensors: Is given every LowState as the controller gets it, with the truth of its instant.
 
     Raises:
         Error: An unknown robot, gains or options out of range, before anything runs.
@@ -38,8 +48,10 @@ def run_stand(settings: StandSettings, progress: Progress | None = None) -> Stan
     head = _describe(settings, plant)
     recorder = _Recorder(settings.ticks, plant.robot.nq, plant.robot.nv)
     state = plant.reset()
-    truth = plant.truth
+    truth, sampled = plant.truth, plant.first_truth
     for k in range(settings.ticks):
+        if sensors is not None:
+            sensors.record(state, sampled)
         if k in references:
             controller.set_body_reference(references[k])
         start = perf_counter_ns()
@@ -47,7 +59,9 @@ def run_stand(settings: StandSettings, progress: Progress | None = None) -> Stan
         elapsed = perf_counter_ns() - start
         recorder.record(truth, controller, command, elapsed / 1000.0)
         state = plant.step(command)
-        truth = plant.truth
+        # Real sensors' reports are one period old: this one tells of the instant before the step.
+        previous, truth = truth, plant.truth
+        sampled = previous if plant.settings.real else truth
         if progress is not None:
             progress("stand", k + 1, settings.ticks)
         if truth.fell:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Status, is_usable
+from surefoot.plain import plain
 from surefoot.stand.asked import asked_pose, reference_summary
 from surefoot.stand.conditions import describe_conditions
 from surefoot.stand.geometry import angle_between, pose_from_feet, up_in_base, wrap
@@ -31,21 +32,6 @@ def summarise(log: StandLog) -> dict[str, Any]:
         _loop(log),
     )
     return {name: plain(value) for part in parts for name, value in part.items()}
-
-
-def plain(value: Any) -> Any:
-    """Return a value as JSON knows it: six digits, None for what is not finite."""
-    if isinstance(value, dict):
-        return {str(name): plain(item) for name, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(item) for item in value]
-    if isinstance(value, bool | np.bool_):
-        return bool(value)
-    if isinstance(value, int | np.integer):
-        return int(value)
-    if isinstance(value, float | np.floating):
-        return float(f"{value:.6g}") if math.isfinite(value) else None
-    return value
 
 
 def _outcome(log: StandLog) -> dict[str, Any]:

@@ -11,19 +11,9 @@ import numpy as np
 from matplotlib import style
 from matplotlib.figure import Figure
 
+from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, STYLE, at_least, grid
 from surefoot.stand.asked import asked_pose
-from surefoot.stand.axes import (
-    BLUE,
-    GREEN,
-    GREY,
-    ORANGE,
-    RED,
-    STYLE,
-    at_least,
-    finish,
-    grid,
-    shade_pushes,
-)
+from surefoot.stand.axes import finish, shade_pushes
 from surefoot.stand.geometry import feet_of, pose_from_feet
 from surefoot.stand.log import StandLog
 

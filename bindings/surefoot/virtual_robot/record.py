@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from surefoot.low_state_layout import MOTORS
 from surefoot.sim.rotations import Array
-from surefoot.sim.wire import MOTORS, Command
+from surefoot.sim.wire import Command
 from surefoot.virtual_robot.robot import VirtualRobot
 
 LONGEST_LOG = 600.0  # [s]; of longer runs the end is kept

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot._core import Error
+from surefoot.low_state_layout import MOTORS
 from surefoot.sim.checks import number
 from surefoot.sim.rotations import Array
-from surefoot.sim.wire import MOTORS
 
 _FORM = "JOINT:TORQUE:HZ@TIME[:DURATION]"
 _LEGS = ("FR", "FL", "RR", "RL")

@@ -1,0 +1,40 @@
+"""Logs of real or simulated robots, and the state estimator over them without a controller."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from surefoot.estimate.columns import COLUMNS, Column
+from surefoot.estimate.fields import FIELDS, Field
+from surefoot.estimate.read import read_log
+from surefoot.estimate.result import Estimate
+from surefoot.estimate.run import run_estimator
+from surefoot.estimate.sensor_log import SensorLog
+from surefoot.estimate.summary import summarise
+from surefoot.estimate.trajectory import trajectory, write_trajectory
+from surefoot.estimate.write import write_log
+
+__all__ = [
+    "COLUMNS",
+    "FIELDS",
+    "Column",
+    "Estimate",
+    "Field",
+    "SensorLog",
+    "read_log",
+    "run_estimator",
+    "summarise",
+    "trajectory",
+    "write_log",
+    "write_report",
+    "write_trajectory",
+]
+
+
+def __getattr__(name: str) -> Any:
+    # The report draws with matplotlib; an estimate without pictures must not need it.
+    if name == "write_report":
+        from surefoot.estimate.report import write_report
+
+        return write_report
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")

@@ -1,0 +1,91 @@
+"""Accelerometer and gyroscope: in SI units."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot._core import Error
+from surefoot.estimate.checks.evidence import (
+    DEGREES,
+    ENOUGH,
+    TURN,
+    Windows,
+    finite_median,
+    unit_rows,
+)
+from surefoot.estimate.checks.quaternion import quaternion_turns
+from surefoot.estimate.sensor_log import SensorLog
+from surefoot.row_rotations import Array
+
+GRAVITY = 9.81
+FULL_SCALE = 36.0  # [rad/s] gyroscopes end at 2000 deg/s
+TILTED = 0.05  # [rad] turn of what the accelerometer feels that counts as one
+
+
+def check_accelerometer(log: SensorLog) -> list[str]:
+    """Compare the accelerometer's median with gravity; raises Error."""
+    values = log.columns["accelerometer"]
+    norm = float(finite_median(np.linalg.norm(values, axis=1, keepdims=True))[0])
+    for unit, one in (("g", 1.0), ("milli-g", 1000.0)):
+        if 0.8 * one < norm < 1.25 * one:
+            raise Error(
+                f"{log.source}: column 'accelerometer': got a median size of {norm:.3g}, expected "
+                f"about {GRAVITY} m/s^2: it seems to be in {unit}"
+            )
+    if norm == 0.0:
+        return ["accelerometer is zero most of the time"]
+    if not 0.7 * GRAVITY < norm < 1.4 * GRAVITY:
+        return [f"accelerometer has a median size of {norm:.3g} m/s^2, expected about {GRAVITY}"]
+    return []
+
+
+def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
+    """Compare the gyroscope with the turns of quaternion or of gravity; raises Error."""
+    size = np.linalg.norm(log.columns["gyroscope"], axis=1)
+    size = size[np.isfinite(size)]
+    if len(size) and np.percentile(size, 99.0) > FULL_SCALE:
+        raise Error(
+            f"{log.source}: column 'gyroscope': got {np.percentile(size, 99.0):.3g} and more in "
+            f"1 % of the rows, expected up to {FULL_SCALE:g} rad/s: it seems to be in deg/s"
+        )
+    if len(windows) == 0:
+        return []
+    turns = quaternion_turns(log, windows)
+    if turns is not None:
+        return _compare(log, windows.turned, turns, TURN, "quaternion")
+    return _compare(log, *_tilts(windows), TILTED, "accelerometer")
+
+
+def _tilts(windows: Windows) -> tuple[Array, Array]:
+    """Return how the gyroscope, and how gravity in the accelerometer, tilted over 0.5 s."""
+    span = 5
+    if len(windows) <= span:
+        return np.zeros((0, 3)), np.zeros((0, 3))
+    up = unit_rows(windows.felt)
+    total = np.cumsum(windows.turned, axis=0)
+    turned = total[span:] - total[:-span]
+    axis = up[span:]
+    turned = turned - axis * np.sum(axis * turned, axis=1, keepdims=True)  # yaw is not felt
+    return turned, np.cross(up[:-span], up[span:])
+
+
+def _compare(log: SensorLog, turned: Array, turns: Array, least: float, other: str) -> list[str]:
+    size = np.linalg.norm(turns, axis=1)
+    told = size > least
+    still = np.linalg.norm(turned[~told], axis=1)
+    if told.sum() >= ENOUGH:
+        ratio = float(np.median(np.linalg.norm(turned[told], axis=1) / size[told]))
+        if 0.5 * DEGREES < ratio < 2.0 * DEGREES:
+            raise Error(
+                f"{log.source}: column 'gyroscope': got turns of {ratio:.1f} times those of the "
+                f"{other}, expected rad/s: it seems to be in deg/s"
+            )
+        if not 0.5 < ratio < 2.0:
+            return [f"gyroscope turns {ratio:.2g} times as far as the {other}"]
+    elif len(still) >= ENOUGH and np.median(still) > 3.0 * least:
+        rate = float(np.median(still))
+        return [
+            f"gyroscope turns by {rate:.2g} rad at a time while the {other} stands still: a bias, "
+            "or deg/s?"
+        ]
+    return []

@@ -1,0 +1,61 @@
+"""Joint angles and velocities: in radians, within the robot's reach, of one sign."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot._core import Error, Robot
+from surefoot.estimate.checks.evidence import DEGREES, Windows, finite_median
+from surefoot.estimate.columns import MOTOR_NAMES
+from surefoot.estimate.sensor_log import SensorLog
+
+OUTSIDE = 0.5  # [rad] beyond a limit: no joint gets there, whatever its calibration
+SLACK = 0.2  # [rad] beyond a limit for degrees that are taken as such
+MOTION = 0.01  # [rad] RMS in windows where joints move
+
+
+def check_angles(robot: Robot, log: SensorLog) -> list[str]:
+    """Compare the median of each joint's angle with its limits; raises Error."""
+    median = finite_median(log.columns["q"])
+    lower, upper = robot.config.q_lower, robot.config.q_upper
+    beyond = np.maximum(lower - median, median - upper)
+    worst = int(np.argmax(beyond))
+    if beyond[worst] <= OUTSIDE:
+        return []
+    radians = median / DEGREES
+    inside = np.all((radians > lower - SLACK) & (radians < upper + SLACK))
+    if inside and np.abs(median).max() > 6.0:
+        raise Error(
+            f"{log.source}: column 'q': got a median of {median[worst]:.1f} for "
+            f"{MOTOR_NAMES[worst]}, expected radians: all twelve are within the limits of "
+            f"{robot.name} in degrees"
+        )
+    raise Error(
+        f"{log.source}: column 'q_{worst}' ({MOTOR_NAMES[worst]}): got a median of "
+        f"{median[worst]:.3f} rad, expected {lower[worst]:.2f} .. {upper[worst]:.2f} as "
+        f"{robot.name} has it: order FR FL RR RL, each hip thigh calf, signs of the SDK"
+    )
+
+
+def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
+    """Compare dq with how q changes; raises Error."""
+    if "dq" not in log.columns or len(windows) == 0:
+        return []
+    moving = np.sqrt(np.mean(windows.moved**2, axis=1)) > MOTION
+    if moving.sum() < 3:
+        return []
+    moved, integrated = windows.moved[moving], windows.integrated[moving]
+    slope = float(np.sum(moved * integrated) / np.sum(moved**2))
+    if slope < -0.5:
+        raise Error(
+            f"{log.source}: column 'dq': got velocities of {slope:.2f} times the change of q, "
+            "expected its sign"
+        )
+    if 0.5 * DEGREES < slope < 2.0 * DEGREES:
+        raise Error(
+            f"{log.source}: column 'dq': got velocities of {slope:.1f} times the change of q, "
+            "expected rad/s: they seem to be in deg/s"
+        )
+    if not 0.5 < slope < 2.0:
+        return [f"dq is {slope:.2f} times the change of q"]
+    return []

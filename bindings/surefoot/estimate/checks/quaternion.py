@@ -1,0 +1,106 @@
+"""The quaternion: w x y z, IMU to world."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot._core import Error
+from surefoot.estimate.checks.evidence import (
+    ENOUGH,
+    Windows,
+    angles_between,
+    unit_rows,
+)
+from surefoot.estimate.sensor_log import SensorLog
+from surefoot.row_rotations import Array, matrices_from_xyzw, rotation_vectors
+
+WRONG, RIGHT = 20.0, 10.0  # [deg] between two verticals
+UNLIKE, ALIKE = 0.5, 0.15  # squared error of turns, of their size
+_TURN = 0.01  # [rad] in a window: a tenth of a rad/s, which no bias hides
+_SPOILED = 0.1  # of unit length
+
+
+def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
+    """Compare its vertical with the accelerometer's and its turns with the gyroscope's.
+
+    Raises:
+        Error: Both fit better, beyond doubt, if it is read as x y z w or as world to IMU.
+    """
+    if "quaternion" not in log.columns or len(windows) == 0:
+        return []
+    first, second = (log.columns["quaternion"][rows] for rows in (windows.start, windows.end))
+    lengths = np.linalg.norm(np.stack([first, second]), axis=2)
+    unit = (np.abs(lengths - 1.0) < _SPOILED).all(axis=0)
+    if not unit.any():
+        # All zeros is how a dead field looks: the estimator's own verdict says so.
+        return [] if np.all(lengths == 0.0) else ["quaternion is far from unit length"]
+    first, second = first[unit], second[unit]
+    up, turned = unit_rows(windows.felt[unit]), windows.turned[unit]
+    readings = {
+        "w x y z": (first[:, [1, 2, 3, 0]], second[:, [1, 2, 3, 0]]),
+        "x y z w": (first, second),
+        "world to IMU (or if the gyroscope turned the other way)": (
+            _inverse(first),
+            _inverse(second),
+        ),
+    }
+    scores = {name: _score(*pair, up, turned) for name, pair in readings.items()}
+    tilt, error = scores.pop("w x y z")
+    for name, (other_tilt, other_error) in scores.items():
+        by_gravity = tilt > WRONG and other_tilt < RIGHT and not other_error > UNLIKE
+        by_turns = error > UNLIKE and other_error < ALIKE and other_tilt < WRONG
+        if by_gravity or by_turns:
+            what = (
+                f"a vertical {tilt:.0f} deg from the accelerometer's"
+                if by_gravity
+                else "turns that are not the gyroscope's"
+            )
+            raise Error(
+                f"{log.source}: column 'quaternion': got {what}, expected w x y z, IMU to world; "
+                f"it fits if read as {name}"
+            )
+    return _doubts(tilt, error, first)
+
+
+def quaternion_turns(log: SensorLog, windows: Windows) -> Array | None:
+    """Return the turn in each window (w, 3) [rad]; None without a quaternion of unit length."""
+    if "quaternion" not in log.columns:
+        return None
+    pair = [
+        log.columns["quaternion"][rows][:, [1, 2, 3, 0]] for rows in (windows.start, windows.end)
+    ]
+    lengths = np.linalg.norm(np.stack(pair), axis=2)
+    if not np.all(np.abs(lengths - 1.0) < _SPOILED):
+        return None
+    return _turns(*pair)
+
+
+def _inverse(wxyz: Array) -> Array:
+    return np.asarray(wxyz[:, [1, 2, 3, 0]] * [-1.0, -1.0, -1.0, 1.0])
+
+
+def _turns(first: Array, second: Array) -> Array:
+    """Return the rotation vectors between quaternions x y z w, in the first's own axes."""
+    R = np.swapaxes(matrices_from_xyzw(first), 1, 2) @ matrices_from_xyzw(second)
+    return rotation_vectors(R)
+
+
+def _score(first: Array, second: Array, up: Array, turned: Array) -> tuple[float, float]:
+    """Return the median angle of the verticals [deg] and the error of turns; NaN: cannot tell."""
+    tilt = float(np.median(angles_between(matrices_from_xyzw(first)[:, 2, :], up)))
+    told = np.linalg.norm(turned, axis=1) > _TURN
+    if told.sum() < ENOUGH:
+        return tilt, float("nan")
+    missed = np.sum((_turns(first, second)[told] - turned[told]) ** 2)
+    return tilt, float(missed / np.sum(turned[told] ** 2))
+
+
+def _doubts(tilt: float, error: float, wxyz: Array) -> list[str]:
+    doubts = []
+    if tilt > WRONG:
+        doubts.append(f"quaternion's vertical is {tilt:.0f} deg from the accelerometer's")
+    elif not error < UNLIKE and abs(wxyz[0, 0]) < 0.1 and abs(wxyz[0, 3]) > 0.99:
+        doubts.append("quaternion begins as 0 0 0 1: a heading of 180 deg, or order x y z w?")
+    if error > UNLIKE:
+        doubts.append("quaternion's turns are not the gyroscope's")
+    return doubts

@@ -1,0 +1,60 @@
+"""Joint torques: of the sign that carries the robot."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import Error, Robot
+from surefoot.estimate.checks.evidence import finite_median
+from surefoot.estimate.columns import LEGS
+from surefoot.estimate.sensor_log import SensorLog
+from surefoot.row_rotations import Array
+
+GRAVITY = 9.81
+PULLS = -0.3  # of a leg's share of the weight
+BEARS = 0.3
+
+
+def check_torques(robot: Robot, log: SensorLog) -> list[str]:
+    """Compare calf torques (median) with what carries the weight in the median pose.
+
+    Raises:
+        Error: All four pull the ground up.
+    """
+    if "tauEst" not in log.columns:
+        return []
+    share = finite_median(log.columns["tauEst"])[2::3] / _carrying(robot, log)[2::3]
+    if np.all(share < PULLS):
+        raise Error(
+            f"{log.source}: column 'tauEst': got calf torques (median) of {np.mean(share):.2f} "
+            "times those that carry the robot, expected their sign"
+        )
+    pulling = [leg for leg, value in zip(LEGS, share, strict=True) if value < PULLS]
+    return [f"tauEst of {', '.join(pulling)} pulls the ground up most of the time"] * bool(pulling)
+
+
+def bears_weight(robot: Robot, log: SensorLog, rows: npt.NDArray[np.int64]) -> bool:
+    """Return whether in most of some rows all calf torques tell that feet bear weight."""
+    if "tauEst" not in log.columns:
+        return False
+    share = finite_median(log.columns["tauEst"][rows])[2::3] / _carrying(robot, log)[2::3]
+    return bool(np.all(share > BEARS))
+
+
+def _carrying(robot: Robot, log: SensorLog) -> Array:
+    """Return the torques (12,) [N.m] of a level robot at rest on four equally loaded feet."""
+    import pinocchio
+
+    model = pinocchio.Model()
+    model.loadFromString(robot.serialized_model())
+    data = model.createData()
+    q = robot.q_standing()
+    q[list(robot.motor_to_q)] = finite_median(log.columns["q"])
+    tau = pinocchio.computeGeneralizedGravity(model, data, q)
+    pinocchio.computeJointJacobians(model, data, q)
+    pinocchio.updateFramePlacements(model, data)
+    for frame in robot.foot_frame_ids:
+        J = pinocchio.getFrameJacobian(model, data, frame, pinocchio.LOCAL_WORLD_ALIGNED)
+        tau = tau - 0.25 * robot.mass * GRAVITY * J[2]
+    return np.asarray(tau[list(robot.motor_to_v)])

@@ -1,0 +1,80 @@
+"""The report's page: one HTML file, no script, pictures beside it."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Any
+
+from surefoot.estimate.fields import FIELDS
+from surefoot.estimate.plots import PLOTS
+from surefoot.estimate.text import bad_sensors, doubts, headline, log_line, spread
+from surefoot.report_page import numbers_html, page_html, pictures_html, tiles_html
+
+SHOWN = 20  # lines of a list on the page; summary.json has all
+
+
+def render_page(summary: dict[str, Any], command: str) -> str:
+    """Return the page as HTML.
+
+    Args:
+        summary: What summarise() returned.
+        command: What made it; "" if no command did.
+    """
+    title = headline(summary)
+    mark = "bad" if not summary["statuses"].get("OK") else "fair" if doubts(summary) else "good"
+    notes = "".join(f"<p>Doubt: {escape(text)}</p>" for text in doubts(summary))
+    body = f"""<h1><span class="mark {mark}"></span>{escape(title)}</h1>
+<p class="soft">{escape(log_line(summary))}</p>
+{notes}
+{f"<pre>{escape(command)}</pre>" if command else ""}
+<div class="tiles card">{_tiles(summary)}</div>
+{pictures_html(PLOTS)}
+{numbers_html(FIELDS, _shortened(summary))}"""
+    return page_html(title, body)
+
+
+def _tiles(s: dict[str, Any]) -> str:
+    rmse = s["velocity_rmse"]
+    us = s["update_us"]
+    bad = bad_sensors(s)
+    nis = s["nis_per_dimension"]
+    tiles = (
+        ("position at the end", spread(s["position"], s["position_std"], "m", 2)),
+        ("roll, pitch, yaw at the end", spread(s["rpy_deg"], s["rpy_std_deg"], "deg", 1)),
+        ("path", f"{s['path_length']:.2f} m"),
+        ("sensors known to be bad", str(len(bad))),
+        ("contact transitions", str(len(s["contact_transitions"]))),
+        ("NIS over its dimension", "-" if nis is None else f"{nis:.2f}"),
+        ("velocity error, RMS", "-" if rmse is None else f"{1000 * rmse:.1f} mm/s"),
+        ("update, median and p99", f"{us['p50']:.1f} / {us['p99']:.1f} &micro;s" if us else "-"),
+    )
+    return tiles_html(tiles)
+
+
+def _shortened(summary: dict[str, Any]) -> dict[str, Any]:
+    """Return the summary with long lists cut and nested ones in words."""
+    shown = dict(summary)
+    verdicts = summary["verdicts"].items()
+    shown["verdicts"] = {name: f"{v['now']} now, {_shares(v['share'])}" for name, v in verdicts}
+    shown["contact"] = {
+        foot: f"{c['transitions']} transitions, {_percent(c['share'])} of the time"
+        for foot, c in summary["contact"].items()
+    }
+    for name in ("contact_transitions", "slip_events"):
+        entries = [", ".join(f"{k} {v}" for k, v in entry.items()) for entry in summary[name]]
+        more = [f"... and {len(entries) - SHOWN} more"] if len(entries) > SHOWN else []
+        shown[name] = entries[:SHOWN] + more
+    delays = summary["contact_delays"]
+    if delays is not None:
+        shown["contact_delays"] = {
+            foot: ", ".join(f"{k} {v}" for k, v in entry.items()) for foot, entry in delays.items()
+        }
+    return shown
+
+
+def _shares(shares: dict[str, float]) -> str:
+    return ", ".join(f"{name} {_percent(share)}" for name, share in shares.items())
+
+
+def _percent(share: float | None) -> str:
+    return "-" if share is None else f"{100.0 * share:.3g} %"

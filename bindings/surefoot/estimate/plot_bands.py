@@ -1,0 +1,51 @@
+"""Lines with two standard deviations to either side, and the truth behind them."""
+
+from __future__ import annotations
+
+from itertools import chain
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from surefoot.estimate.result import Estimate
+from surefoot.estimate.thinning import shown_rows
+from surefoot.report_axes import BLUE, ORANGE, at_least, finish_time, grid
+from surefoot.row_rotations import Array
+
+
+def three_bands(
+    estimate: Estimate,
+    values: Array,
+    std: Array,
+    labels: tuple[str, ...],
+    truth: Array | None,
+    span: float,
+) -> Figure:
+    """Draw three quantities above each other.
+
+    Args:
+        estimate: Whose times they are at.
+        values: (m, 3).
+        std: (m, 3) their standard deviations.
+        labels: Of the three.
+        truth: (m, 3), or None.
+        span: What the y axes show at least, to either side of 0.
+    """
+    rows = shown_rows(estimate)
+    figure, axes = grid(3, 1, 5.2)
+    for k, ax in enumerate(chain.from_iterable(axes)):
+        if truth is not None:
+            ax.plot(estimate.time[rows], truth[rows, k], color=BLUE, label="true")
+        band(ax, estimate.time[rows], values[rows, k], std[rows, k], label="estimated, 2 sigma")
+        at_least(ax, span)
+        ax.set_ylabel(labels[k])
+    finish_time(figure, axes, float(estimate.time[-1]))
+    return figure
+
+
+def band(
+    ax: Axes, time: Array, value: Array, std: Array, color: str = ORANGE, label: str = ""
+) -> None:
+    """Draw a value with two standard deviations to either side."""
+    ax.fill_between(time, value - 2.0 * std, value + 2.0 * std, color=color, alpha=0.2, lw=0)
+    ax.plot(time, value, color=color, lw=0.9, label=label or None)

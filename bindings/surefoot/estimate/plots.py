@@ -1,0 +1,163 @@
+"""Pictures of an estimate over time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+from matplotlib import style
+from matplotlib.figure import Figure
+
+from surefoot.estimate.plot_bands import band, three_bands
+from surefoot.estimate.plot_contact import draw_contact, draw_verdicts
+from surefoot.estimate.result import Estimate
+from surefoot.estimate.thinning import shown_rows
+from surefoot.estimate.truth_summary import heading_offset, true_rows, true_rpy, turned
+from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, STYLE, at_least, finish_time, grid
+from surefoot.row_rotations import Array
+
+AXES = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Plot:
+    """One picture of the report.
+
+    Attributes:
+        file: Its name in the report's folder.
+        title: Heading.
+        caption: What can be seen.
+        draw: Makes it.
+    """
+
+    file: str
+    title: str
+    caption: str
+    draw: Callable[[Estimate], Figure]
+
+
+def draw_plots(estimate: Estimate, folder: Path) -> None:
+    """Write every plot of PLOTS into a folder as PNG."""
+    with style.context(STYLE):
+        for plot in PLOTS:
+            plot.draw(estimate).savefig(folder / plot.file, dpi=130)
+
+
+def draw_path(estimate: Estimate) -> Figure:
+    """Draw the way over ground with the ellipse of its end, and the height."""
+    rows = shown_rows(estimate)
+    p, std = estimate.q[rows, :3], estimate.std[rows, 6:9]
+    figure = Figure(figsize=(9.2, 3.6), layout="constrained")
+    ground, height = figure.subplots(1, 2)
+    truth = _true_path(estimate)
+    if truth is not None:
+        ground.plot(truth[rows, 0], truth[rows, 1], color=BLUE, label="true")
+        height.plot(estimate.time[rows], truth[rows, 2], color=BLUE)
+    ground.plot(p[:, 0], p[:, 1], color=ORANGE, lw=0.9, label="estimated")
+    if np.isfinite(std[-1]).all():
+        angle = np.linspace(0.0, 2.0 * np.pi, 60)
+        x, y = (p[-1, k] + 2.0 * std[-1, k] * f(angle) for k, f in enumerate((np.cos, np.sin)))
+        ground.plot(x, y, color=ORANGE, lw=0.7, ls="--", label="2 sigma at the end")
+    ground.set(xlabel="x [m]", ylabel="y [m]", title="over ground")
+    ground.set_aspect("equal", adjustable="datalim")
+    band(height, estimate.time[rows], p[:, 2], std[:, 2])
+    height.set(xlabel="time [s]", ylabel="z [m]", title="height")
+    handles, labels = ground.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
+    return figure
+
+
+def draw_attitude(estimate: Estimate) -> Figure:
+    """Draw roll, pitch, yaw."""
+    truth = true_rpy(estimate)
+    if truth is not None:
+        truth = truth - [0.0, 0.0, heading_offset(estimate)]
+        truth = np.degrees((truth + np.pi) % (2.0 * np.pi) - np.pi)
+    values, std = np.degrees(estimate.rpy), np.degrees(estimate.rpy_std)
+    return three_bands(
+        estimate, values, std, ("roll [deg]", "pitch [deg]", "yaw [deg]"), truth, 0.2
+    )
+
+
+def draw_velocity(estimate: Estimate) -> Figure:
+    """Draw the base's velocity in world axes."""
+    truth = true_rows(estimate, "truth_v")
+    truth = None if truth is None else turned(truth, -heading_offset(estimate))
+    labels = tuple(f"{axis} [m/s]" for axis in AXES)
+    return three_bands(estimate, estimate.v_world, estimate.std[:, 3:6], labels, truth, 0.02)
+
+
+def draw_biases(estimate: Estimate) -> Figure:
+    """Draw the biases of gyroscope and accelerometer."""
+    rows = shown_rows(estimate)
+    figure, axes = grid(2, 1, 4.2)
+    sensors = (
+        ("gyroscope [rad/s]", estimate.gyroscope_bias, estimate.std[:, 9:12]),
+        ("accelerometer [m/s²]", estimate.accelerometer_bias, estimate.std[:, 12:15]),
+    )
+    for ax, (label, values, std) in zip(chain.from_iterable(axes), sensors, strict=True):
+        for k, color in enumerate((BLUE, ORANGE, GREEN)):
+            band(ax, estimate.time[rows], values[rows, k], std[rows, k], color, AXES[k])
+        at_least(ax, 0.01)
+        ax.set_ylabel(label)
+    finish_time(figure, axes, float(estimate.time[-1]))
+    return figure
+
+
+def draw_nis(estimate: Estimate) -> Figure:
+    """Draw the normalised innovation squared over its dimension, and how many feet it is of."""
+    figure, axes = grid(1, 1, 2.6)
+    ax = axes[0][0]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        share = np.where(estimate.nis_dimension > 0, estimate.nis / estimate.nis_dimension, np.nan)
+    rows = shown_rows(estimate)
+    ax.plot(estimate.time[rows], share[rows], ".", ms=1.5, color=BLUE, label="one row")
+    ax.axhline(1.0, color=GREY, label="as believed")
+    refused = np.nansum(estimate.refused, axis=1) > 0
+    ax.plot(estimate.time[refused], 0.0 * estimate.time[refused], "|", color=RED, label="refused")
+    ax.set_ylim(0.0, max(2.0, 1.1 * float(np.nanmax(share[rows], initial=1.0))))
+    ax.set_ylabel("NIS / dimension")
+    finish_time(figure, axes, float(estimate.time[-1]))
+    return figure
+
+
+def _true_path(estimate: Estimate) -> Array | None:
+    """Return the true positions (m, 3) in the estimator's world, both at one place at the start."""
+    truth = true_rows(estimate, "truth_p")
+    if truth is None or not np.isfinite(truth).any():
+        return None
+    first = int(np.flatnonzero(np.isfinite(truth).all(axis=1))[0])
+    moved = turned(truth - truth[first], -heading_offset(estimate))
+    return np.asarray(moved + estimate.q[first, :3])
+
+
+PLOTS = (
+    Plot(
+        "path.png",
+        "Where the base was",
+        "In the estimator's world, which begins under the base with its heading; the truth is "
+        "moved there at the start. Bands and ellipse are two standard deviations.",
+        draw_path,
+    ),
+    Plot("attitude.png", "Attitude", "With two standard deviations.", draw_attitude),
+    Plot("velocity.png", "Velocity", "Of the base, along world axes.", draw_velocity),
+    Plot("biases.png", "Biases", "Of the IMU, base axes, two standard deviations.", draw_biases),
+    Plot(
+        "contact.png",
+        "Contact",
+        "Probability that each foot bears load, and the vertical forces that tell of it; shaded "
+        "where it truly does.",
+        draw_contact,
+    ),
+    Plot("verdicts.png", "Verdicts", "What each sensor was worth, and when.", draw_verdicts),
+    Plot(
+        "nis.png",
+        "Consistency",
+        "Normalised innovation squared over its dimension: around 1 where noise is as large as "
+        "believed. Red: the gate refused a foot.",
+        draw_nis,
+    ),
+)

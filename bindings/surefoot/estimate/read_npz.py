@@ -1,0 +1,63 @@
+"""NPZ logs: one array a column, or one a component."""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+from surefoot._core import Error
+from surefoot.estimate.columns import Column
+from surefoot.estimate.slots import Slots
+from surefoot.row_rotations import Array
+
+
+def read_npz(path: Path) -> tuple[dict[str, Array], list[str]]:
+    """Return columns (n, width) by name, and the names of those that mean nothing here.
+
+    Raises:
+        Error: No NPZ file, an array of the wrong shape or of no numbers, arrays of unequal length.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            return _take(path, file)
+    except (ValueError, EOFError, zipfile.BadZipFile) as problem:
+        raise Error(f"{path}: got no NPZ file of numbers ({problem}), expected one") from None
+
+
+def _take(path: Path, file: np.lib.npyio.NpzFile) -> tuple[dict[str, Array], list[str]]:
+    if not file.files:
+        raise Error(f"{path}: got an empty file, expected arrays of named columns")
+    slots: Slots[Array] = Slots(str(path))
+    lengths: dict[int, str] = {}
+    for name in file.files:
+        found = slots.find(name)
+        if found is None:
+            continue
+        column, index = found
+        values = _check(path, name, file[name], column, index)
+        lengths.setdefault(len(values), name)
+        for k in range(values.shape[1]):
+            slots.put(name, column, k if index is None else index, values[:, k])
+    places = slots.finish()
+    if len(lengths) > 1:
+        got = ", ".join(f"{name} {length}" for length, name in lengths.items())
+        raise Error(f"{path}: got columns of unequal length ({got} rows), expected equal ones")
+    if 0 in lengths:
+        raise Error(f"{path}: got columns without rows, expected one row a report")
+    return {name: np.stack(parts, axis=1) for name, parts in places.items()}, slots.ignored
+
+
+def _check(path: Path, name: str, values: np.ndarray, column: Column, index: int | None) -> Array:
+    """Return an array as (n, width), or (n, 1) if it is one component; raises Error."""
+    width = column.width if index is None else 1
+    if values.dtype.kind not in "biuf":
+        raise Error(f"{path}: column '{name}': got {values.dtype} values, expected numbers")
+    shaped = values[:, None] if values.ndim == 1 and width == 1 else values
+    if shaped.ndim != 2 or shaped.shape[1] != width:
+        turned = "; is it transposed?" if shaped.ndim == 2 and shaped.shape[0] == width else ""
+        raise Error(
+            f"{path}: column '{name}': got shape {values.shape}, expected (rows, {width}){turned}"
+        )
+    return shaped.astype(np.float64)

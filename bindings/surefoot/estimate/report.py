@@ -1,0 +1,40 @@
+"""The report: a folder with plots, the numbers, and a page that shows them."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from surefoot.estimate.page import render_page
+from surefoot.estimate.plots import draw_plots
+from surefoot.estimate.result import Estimate
+
+
+def write_report(
+    estimate: Estimate,
+    summary: dict[str, Any],
+    folder: str | Path,
+    command: Sequence[str] = (),
+) -> Path:
+    """Write index.html, the plots and summary.json; return the page to open.
+
+    Args:
+        estimate: What run_estimator() returned.
+        summary: What summarise() made of it.
+        folder: Made if it is not there.
+        command: The words that made it, shown on the page.
+
+    Raises:
+        OSError: The folder or a file cannot be written.
+    """
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(summary, indent=2, allow_nan=False)
+    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    draw_plots(estimate, folder)
+    page = folder / "index.html"
+    page.write_text(render_page(summary, shlex.join(command)), encoding="utf-8")
+    return page

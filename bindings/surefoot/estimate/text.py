@@ -1,0 +1,70 @@
+"""An estimate in a few lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+
+def headline(s: dict[str, Any]) -> str:
+    """Return in one sentence what was estimated."""
+    taken = s["statuses"].get("OK", 0)
+    return f"{s['robot']}: {taken} of {s['rows']} rows estimated over {s['duration']:.3g} s"
+
+
+def log_line(s: dict[str, Any]) -> str:
+    """Return what the log is like as one line."""
+    parts = [f"{s['file']}", f"{s['rate']:.4g} Hz by {s['clock']}"]
+    if s["columns_missing"]:
+        parts.append(f"without {', '.join(s['columns_missing'])}")
+    parts += [f"{name} derived" for name in s["columns_derived"]]
+    if s["duplicate_rows"]:
+        parts.append(f"{s['duplicate_rows']} repeated rows")
+    if s["gaps"]:
+        parts.append(f"{s['gaps']} gaps, up to {s['longest_gap_s']:.3g} s")
+    return ", ".join(parts)
+
+
+def doubts(s: dict[str, Any]) -> list[str]:
+    """Return what ought to be looked at: warnings, columns that were ignored, rows refused."""
+    lines = list(s["warnings"])
+    if s["ignored_columns"]:
+        lines.append(f"ignored columns: {', '.join(s['ignored_columns'])}")
+    refused = {name: count for name, count in s["statuses"].items() if name != "OK"}
+    lines += [f"{count} rows {name}" for name, count in refused.items()]
+    lines += [f"{n} rows of {name} not finite" for name, n in s["non_finite_rows"].items()]
+    return lines
+
+
+def bad_sensors(s: dict[str, Any]) -> list[str]:
+    """Return the sensors whose verdict at the end is neither good nor open."""
+    verdicts = {name: verdict["now"] for name, verdict in s["verdicts"].items()}
+    bad = {name: word for name, word in verdicts.items() if word not in ("GOOD", "UNJUDGED")}
+    return [f"{name} {word}" for name, word in bad.items()]
+
+
+def summary_text(s: dict[str, Any]) -> str:
+    """Return a summary for people to read."""
+    lines = [("log", log_line(s)), *(("doubt", text) for text in doubts(s))]
+    lines += [
+        ("end", f"position {spread(s['position'], s['position_std'], 'm', 3)}"),
+        ("", f"velocity {spread(s['velocity'], s['velocity_std'], 'm/s', 3)}"),
+        ("", f"roll pitch yaw {spread(s['rpy_deg'], s['rpy_std_deg'], 'deg', 2)}"),
+    ]
+    bad = bad_sensors(s)
+    lines.append(("sensors", ", ".join(bad) if bad else "none is known to be bad"))
+    changes = len(s["contact_transitions"])
+    lines.append(("contact", f"{changes} transitions, {len(s['slip_events'])} slips"))
+    if s["velocity_rmse"] is not None:
+        lines.append(("truth", f"RMSE: velocity {s['velocity_rmse']:.4f} m/s"))
+    if s["update_us"] is not None:
+        lines.append(("update", f"{s['update_us']['p50']:.1f} us median"))
+    return "\n".join([f"{headline(s)}.", *(f"  {name:<9} {text}" for name, text in lines)])
+
+
+def spread(values: Sequence[float | None], std: Sequence[float | None], unit: str, n: int) -> str:
+    """Return values with their standard deviations in words."""
+    if any(value is None for value in [*values, *std]):
+        return "unknown"
+    told = ", ".join(f"{v:.{n}f} +- {s:.{n}f}" for v, s in zip(values, std, strict=True))
+    return f"{told} {unit}"

@@ -1,0 +1,131 @@
+"""How near an estimate is to what was true, where the log says it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from surefoot.estimate.columns import LEGS
+from surefoot.estimate.events import Transition, transitions
+from surefoot.estimate.result import Estimate
+from surefoot.row_rotations import Array, matrices_from_xyzw, rpy_from_matrices
+
+GRAVITY = 9.81
+EARLIEST, LATEST = -0.1, 0.3  # [s] of a transition told after a true one
+LOAD = 1.0  # [N] on a foot that stands, where the log has forces only
+
+
+def truth_summary(estimate: Estimate) -> dict[str, Any]:
+    """Return the fields of the group Truth; None for what the log has no column of."""
+    return {
+        "velocity_rmse": _velocity_rmse(estimate),
+        "roll_pitch_rmse_deg": _tilt_rmse(estimate),
+        "height_error_range": _height_range(estimate),
+        "vertical_force_rmse": _force_rmse(estimate),
+        "contact_delays": _delays(estimate),
+    }
+
+
+def true_rows(estimate: Estimate, name: str) -> Array | None:
+    """Return a truth column at the estimate's rows (m, k), NaN where it does not count."""
+    if name not in estimate.log.columns:
+        return None
+    values = estimate.log.columns[name][estimate.rows].copy()
+    values[~estimate.valid] = np.nan
+    return values
+
+
+def true_rpy(estimate: Estimate) -> Array | None:
+    """Return the true roll, pitch, yaw (m, 3) [rad], or None."""
+    wxyz = true_rows(estimate, "truth_quaternion")
+    return None if wxyz is None else rpy_from_matrices(matrices_from_xyzw(wxyz[:, [1, 2, 3, 0]]))
+
+
+def heading_offset(estimate: Estimate) -> float:
+    """Return the yaw of the estimator's world in the true one [rad]; 0 without an attitude."""
+    rpy = true_rpy(estimate)
+    if rpy is None or not np.isfinite(rpy).any():
+        return 0.0
+    first = np.flatnonzero(np.isfinite(rpy).all(axis=1))[0]
+    return float(rpy[first, 2] - estimate.rpy[first, 2])
+
+
+def turned(values: Array, yaw: float) -> Array:
+    """Return vectors (n, 3) turned about world z by an angle [rad]."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    return np.asarray(values @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]))
+
+
+def _rms(errors: Array, axis: int | None = None) -> Any:
+    return np.sqrt(np.nanmean(errors**2, axis=axis)) if np.isfinite(errors).any() else None
+
+
+def _velocity_rmse(estimate: Estimate) -> float | None:
+    truth = true_rows(estimate, "truth_v")
+    if truth is None:
+        return None
+    error = turned(estimate.v_world, heading_offset(estimate)) - truth
+    length: float | None = _rms(np.linalg.norm(error, axis=1))
+    return length
+
+
+def _tilt_rmse(estimate: Estimate) -> Any:
+    truth = true_rpy(estimate)
+    if truth is None:
+        return None
+    error = np.degrees((estimate.rpy - truth)[:, :2])
+    return _rms((error + 180.0) % 360.0 - 180.0, axis=0)
+
+
+def _height_range(estimate: Estimate) -> list[float] | None:
+    truth = true_rows(estimate, "truth_p")
+    if truth is None:
+        return None
+    error = estimate.q[:, 2] - truth[:, 2]
+    error = error[np.isfinite(error)]
+    return [(error - error[0]).min(), (error - error[0]).max()] if len(error) else None
+
+
+def _force_rmse(estimate: Estimate) -> dict[str, Any] | None:
+    truth = true_rows(estimate, "truth_foot_forces")
+    if truth is None:
+        return None
+    share = (estimate.torque_forces - truth[:, 2::3]) / (estimate.robot.mass * GRAVITY)
+    return {leg: _rms(share[:, k]) for k, leg in enumerate(LEGS)}
+
+
+def _delays(estimate: Estimate) -> dict[str, Any] | None:
+    standing = true_rows(estimate, "truth_contact")
+    forces = true_rows(estimate, "truth_foot_forces")
+    if standing is None and forces is not None:
+        load = np.linalg.norm(forces.reshape(-1, 4, 3), axis=2)
+        standing = np.where(np.isfinite(load), load > LOAD, np.nan)
+    if standing is None:
+        return None
+    true, told = transitions(estimate.time, standing), transitions(estimate.time, estimate.contact)
+    return {leg: _match(true, told, k) for k, leg in enumerate(LEGS)}
+
+
+def _match(true: list[Transition], told: list[Transition], leg: int) -> dict[str, Any]:
+    """Give each true transition the nearest one that was told of it."""
+    left = [change for change in told if change.leg == leg]
+    delays = []
+    mine = [change for change in true if change.leg == leg]
+    for change in mine:
+        near = [
+            other
+            for other in left
+            if other.on == change.on and EARLIEST <= other.time - change.time <= LATEST
+        ]
+        if near:
+            best = min(near, key=lambda other: abs(other.time - change.time))
+            left.remove(best)
+            delays.append(best.time - change.time)
+    return {
+        "true": len(mine),
+        "missed": len(mine) - len(delays),
+        "false": len(left),
+        "mean_s": float(np.mean(delays)) if delays else None,
+        "max_s": max(delays) if delays else None,
+    }

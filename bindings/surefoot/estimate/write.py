@@ -1,0 +1,40 @@
+"""Write a log as read_log() reads it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from surefoot.estimate.columns import COLUMNS
+from surefoot.estimate.sensor_log import SensorLog
+from surefoot.estimate.tables import check_table_name, write_table
+
+
+def write_log(path: str | Path, log: SensorLog) -> None:
+    """Write a log, as CSV or NPZ by the file's name.
+
+    Sensors are written as LowState carries them (float32, int16, tick as uint32), so that what is
+    read again is the same to the last bit for an estimator.
+
+    Raises:
+        Error: Another suffix.
+        OSError: The file cannot be written.
+    """
+    path = check_table_name(path, "log")
+    table: dict[str, np.ndarray] = {}
+    for column in COLUMNS:
+        if column.name in log.columns:
+            values = log.columns[column.name]
+            table[column.name] = _as_carried(column.name, values, column.width)
+    write_table(path, table)
+
+
+def _as_carried(name: str, values: np.ndarray, width: int) -> np.ndarray:
+    """Return values in the type that LowState has for them, where it holds them."""
+    carried = {"tick": np.uint32, "footForce": np.int16, "footForceEst": np.int16}.get(name)
+    if carried is not None and np.isfinite(values).all():
+        values = values.astype(np.int64).astype(carried)  # by int64: modulo, never undefined
+    elif carried is None and name != "time" and not name.startswith("truth_"):
+        values = values.astype(np.float32)
+    return values[:, 0] if width == 1 else values

@@ -1,0 +1,31 @@
+"""LowState's fields in its 937 packed bytes: for arrays of many states at once."""
+
+from __future__ import annotations
+
+import numpy as np
+
+MOTORS = 12
+SLOTS = 20
+
+MOTOR_STATE = np.dtype(
+    {
+        "names": ["mode", "q", "dq", "ddq", "tauEst", "temperature"],
+        "formats": ["u1", "<f4", "<f4", "<f4", "<f4", "i1"],
+        "offsets": [0, 1, 5, 9, 13, 29],
+        "itemsize": 38,
+    }
+)
+LOW_STATE = np.dtype(
+    {
+        "names": [
+            *("quaternion", "gyroscope", "accelerometer", "rpy", "imu_temperature"),
+            *("motorState", "footForce", "footForceEst", "tick"),
+        ],
+        "formats": [
+            *(("<f4", 4), ("<f4", 3), ("<f4", 3), ("<f4", 3), "i1"),
+            *((MOTOR_STATE, SLOTS), ("<i2", 4), ("<i2", 4), "<u4"),
+        ],
+        "offsets": [22, 38, 50, 62, 74, 75, 869, 877, 885],
+        "itemsize": 937,
+    }
+)

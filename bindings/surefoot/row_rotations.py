@@ -1,0 +1,39 @@
+"""Rotations of many rows at once."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+def matrices_from_xyzw(quaternions: Array) -> Array:
+    """Return the (n, 3, 3) matrices of unit quaternions x y z w, (n, 4)."""
+    x, y, z, w = quaternions.T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), 2, 0)
+
+
+def rpy_from_matrices(rotation: Array) -> Array:
+    """Return roll, pitch, yaw (n, 3) [rad] (ZYX: yaw first) of matrices (n, 3, 3)."""
+    R = rotation
+    roll = np.arctan2(R[:, 2, 1], R[:, 2, 2])
+    pitch = np.arcsin(np.clip(-R[:, 2, 0], -1.0, 1.0))
+    yaw = np.arctan2(R[:, 1, 0], R[:, 0, 0])
+    return np.stack([roll, pitch, yaw], axis=1)
+
+
+def rotation_vectors(rotation: Array) -> Array:
+    """Return the rotation vectors (n, 3) [rad] of matrices (n, 3, 3), angles below pi."""
+    R = rotation
+    twice_sine = np.stack(
+        [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1
+    )
+    size = np.linalg.norm(twice_sine, axis=1)
+    angle = np.arctan2(size, np.trace(R, axis1=1, axis2=2) - 1.0)
+    return np.asarray(twice_sine * (angle / np.maximum(size, 1e-12))[:, None])

@@ -1,0 +1,59 @@
+"""What the controller of a run was told, as a log that surefoot estimate replays."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot._core import LowState
+from surefoot.estimate.clock import read_clock
+from surefoot.estimate.sensor_log import SensorLog
+from surefoot.low_state_layout import LOW_STATE, MOTORS
+from surefoot.row_rotations import matrices_from_xyzw
+from surefoot.sim import Truth
+
+
+class SensorRecorder:
+    """Keeps every LowState and, apart from it, the truth of the instant that it tells of.
+
+    With real sensors a LowState is one period old when the controller gets it. Row k is the k-th
+    LowState that the controller got; the truth in it is that of when its sensors were sampled, not
+    of when the controller was called.
+    """
+
+    def __init__(self) -> None:
+        self._states: list[bytes] = []
+        self._truths: list[Truth] = []
+
+    def record(self, state: LowState, truth: Truth) -> None:
+        """Add a row."""
+        self._states.append(state.to_bytes())
+        self._truths.append(truth)
+
+    def log(self, source: str = "surefoot stand") -> SensorLog:
+        """Return the rows so far, sensors to the last bit and truth_ columns; raises Error."""
+        states = np.frombuffer(b"".join(self._states), dtype=LOW_STATE)
+        motors = states["motorState"][:, :MOTORS]
+        columns = {"tick": states["tick"][:, None]}
+        for name in ("gyroscope", "accelerometer", "quaternion"):
+            columns[name] = states[name]
+        for name in ("q", "dq", "tauEst"):
+            columns[name] = motors[name]
+        for name in ("footForce", "footForceEst"):
+            columns[name] = states[name]
+        columns = {name: values.astype(np.float64) for name, values in columns.items()}
+        columns.update(self._truth_columns())
+        clock, time = read_clock(source, columns)
+        return SensorLog(source, columns, time, clock)
+
+    def _truth_columns(self) -> dict[str, np.ndarray]:
+        q = np.array([truth.q[:7] for truth in self._truths])
+        v = np.array([truth.v[:3] for truth in self._truths])
+        forces = np.array([truth.foot_forces for truth in self._truths])
+        return {
+            "truth_p": q[:, :3],
+            "truth_quaternion": q[:, [6, 3, 4, 5]],
+            "truth_v": np.einsum("nij,nj->ni", matrices_from_xyzw(q[:, 3:7]), v),
+            "truth_foot_forces": np.swapaxes(forces, 1, 2).reshape(-1, 12),
+            "truth_contact": np.array([t.contact for t in self._truths]).astype(np.float64),
+            "truth_com": np.array([truth.com for truth in self._truths]),
+        }

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A short log with every sensor and some motion, and what can be done to it."""
+
+from __future__ import annotations
+
+import csv
+import functools
+import itertools
+from dataclasses import replace
+
+import numpy as np
+import surefoot
+from surefoot.estimate import SensorLog
+from surefoot.estimate.clock import read_clock
+from surefoot.stand import SensorRecorder, StandSettings, parse_reference, run_stand
+
+DEGREES = 180.0 / np.pi
+
+
+@functools.cache
+def robot() -> surefoot.Robot:
+    return surefoot.load_robot("go1")
+
+
+@functools.cache
+def moving_log() -> SensorLog:
+    """A go1 that turns and leans on its feet for 1.6 s."""
+    asked = (parse_reference("yaw=8,roll=6,pitch=-4@0.3"), parse_reference("yaw=-6,roll=0@0.9"))
+    recorder = SensorRecorder()
+    run_stand(StandSettings(duration=1.6, references=asked), sensors=recorder)
+    return recorder.log("stand")
+
+
+def changed(log: SensorLog | None = None, **columns) -> SensorLog:
+    """The log with columns in place of its own; None takes one away."""
+    log = log or moving_log()
+    rows = {**log.columns, **columns}
+    rows = {name: values for name, values in rows.items() if values is not None}
+    clock, time = read_clock("changed", rows)
+    return replace(log, columns=rows, time=time, clock=clock)
+
+
+def legs(order, values):
+    """Columns (n, 12) with legs in another order."""
+    return values.reshape(-1, 4, 3)[:, order].reshape(-1, 12)
+
+
+def write_rows(path, header, rows):
+    with path.open("w", newline="") as file:
+        csv.writer(file).writerows([header, *rows])
+    return path
+
+
+def small_table(rows: int = 5):
+    """The least that suffices: names and lists of numbers, by column."""
+    table = {"time": [[0.002 * k] for k in range(rows)]}
+    table["gyroscope"] = [[0.0, 0.0, 0.0]] * rows
+    table["accelerometer"] = [[0.0, 0.0, 9.81]] * rows
+    table["q"] = [[0.0, 0.8, -1.6] * 4] * rows
+    return table
+
+
+def small_csv(path, table=None):
+    """Write small_table() as a CSV; the header says name_k."""
+    table = table or small_table()
+    header, parts = [], []
+    for name, values in table.items():
+        width = len(values[0])
+        header += [name] if width == 1 else [f"{name}_{k}" for k in range(width)]
+        parts.append(values)
+    return write_rows(
+        path, header, [list(itertools.chain(*row)) for row in zip(*parts, strict=True)]
+    )
