@@ -54,7 +54,9 @@ def push60(robot: Robot, logs: Logs, seed: int) -> Result:
     estimates = replay(robot, log, keep_covariance=True)
     errors, rows = compare(log, estimates), after(log, SETTLED)
     velocity, tilt = errors.velocity[rows], np.degrees(errors.tilt[rows])
-    beyond = tilt - np.degrees(errors.explained[rows])
+    # At rest nobody can tell a tilt from bias / g; motion may, and an error that is smaller is none.
+    unknowable = np.degrees(np.linalg.norm(errors.explained[rows], axis=1))
+    beyond = np.maximum(np.linalg.norm(tilt, axis=1) - unknowable, 0.0)
     said = np.any(estimates.forces != 0.0)
     force = (estimates.forces[:, 2] - normal_forces(log))[rows] / log["weight"]
     per_foot = np.sqrt(np.mean(force**2, axis=0)) if said else np.full(4, np.nan)
@@ -63,7 +65,7 @@ def push60(robot: Robot, logs: Logs, seed: int) -> Result:
         "velocity RMSE": rms(np.linalg.norm(velocity, axis=1)),
         "velocity RMSE per axis": max(rms(velocity[:, k]) for k in range(3)),
         "tilt RMSE": max(rms(tilt[:, k]) for k in range(2)),
-        "tilt RMSE beyond bias": max(rms(beyond[:, k]) for k in range(2)),
+        "tilt RMSE beyond bias": rms(beyond),
         "force RMSE": 100.0 * float(per_foot.max()),
     }
     dof = estimates.nis_dimension

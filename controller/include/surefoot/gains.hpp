@@ -76,13 +76,13 @@ struct Gains {
   double start_gyroscope_bias = 0.02;
   double start_accelerometer_bias = 0.1;
   double noise_foot_position = 0.002;
-  double noise_foot_slip = 0.001;
-  double noise_foot_motion = 0.02;
+  double noise_foot_slip = 0.0005;
+  double noise_foot_motion = 0.01;
   double gate_foot = 4.0;
   double contact_force_on = 0.06;
   double contact_force_off = 0.05;
   double contact_force_width = 0.02;
-  double contact_dwell = 0.012;
+  double contact_dwell = 0.01;
   double slip_speed = 0.15;
   double slip_friction = 0.5;
   double payload_time = 0.5;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/estimator_impl.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 
 namespace {
@@ -8,7 +10,11 @@ namespace {
 constexpr double kRateTime = 0.005;     // [s] smooths the angular acceleration
 constexpr double kNoisePeriod = 0.002;  // [s] the sampling that the noise gains are quoted at
 constexpr double kSwingSpeed = 3.0;     // [m/s] how fast a foot off the ground may move
+constexpr double kLight = 0.03;         // share of the weight that keeps a foot where it is
+constexpr double kLightSpeed = 0.5;     // [m/s] at which one without may slide
+constexpr double kLeastTilt = 0.05;     // [rad] doubt about a tilt that two witnesses share
 constexpr double kSurprise = 1.0;       // [m/s] doubt about the velocity once no foot agrees
+constexpr double kAligned = 0.035;      // [rad] of tilt, known well enough to look for biases
 constexpr double kStands = 0.9;         // belief of a foot whose noise is learnt
 constexpr double kCarried = 0.4;        // share of the weight that feet bear of a robot that stands
 constexpr double kFeetDown = 2.5;       // beliefs' sum of the same
@@ -23,6 +29,12 @@ Quaternion level_heading(const Quaternion& R) noexcept {
 Quaternion upright(const Vector3& f_base) noexcept {
   if (f_base.norm() < 1.0) return Quaternion::Identity();  // falls: nothing says where up is
   return Quaternion::FromTwoVectors(f_base, Vector3::UnitZ());
+}
+
+// [rad] between the vertical that an accelerometer at rest shows and that of an attitude.
+double tilt_between(const Vector3& f_base, const Quaternion& R) noexcept {
+  const Vector3 up = upright(f_base).conjugate() * Vector3::UnitZ();
+  return std::acos(std::clamp(up.dot(R.conjugate() * Vector3::UnitZ()), -1.0, 1.0));
 }
 
 }  // namespace
@@ -44,6 +56,7 @@ void StateEstimator::Impl::reset() noexcept {
   legs.reset();
   contact.reset();
   slip.reset();
+  rise.reset();
   payload.reset();
   push.reset();
   normal = Vector3::UnitZ();
@@ -73,13 +86,27 @@ void StateEstimator::Impl::start() noexcept {
   }
   const Vector3 arm = R * robot.config().p_base_imu;
   const Vector3 origin(0.0, 0.0, -p_feet.row(2).mean());
-  const StartDoubt doubt{gains.start_tilt, gains.start_velocity, gains.noise_foot_position,
-                         gains.start_gyroscope_bias, gains.start_accelerometer_bias};
+  // The vendor's attitude and the accelerometer's vertical vouch for each other.
+  const double apart = tilt_between(imu.f_base, R);
+  const StartDoubt doubt{std::min(std::max(apart, kLeastTilt), gains.start_tilt),
+                         gains.start_velocity, gains.noise_foot_position, 0.0, 0.0};
   filter.reset(R, v_base + dynamics.w_world_base().cross(arm), origin + arm,
                p_feet.colwise() + origin, doubt);
   noise.reset(gains);
   state.contact.setOnes();
   started = true;
+  aligned = false;
+}
+
+// An attitude that is far off makes the filter see a bias where there is none, and be sure of it.
+// So the biases rest until accelerometer and legs have found the tilt; then all doubt begins anew,
+// from there.
+void StateEstimator::Impl::align() noexcept {
+  const auto& P = filter.covariance();
+  if (aligned || P(0, 0) + P(1, 1) > kAligned * kAligned) return;
+  filter.doubt({kLeastTilt, gains.start_velocity, gains.noise_foot_position,
+                gains.start_gyroscope_bias, gains.start_accelerometer_bias});
+  aligned = true;
 }
 
 void StateEstimator::Impl::predict(double dt) noexcept {
@@ -100,13 +127,17 @@ FeetMatrix StateEstimator::Impl::foot_motion() const noexcept {
   return out;
 }
 
-// Feet that bear no load, slip, or were refused may be anywhere soon.
+// Feet that bear no load, slip, or were refused may be anywhere soon; those that bear little slide
+// easily.
 Eigen::Vector4d StateEstimator::Impl::foot_variance(double dt) const noexcept {
+  const bool torques_tell = torques.verdict() == Verdict::kGood;
   Eigen::Vector4d out;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double doubt = filter.refused()[leg] ? 1.0 : 1.0 - state.contact[leg];
+    const double light = torques_tell ? std::exp(-std::max(loads[leg], 0.0) / kLight) : 0.0;
     const double speed = gains.noise_foot_slip + gains.noise_foot_motion * moving[leg] +
-                         doubt * doubt * kSwingSpeed + slip.slip()[leg] * slip.speed()[leg];
+                         doubt * doubt * kSwingSpeed + light * kLightSpeed +
+                         slip.slip()[leg] * slip.speed()[leg];
     out[leg] = speed * speed * kNoisePeriod * dt;
   }
   return out;
@@ -139,13 +170,16 @@ void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) n
     moving[leg] = dynamics.legs()[leg].v_world_contact.norm();
   }
   slip.update(gains, v_contact, state.contact, dt);
+  rise.update(dynamics, filter, v_contact, state.contact, normal, dt);
   ContactSignals signals;
   const double weight = robot.mass() * kGravity;
-  signals.torque_load = legs.forces().transpose() * normal / weight;
+  loads = legs.forces().transpose() * normal / weight;
+  signals.torque_load = loads;
   signals.tau_est = torques.verdict();
   signals.foot_force_est = low_state.footForceEst;  // packed: copied
   signals.foot_force = low_state.footForce;
   signals.speed = slip.speed();
+  signals.rise = rise.rise();
   signals.felt = dynamics.R_world_base().row(2).dot(step.f_base) / kGravity;
   contact.update(gains, signals, dt);
   state.contact = contact.probability();
@@ -160,6 +194,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
   }
   filter.correct(y_base, noise.variance(), gains.gate_foot);
+  align();
   std::array<bool, kLegs> stands;
   int standing = 0, refused = 0;
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -4,6 +4,7 @@
 #include "estimator/base/foot_noise.hpp"
 #include "estimator/base/invariant_filter.hpp"
 #include "estimator/contact/contact_belief.hpp"
+#include "estimator/contact/foot_rise.hpp"
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
 #include "estimator/contact/torque_health.hpp"
@@ -22,6 +23,7 @@ struct StateEstimator::Impl {
 
   void read_joints(const LowState& low_state) noexcept;
   void start() noexcept;
+  void align() noexcept;
   void predict(double dt) noexcept;
   void update_dynamics() noexcept;
   void find_contacts(const LowState& low_state, double dt) noexcept;
@@ -48,6 +50,7 @@ struct StateEstimator::Impl {
   LegForces legs;
   ContactBelief contact;
   SlipDetector slip;
+  FootRise rise;
   PayloadObserver payload;
   PushObserver push;
 
@@ -56,11 +59,12 @@ struct StateEstimator::Impl {
   RobotState state;
   Vector12 tau_est = Vector12::Zero(), dq = Vector12::Zero();  // SDK order
   InertialStep step;
+  Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);  // shares of the weight, by torques
   Eigen::Vector4d moving = Eigen::Vector4d::Zero();  // [m/s] contact points relative to the base
   Vector3 w_base = Vector3::Zero(), w_smooth = Vector3::Zero();  // [rad/s] bias taken off
   Vector3 alpha_base = Vector3::Zero();                          // [rad/s^2]
   Vector3 normal = Vector3::UnitZ();
-  bool started = false;
+  bool started = false, aligned = false;
 };
 
 }  // namespace surefoot

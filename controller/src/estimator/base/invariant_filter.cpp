@@ -19,7 +19,12 @@ void InvariantFilter::reset(const Quaternion& R, const Vector3& v, const Vector3
   v_ = v;
   p_ = p;
   feet_ = p_feet;
+  this->doubt(doubt);
+}
+
+void InvariantFilter::doubt(const StartDoubt& doubt) noexcept {
   const auto square = [](double x) { return x * x; };
+  P_ = ErrorCovariance();
   P_.set_variance(kRotation, 2, square(doubt.tilt));
   P_.set_variance(kVelocity, 3, square(doubt.velocity));
   P_.set_variance(kFeet, 3 * kLegs, square(doubt.foot));

@@ -39,6 +39,9 @@ class InvariantFilter {
   void reset(const Quaternion& R, const Vector3& v, const Vector3& p, const FeetMatrix& p_feet,
              const StartDoubt& doubt) noexcept;
 
+  /// Doubt anew what has been found so far.
+  void doubt(const StartDoubt& doubt) noexcept;
+
   /// Move on by one IMU reading.
   /// @param foot_motion [m/s] of contact points that roll, world axes
   /// @param foot_variance [m^2] that each may have moved besides

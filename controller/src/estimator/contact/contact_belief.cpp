@@ -16,7 +16,8 @@ constexpr double kContradiction = 0.15;  // share of the weight between two view
 constexpr double kPatience = 0.3;        // [s] of contradiction before a foot's sensor is left out
 constexpr double kMoving = 0.3;          // [m/s] no foot that bears load moves like this for long
 constexpr double kResting = 0.1;         // [m/s]
-constexpr double kSlipVote = 0.5;        // a foot may slide under load
+constexpr double kRisen = 0.006;         // [m] soft ground gives way by that much
+constexpr double kSlideSays = 0.5;       // a foot may slide under load for a while
 constexpr double kUndecided = 0.1;       // least agreement that moves the belief
 constexpr double kMajority = 3.0;        // two of three move it at full speed
 
@@ -24,6 +25,12 @@ constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
 constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
 constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
 constexpr int kNoSlip = static_cast<int>(ContactSource::kNoSlip);
+
+// Rest says nothing: feet rest in the air, too.
+Evidence see_motion(double speed, double rise) noexcept {
+  const double risen = std::clamp(rise / kRisen - 1.0, 0.0, 1.0);
+  return {-std::max(speed > kMoving ? kSlideSays : 0.0, risen), Verdict::kGood};
+}
 
 }  // namespace
 
@@ -38,7 +45,7 @@ void ContactBelief::update(const Gains& gains, const ContactSignals& signals, do
         foot.count.update(gains, signals.foot_force[leg], load, foot.loaded, dt);
     foot.evidence[kTau] = {torques ? say_load(gains, load, 0.0, foot.loaded) : 0.0,
                            signals.tau_est};
-    foot.evidence[kNoSlip] = {signals.speed[leg] > kMoving ? -1.0 : 0.0, Verdict::kGood};
+    foot.evidence[kNoSlip] = see_motion(signals.speed[leg], signals.rise[leg]);
     vote(gains, signals, leg, dt);
   }
 }
@@ -89,7 +96,7 @@ void ContactBelief::vote(const Gains& gains, const ContactSignals& signals, int 
                          double dt) noexcept {
   Foot& foot = feet_[leg];
   const double weight_tau = balanced(signals) ? 1.5 : 1.0;
-  const double weights[kContactSources] = {1.0, 1.0, weight_tau, kSlipVote};
+  const double weights[kContactSources] = {1.0, 1.0, weight_tau, 1.0};
   double sum = 0.0, voters = 0.0;
   for (int k = 0; k < kContactSources; ++k) {
     const Evidence& one = foot.evidence[k];

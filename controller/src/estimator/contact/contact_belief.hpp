@@ -12,6 +12,7 @@ struct ContactSignals {
   std::array<std::int16_t, kLegs> foot_force_est{};       ///< [N]
   std::array<std::int16_t, kLegs> foot_force{};           ///< [counts]
   Eigen::Vector4d speed = Eigen::Vector4d::Zero();        ///< [m/s] of the contact points
+  Eigen::Vector4d rise = Eigen::Vector4d::Zero();         ///< [m] from where each last stood
   double felt = 1.0;  ///< vertical specific force / g: what the feet would bear of the weight
 };
 

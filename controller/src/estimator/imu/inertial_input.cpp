@@ -2,13 +2,15 @@
 #include "estimator/imu/inertial_input.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 namespace surefoot {
 
 namespace {
 
-constexpr double kRateChange = 10.0;      // [rad/s^2] by which a held rate grows wrong
-constexpr double kForceChange = 100.0;    // [m/s^3] the same of a held specific force
+constexpr double kRateChange = 50.0;      // [rad/s^2] by which a held rate grows wrong
+constexpr double kForceChange = 500.0;    // [m/s^3] the same of a held specific force
+constexpr double kBetween = 0.25;         // of a change over a tick that its mean may be off by
 constexpr double kQuaternionRate = 0.05;  // [rad/s] noise of the vendor's quaternion's turn
 constexpr double kLegRate = 0.2;          // [rad/s] noise of a rate from the legs
 constexpr double kBlindRate = 1.0;        // [rad/s] doubt where nothing tells
@@ -19,6 +21,12 @@ double square(double x) noexcept { return x * x; }
 // Of one held sample in a row: the noise of n alike adds up to n times itself, not its root.
 double held_variance(double sigma, int age, double change, double dt) noexcept {
   return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
+}
+
+// Of a mean over a tick that is known at both ends: what the signal has changed by, beyond its
+// noise, may have come early in the tick or late.
+double between_variance(const Vector3& change, double sigma) noexcept {
+  return square(kBetween) * std::max(change.squaredNorm() - 6.0 * square(sigma), 0.0);
 }
 
 }  // namespace
@@ -39,8 +47,10 @@ InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
   if (imu.f_age == 1) f_noise_.update(imu.f_base, dt);
   out.w_base = 0.5 * (imu.w_base + last_w_);
   out.f_base = 0.5 * (imu.f_base + last_f_);
-  out.w_variance = held_variance(w_noise_.sigma(), imu.w_age, kRateChange, dt);
-  out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kForceChange, dt);
+  out.w_variance = held_variance(w_noise_.sigma(), imu.w_age, kRateChange, dt) +
+                   between_variance(imu.w_base - last_w_, w_noise_.sigma());
+  out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kForceChange, dt) +
+                   between_variance(imu.f_base - last_f_, f_noise_.sigma());
   if (imu.gyroscope != Verdict::kGood) replace_rate(imu, filter, dynamics, contact, dt, out);
   if (imu.accelerometer != Verdict::kGood) {
     out.f_base = filter.R_world_base().transpose() * (kGravity * Vector3::UnitZ()) +

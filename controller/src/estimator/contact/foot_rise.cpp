@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/contact/foot_rise.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kRests = 0.03;  // [m/s] slower than this is at rest
+constexpr double kAnew = 1.0;    // [s] of rest after which a foot stands where it is
+constexpr double kFollow = 0.2;  // [s] in which the place of a foot that stands is followed
+constexpr double kStands = 0.5;  // belief
+}  // namespace
+
+void FootRise::update(const Dynamics& dynamics, const InvariantFilter& filter,
+                      const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
+                      const Vector3& normal, double dt) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    // Dynamics have the base at the origin; what differs from the filter's point does not move.
+    const double height = normal.dot(dynamics.legs()[leg].p_world_contact) + normal.dot(filter.p());
+    if (!started_) stood_[leg] = height;
+    const bool rests = v_contact.col(leg).norm() < kRests && contact[leg] > kStands;
+    rested_[leg] = rests ? rested_[leg] + dt : 0.0;
+    if (rested_[leg] > kAnew) stood_[leg] += dt / (dt + kFollow) * (height - stood_[leg]);
+    rise_[leg] = height - stood_[leg];
+  }
+  started_ = true;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "estimator/base/invariant_filter.hpp"
+
+namespace surefoot {
+
+/// How far each foot has risen, along the ground's normal, from where it last stood still.
+///
+/// A foot may slide under load; it does not rise under load by more than the ground gives way. Feet
+/// that rest for a while stand anew, wherever that is: no flat ground is assumed. Real-time: yes.
+class FootRise {
+ public:
+  /// @param v_contact velocities of the contact points, world axes [m/s]
+  void update(const Dynamics& dynamics, const InvariantFilter& filter, const FeetMatrix& v_contact,
+              const Eigen::Vector4d& contact, const Vector3& normal, double dt) noexcept;
+
+  const Eigen::Vector4d& rise() const noexcept { return rise_; }  ///< [m]
+  void reset() noexcept { *this = FootRise(); }
+
+ private:
+  bool started_ = false;
+  Eigen::Vector4d stood_ = Eigen::Vector4d::Zero();   // [m] height where each last stood
+  Eigen::Vector4d rested_ = Eigen::Vector4d::Zero();  // [s]
+  Eigen::Vector4d rise_ = Eigen::Vector4d::Zero();
+};
+
+}  // namespace surefoot
