@@ -17,14 +17,17 @@ double bound_of(const QpProblem& problem, int row, double side) noexcept {
 
 }  // namespace
 
-ActiveSet::ActiveSet(int n, int n_eq, int n_in)
-    : n_eq_(n_eq), rows_(n), x_(Eigen::VectorXd::Zero(n)), Cx_(Eigen::VectorXd::Zero(n_in)) {}
+ActiveSet::ActiveSet(int n, int n_eq, int n_in, int most_changes)
+    : n_eq_(n_eq),
+      most_changes_(most_changes),
+      rows_(n),
+      x_(Eigen::VectorXd::Zero(n)),
+      Cx_(Eigen::VectorXd::Zero(n_in)) {}
 
 ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
                                     Eigen::VectorXd& y, Eigen::VectorXd& z) noexcept {
   changes_ = 0;
-  if (!begin(problem, z)) return Outcome::kGaveUp;
-  drop_pulling_rows();
+  if (!begin(problem, z) || !drop_pulling_rows()) return Outcome::kGaveUp;
   for (;;) {
     const Violation violation = worst(problem, kShare * tolerance);
     if (violation.row == kNotFinite) return Outcome::kGaveUp;
@@ -56,7 +59,7 @@ bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexce
 }
 
 // Until every multiplier pushes, the rows are no set that the method can begin with.
-void ActiveSet::drop_pulling_rows() noexcept {
+bool ActiveSet::drop_pulling_rows() noexcept {
   for (;;) {
     rows_.solve_multipliers();
     Eigen::Index worst = -1;
@@ -66,16 +69,19 @@ void ActiveSet::drop_pulling_rows() noexcept {
       least = rows_.multiplier(k);
       worst = k;
     }
-    if (worst < 0) return;
+    if (worst < 0) return true;
+    if (changes_ == most_changes_) return false;
     rows_.remove(worst);
     ++changes_;
   }
 }
 
-// Where x is furthest outside.
+// Where x is furthest outside. Rows of the set are on their bounds: what rounding says of them is
+// no violation, and the method would swap rows for it.
 ActiveSet::Violation ActiveSet::worst(const QpProblem& problem, double tolerance) noexcept {
   x_ = rows_.solve_x();
   Cx_.noalias() = problem.C * x_;
+  for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) Cx_[rows_.row(k)] = rows_.value(k);
   Violation found;
   found.amount = tolerance;
   for (int row = 0; row < Cx_.size(); ++row) {
@@ -92,7 +98,8 @@ ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& vio
   const auto& [row, side, amount] = violation;
   double missing = amount, multiplier = 0.0;
   for (;;) {
-    if (++changes_ > kMostChanges) return Outcome::kGaveUp;
+    if (changes_ == most_changes_) return Outcome::kGaveUp;
+    ++changes_;
     rows_.look_at(problem.C.row(row), side);
     const bool dependent = rows_.is_dependent();
     double length = dependent ? kInfinite : missing / rows_.length();
