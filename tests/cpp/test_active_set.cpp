@@ -123,6 +123,17 @@ BOOST_AUTO_TEST_CASE(a_row_whose_bounds_contradict_each_other_is_called_so) {
   BOOST_TEST((Solved(p).outcome == Outcome::kInfeasible));
 }
 
+BOOST_AUTO_TEST_CASE(rows_that_are_nearly_parallel_are_not_called_contradictory) {
+  QpProblem p = nearest(Eigen::Vector2d(0.0, 0.0), 2);
+  p.C << 1.0, 0.0, 1.0, 1e-5;
+  p.u[0] = 0.0;
+  p.l[1] = 1e-6;  // (0, 0.1) satisfies both
+  BOOST_TEST((Solved(p, 1e-6).outcome == Outcome::kGaveUp));
+  BOOST_TEST((Solved(p, 1e-9).outcome == Outcome::kGaveUp));
+  p.C(1, 1) = 0.0;  // now nothing does
+  BOOST_TEST((Solved(p, 1e-6).outcome == Outcome::kInfeasible));
+}
+
 BOOST_AUTO_TEST_CASE(no_more_rows_change_than_it_is_told) {
   for (const int most : {0, 1, 5}) {
     int ended = 0;

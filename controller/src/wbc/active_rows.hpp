@@ -31,6 +31,8 @@ class ActiveRows {
   }
   bool is_dependent() const noexcept;                 ///< nothing: it follows from them
   double length() const noexcept { return length_; }  ///< its squared length, in H's metric
+  /// How long the part is that they do not span, where length() would be a difference of equals.
+  double new_part() noexcept;
   double share(Eigen::Index k) const { return shares_[k]; }  ///< what it takes from multiplier k
 
   /// Take in the row that was looked at last, unless it depends on the others.

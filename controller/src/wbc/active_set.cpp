@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kShare = 0.1;  // of the tolerance: violated
+constexpr double kFar = 1e4;    // in H's metric, trace(H) = n: no answer is as far from another
 
 double bound_of(const QpProblem& problem, int row, double side) noexcept {
   return side > 0.0 ? problem.u[row] : -problem.l[row];
@@ -109,7 +110,7 @@ ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& vio
       length = rows_.multiplier(k) / rows_.share(k);
       blocking = k;
     }
-    if (!(length < kInfinite)) return Outcome::kInfeasible;
+    if (!(length < kInfinite)) return contradiction(missing);
     rows_.step(length);
     multiplier += length;
     if (blocking < 0) {
@@ -119,6 +120,13 @@ ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& vio
     if (!dependent) missing -= length * rows_.length();
     rows_.remove(blocking);
   }
+}
+
+// A row that follows from others and wants what they forbid. Where it only nearly follows, a point
+// far away may satisfy them all: then another method has to look.
+ActiveSet::Outcome ActiveSet::contradiction(double missing) noexcept {
+  const bool certain = missing > kFar * rows_.new_part();
+  return certain ? Outcome::kInfeasible : Outcome::kGaveUp;
 }
 
 }  // namespace surefoot

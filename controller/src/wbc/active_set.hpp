@@ -41,6 +41,7 @@ class ActiveSet {
   bool drop_pulling_rows() noexcept;
   Violation worst(const QpProblem& problem, double tolerance) noexcept;
   Outcome add(const QpProblem& problem, const Violation& violation) noexcept;
+  Outcome contradiction(double missing) noexcept;
 
   Eigen::Index n_eq_;
   int most_changes_;
