@@ -5,6 +5,7 @@ import itertools
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -49,6 +50,12 @@ def test_ticks_cost_no_heap_no_page_no_failure_and_hardly_an_iteration(result):
     assert sum(counts.values()) == 7000
     assert sum(k * n for k, n in counts.items()) / 7000 < 1.3
     assert max(counts) <= 30
+    assert tick["first_pass"]["allocations"] == 0
+
+
+def test_ticks_are_timed_at_the_pace_of_the_reports_too(result):
+    paced = result["scenarios"]["push80"]["paced"]
+    assert (paced["wall_us"]["n"], paced["allocations"], paced["failures"]) == (500, 0, 0)
 
 
 def test_a_bench_says_on_what_machine_and_with_what_flags_it_ran(result):
@@ -83,6 +90,19 @@ def test_what_is_replayed_is_a_standing_robot_and_then_a_pushed_one():
     assert len(ticks) == 3500 and {b - a for a, b in itertools.pairwise(ticks)} == {2}
     turns = [max(abs(w) for w in report.imu.gyroscope) for report in recording.reports]
     assert max(turns[500:600]) > 3.0 * max(turns[:500])
+
+
+def test_a_body_that_was_asked_to_move_is_asked_again_in_the_replay():
+    reference = {}
+    for scenario in ("quiet", "motion"):
+        recording = record(BenchSettings(), scenario)
+        series, _ = native.run_native(recording, surefoot.Form.AUTO, 100)
+        reference[scenario] = np.median(series["reference"].wall)
+    assert len(recording.references) == len(recording.reports)
+    assert reference["motion"] > 3.0 * reference["quiet"]  # how far it may go takes its time
+    short = replace(recording, references=recording.references[1:])
+    with pytest.raises(surefoot.Error, match="references: got 4999, expected one a report: 5000"):
+        native.run_native(short, surefoot.Form.AUTO, 100)
 
 
 def test_percentiles_are_those_of_all_calls():
