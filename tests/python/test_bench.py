@@ -135,6 +135,31 @@ def test_what_cannot_be_timed_is_one_clear_line(capsys, monkeypatch, tmp_path):
     assert "gone" in error and "Traceback" not in error
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--solvers", "--ticks", "500"], "--ticks: has no effect with --solvers"),
+        (["--solvers", "--peers"], "--peers: has no effect with --solvers"),
+        (["--solvers", "--report", "out"], "--report: has no effect with --solvers"),
+        (["--solvers", "--urdf", "a.urdf"], "--urdf: has no effect with --solvers"),
+        (["--solvers", "--export", "out"], "--solvers: has no effect with --export"),
+        (
+            ["--solvers", "a.npz", "--scenario", "quiet"],
+            "--scenario: has no effect with --solvers F",
+        ),
+        (["--solvers", "a.npz", "--form", "general"], "--form: has no effect with --solvers FILE"),
+        (["--solvers", "--scenario", "dance"], "got 'dance', expected one of quiet"),
+        (["--export", "out", "--ticks", "500"], "--ticks: has no effect with --export"),
+        (["--export", "out", "--json", "-"], "--json: has no effect with --export"),
+        (["--export", "out", "--form", "dense"], "--form: got 'dense'"),
+        (["--qpbenchmark"], "--qpbenchmark: has no effect with bench alone"),
+    ],
+)
+def test_an_option_that_would_have_no_effect_is_refused(capsys, words, said):
+    assert main(["bench", *words]) == 2
+    assert said in capsys.readouterr().err
+
+
 def test_the_table_of_growth_has_an_arm_and_a_humanoid_and_no_failure():
     script = Path(__file__).parents[2] / "benchmarks" / "growth.py"
     words = [sys.executable, str(script), "--ticks", "20"]
