@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times the controller on recorded reports: `surefoot bench` runs it and reads what it writes.
-//   surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N]
-// REPORTS are LowStates byte for byte. OUT begins with a line of JSON that names the series; their
-// samples follow, in the layout of bench::Sample.
+//   surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N] [--period-us P]
+//                       [--references FILE]
+// REPORTS are LowStates byte for byte, references BodyReferences, one before each. OUT begins with
+// a line of JSON that names the series; their samples follow, in the layout of bench::Sample.
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -19,13 +20,14 @@ namespace {
 
 using namespace surefoot;
 
-std::vector<LowState> read_reports(const char* path) {
+template <typename Record>
+std::vector<Record> read_records(const char* path) {
   std::ifstream file(path, std::ios::binary);
-  std::vector<LowState> reports;
-  LowState report;
-  while (file.read(reinterpret_cast<char*>(&report), sizeof(report))) reports.push_back(report);
-  if (reports.empty()) throw Error(std::string(path) + ": got no LowState, expected some");
-  return reports;
+  std::vector<Record> records;
+  Record record;
+  while (file.read(reinterpret_cast<char*>(&record), sizeof(record))) records.push_back(record);
+  if (records.empty()) throw Error(std::string(path) + ": got nothing, expected some records");
+  return records;
 }
 
 Form to_form(const std::string& name) {
@@ -36,11 +38,20 @@ Form to_form(const std::string& name) {
 }
 
 bench::Plan read_plan(int argc, char** argv) {
-  bench::Plan plan{Robot::load(argv[1]), {}, Form::kAuto, 1, read_reports(argv[2])};
+  bench::Plan plan(Robot::load(argv[1]));
+  plan.reports = read_records<LowState>(argv[2]);
   plan.gains = plan.robot.config().gains;
   for (int k = 4; k + 1 < argc; k += 2) {
     if (!std::strcmp(argv[k], "--form")) plan.form = to_form(argv[k + 1]);
     if (!std::strcmp(argv[k], "--passes")) plan.passes = std::max(1L, std::atol(argv[k + 1]));
+    if (!std::strcmp(argv[k], "--period-us")) plan.period = std::max(1L, std::atol(argv[k + 1]));
+    if (!std::strcmp(argv[k], "--references")) {
+      plan.references = read_records<BodyReference>(argv[k + 1]);
+      if (plan.references.size() != plan.reports.size()) {
+        throw Error("--references: got " + std::to_string(plan.references.size()) +
+                    ", expected one a report: " + std::to_string(plan.reports.size()));
+      }
+    }
   }
   return plan;
 }
@@ -53,14 +64,16 @@ double median(const bench::Series& series) {
   return *middle;
 }
 
-void write(const char* path, const std::vector<bench::Series>& all) {
+void write(const char* path, const std::vector<bench::Series>& all, bool locked) {
   std::ofstream file(path, std::ios::binary);
   file << "{\"compiler\": \"" << SUREFOOT_COMPILER << "\", \"flags\": \"" << SUREFOOT_FLAGS
-       << "\", \"series\": [";
+       << "\", \"memory_locked\": " << (locked ? "true" : "false") << ", \"series\": [";
   for (const bench::Series& s : all) {
     file << (&s == all.data() ? "" : ", ") << "{\"name\": \"" << s.name
          << "\", \"n\": " << s.samples.size() << ", \"allocations\": " << s.allocations
          << ", \"page_faults\": " << s.page_faults
+         << ", \"first_allocations\": " << s.first_allocations
+         << ", \"first_page_faults\": " << s.first_page_faults
          << ", \"cpu\": " << (s.wants_cpu ? "true" : "false") << "}";
   }
   file << "]}\n";
@@ -75,18 +88,20 @@ void write(const char* path, const std::vector<bench::Series>& all) {
 
 int main(int argc, char** argv) {
   if (argc < 4) {
-    std::puts("usage: surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N]");
+    std::puts("usage: surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N] ...");
     return 2;
   }
   try {
     const bench::Plan plan = read_plan(argc, argv);
-    mlockall(MCL_CURRENT | MCL_FUTURE);  // where permitted; page faults are counted either way
+    // Where permitted; page faults are counted either way.
+    const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
     std::vector<bench::Series> all;
     all.push_back(bench::time_ticks(plan));
+    all.push_back(bench::time_paced_ticks(plan));
     all.push_back(bench::time_state_to_torque(plan));
     all.push_back(bench::time_null(plan, median(all.front())));
     for (bench::Series& stage : bench::time_stages(plan)) all.push_back(std::move(stage));
-    write(argv[3], all);
+    write(argv[3], all, locked);
   } catch (const Error& problem) {
     std::cerr << problem.what() << "\n";
     return 1;

@@ -13,24 +13,49 @@ namespace {
 using namespace surefoot;
 
 constexpr long kMostOfAStage = 100000;
+constexpr std::size_t kPaced = 500;
 
-// One pass to warm up, then those that count, with what they cost the heap and the pager.
+// What a call costs the heap and the pager.
+template <typename Call>
+void count(long& allocations, long& faults, Call&& call) {
+  const long allocations_before = heap_allocations(), faults_before = page_faults();
+  call();
+  allocations = heap_allocations() - allocations_before;
+  faults = page_faults() - faults_before;
+}
+
+// One pass to warm up, counted apart, then those that are timed.
 template <typename Pass>
 void run_passes(const Plan& plan, Series& series, Pass&& pass) {
-  pass();
+  count(series.first_allocations, series.first_page_faults, pass);
   series.samples.clear();
-  const long allocations = heap_allocations(), faults = page_faults();
-  for (long k = 0; k < plan.passes; ++k) pass();
-  series.allocations = heap_allocations() - allocations;
-  series.page_faults = page_faults() - faults;
+  count(series.allocations, series.page_faults, [&] {
+    for (long k = 0; k < plan.passes; ++k) pass();
+  });
+}
+
+// As it was told when the reports were recorded; part of no tick.
+void steer(const Plan& plan, std::size_t k, StandController& controller) {
+  if (!plan.references.empty()) controller.set_body_reference(plan.references[k]);
+}
+
+timespec later(timespec time, long us) {
+  time.tv_nsec += 1000 * us;
+  time.tv_sec += time.tv_nsec / 1000000000;
+  time.tv_nsec %= 1000000000;
+  return time;
 }
 
 // Touched once, so that its pages are there.
-Series make_series(const char* name, const Plan& plan) {
-  Series series(name, static_cast<std::size_t>(plan.passes) * plan.reports.size());
+Series make_series(const char* name, std::size_t room) {
+  Series series(name, room);
   series.samples.resize(series.samples.capacity());
   series.samples.clear();
   return series;
+}
+
+Series make_series(const char* name, const Plan& plan) {
+  return make_series(name, static_cast<std::size_t>(plan.passes) * plan.reports.size());
 }
 
 template <typename Controller>
@@ -46,8 +71,27 @@ Series time_ticks(const Plan& plan) {
   StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
   run_passes(plan, series, [&] {
     controller.reset();
-    for (const LowState& report : plan.reports) {
-      Sample sample = timed([&] { controller.update(report); });
+    for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+      steer(plan, k, controller);
+      Sample sample = timed([&] { controller.update(plan.reports[k]); });
+      note(controller, controller.status(), sample);
+      series.samples.push_back(sample);
+    }
+  });
+  return series;
+}
+
+Series time_paced_ticks(const Plan& plan) {
+  Series series = make_series("paced", kPaced);
+  StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  timespec due{};
+  clock_gettime(CLOCK_MONOTONIC, &due);
+  count(series.allocations, series.page_faults, [&] {
+    for (std::size_t k = 0; k < std::min(kPaced, plan.reports.size()); ++k) {
+      due = later(due, plan.period);
+      clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
+      steer(plan, k, controller);
+      Sample sample = timed([&] { controller.update(plan.reports[k]); });
       note(controller, controller.status(), sample);
       series.samples.push_back(sample);
     }
@@ -59,8 +103,9 @@ Series time_state_to_torque(const Plan& plan) {
   StandController stand(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
   std::vector<RobotState> states;
   std::vector<Reference> references;
-  for (const LowState& report : plan.reports) {
-    stand.update(report);
+  for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+    steer(plan, k, stand);
+    stand.update(plan.reports[k]);
     states.push_back(stand.state());
     references.push_back(stand.reference());
   }
@@ -93,9 +138,10 @@ std::vector<Series> time_stages(const Plan& plan) {
     for (Series& stage : stages) {
       if (pass == 1) stage.samples.clear();
     }
-    for (const LowState& report : plan.reports) {
+    for (std::size_t tick = 0; tick < plan.reports.size(); ++tick) {
+      steer(plan, tick, controller);
       clock.start();
-      controller.update(report);
+      controller.update(plan.reports[tick]);
       clock.stop();
       for (std::size_t k = 0; k < kStages; ++k) {
         Sample sample;

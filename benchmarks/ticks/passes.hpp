@@ -11,15 +11,22 @@ namespace bench {
 
 /// What is replayed, and how often.
 struct Plan {
+  explicit Plan(surefoot::Robot r) : robot(std::move(r)) {}
   surefoot::Robot robot;
   surefoot::Gains gains;
   surefoot::Form form = surefoot::Form::kAuto;
-  long passes = 1;  ///< over the reports, after one that is not timed
+  long passes = 1;     ///< over the reports, after one that is not timed
+  long period = 2000;  ///< from report to report [us]
   std::vector<surefoot::LowState> reports;
+  std::vector<surefoot::BodyReference> references;  ///< told before each report; or none at all
 };
 
 /// StandController::update(): LowState to LowCmd.
 Series time_ticks(const Plan& plan);
+
+/// The same at the pace of the reports, asleep in between: others and the system have the caches
+/// for that long. The first reports, once.
+Series time_paced_ticks(const Plan& plan);
 
 /// WholeBodyController::update(): state to torque, on the states that the estimator made of the
 /// reports, with the references that the stand controller had.

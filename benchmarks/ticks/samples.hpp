@@ -24,6 +24,7 @@ struct Series {
   std::vector<Sample> samples;
   long allocations = 0;  ///< while they were taken, after the first pass over the reports
   long page_faults = 0;  ///< the same
+  long first_allocations = 0, first_page_faults = 0;  ///< in the first pass, which is not timed
   bool wants_cpu = true;
 };
 

@@ -130,18 +130,32 @@ def test_a_peer_that_fails_half_way_is_a_reason_and_the_others_play_on(
 @pytest.mark.parametrize(
     ("spoil", "verdict"),
     [
-        ("self.row[3:] = 0.0", "another answer: carries"),
+        ("self.row[3:] = 0.0", "another answer: a foot's force differs by up to"),
+        # The sum of all feet stays: dynamics fix that, and not how the feet share it.
+        ("self.row[5] += 20.0; self.row[8] -= 20.0", "another answer: a foot's .* up to 20 N"),
+        # At a single tick.
+        ("self.row[3] += 20.0 * (self.k % 600 == 99)", "another answer: a foot's .* up to 20 N"),
         ("self.row[15:] += 2.0", "another answer: torques differ by up to 2 N.m"),
     ],
 )
 def test_a_peer_with_another_answer_is_told_so(recording, fake, options, spoil, verdict):
-    (row,) = run_peers(recording, options, [fake("tsid", spoil)])["rows"]
-    assert row["reason"] is None and row["answers"]["verdict"].startswith(verdict)
+    result = run_peers(recording, options, [fake("tsid", spoil), fake("placo")])
+    row = result["rows"][0]
+    assert row["reason"] is None and re.match(verdict, row["answers"]["verdict"])
+    assert result["ratio_tick_over_tsid"] is result["ratio_tick_over_tsid_language"] is None
+    assert re.match(verdict, result["ratio_tick_over_tsid_reason"])
+    assert result["ratio_state_to_torque_over_placo"] > 0.0
 
 
-def test_ticks_that_a_peer_does_not_solve_are_counted(recording, fake, options):
-    (row,) = run_peers(recording, options, [fake("tsid", "self.row[2] = self.k % 2")])["rows"]
-    assert row["theirs"]["failures"] == TICKS // 2
+def test_ticks_that_a_peer_does_not_solve_are_counted_and_there_is_no_ratio(
+    recording, fake, options
+):
+    result = run_peers(recording, options, [fake("tsid", "self.row[2] = self.k % 2")])
+    failures = result["rows"][0]["theirs"]["failures"]
+    assert failures == TICKS // 2
+    for ratio in ("ratio_state_to_torque_over_tsid", "ratio_tick_over_tsid"):
+        assert result[ratio] is None
+        assert result[f"{ratio}_reason"] == f"ticks that were not solved: {failures} of theirs"
 
 
 def test_an_environment_that_cannot_be_made_is_a_reason(recording, fake, options, tmp_path):

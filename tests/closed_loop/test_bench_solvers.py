@@ -9,6 +9,9 @@ from surefoot import Error
 from surefoot.bench.problems import Sequence, load_sequence
 from surefoot.bench.problems.sequence import FORMAT
 from surefoot.bench.solvers import SOLVERS, run_solvers, solvers_text
+from surefoot.bench.solvers.build import Builder
+from surefoot.bench.solvers.figures import figures
+from surefoot.bench.solvers.process import Work, run_program
 from surefoot.bench.solvers.raw_file import MAGIC, write_raw
 
 ADAPTERS = Path(__file__).parent / "solver_adapters"
@@ -32,6 +35,54 @@ def hand_made() -> Sequence:
         l=np.tile([-2.0, -np.inf, -1.0], (TICKS, 1)),
         u=np.tile([2.0, 1.0, np.inf], (TICKS, 1)),
     )
+
+
+def with_equalities() -> tuple[Sequence, np.ndarray]:
+    """Programs made from their answers: x, y and z first, g and the bounds that belong to them."""
+    rng = np.random.default_rng(1)
+    n, n_eq, n_in = 6, 2, 5
+    root = rng.normal(size=(TICKS, n, n))
+    H = root @ root.transpose(0, 2, 1) + np.eye(n)
+    A, C = rng.normal(size=(TICKS, n_eq, n)), rng.normal(size=(TICKS, n_in, n))
+    x, y, z = (rng.normal(size=(TICKS, size)) for size in (n, n_eq, n_in))
+    z = (
+        np.sign(z) * (0.5 + np.abs(z)) * [1, 1, 0, 0, 0]
+    )  # the first two rows push, from either side
+    Ax, Cx = (np.einsum("tij,tj->ti", rows, x) for rows in (A, C))
+    low, high = np.where(z < 0, Cx, Cx - 1.0), np.where(z > 0, Cx, Cx + 1.0)
+    low[:, 3], high[:, 4] = -np.inf, np.inf
+    g = -sum(np.einsum("tij,ti->tj", rows, by) for rows, by in ((H, x), (A, y), (C, z)))
+    meta = {"format": FORMAT, "robot": "none", "scenario": "known", "form": "x", "elastic": False}
+    ticks = np.arange(TICKS, dtype=np.int64)
+    return Sequence(meta, ticks, H=H, g=g, A=A, b=Ax, C=C, l=low, u=high), x
+
+
+@pytest.fixture(scope="module")
+def builder(tmp_path_factory):
+    return Builder(tmp_path_factory.mktemp("peers"))
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_every_solver_that_is_installed_finds_a_known_answer_with_equalities(
+    builder, tmp_path, solver
+):
+    program = builder.program(solver)
+    if isinstance(program, str):
+        pytest.skip(program)
+    sequence, x = with_equalities()
+    write_raw(sequence, tmp_path / "sequence")
+    work = Work(tmp_path / "sequence", None, TICKS, tmp_path / "records")
+    for mode in ("warm", "cold"):
+        records, reason = run_program(program, work, mode, 1e-6, tmp_path / "answers")
+        if records is None:
+            assert (solver, mode) == ("eiquadprog", "warm")
+            continue
+        assert reason is None
+        np.testing.assert_allclose(
+            np.fromfile(tmp_path / "answers").reshape(TICKS, -1), x, atol=1e-4
+        )
+        found = figures(records, 1e-6)
+        assert (found["failures"], found["wrong"]) == (0, 0), found["worst"]
 
 
 @pytest.fixture(scope="module")

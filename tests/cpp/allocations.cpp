@@ -6,9 +6,11 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "kkt.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "ticks/heap.hpp"
+#include "wbc/qp_solver.hpp"
 #include "weather.hpp"
 
 namespace {
@@ -85,6 +87,20 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   return seen;
 }
 
+// What the ticks above hardly ever need: ProxQP, in the place of the active-set method.
+long fallback_allocations() {
+  QpSolver solver(12, 0, 72, 1e-6, 0);
+  long found = 0, iterations = 0;
+  for (int seed = 0; seed < 200; ++seed) {
+    const RandomProgram random(seed);
+    const long before = bench::heap_allocations();
+    iterations += solver.solve(random.problem).iterations;
+    found += bench::heap_allocations() - before;
+  }
+  std::printf("ProxQP, 200 programs, %ld iterations: %ld allocations\n", iterations, found);
+  return iterations > 1000 ? found : -1;
+}
+
 // The counters must see what they are there for.
 bool counters_work() {
   const long before = bench::heap_allocations();
@@ -100,7 +116,7 @@ bool counters_work() {
 
 int main() {
   const Robot robot = quadruped();
-  bool good = counters_work();
+  bool good = counters_work() && fallback_allocations() == 0;
   for (const Form form : {Form::kAuto, Form::kGeneral}) {
     for (const double delay : {0.0, 0.01}) {
       const Seen s = run(robot, form, delay, 25000);

@@ -41,3 +41,14 @@ struct RandomProgram {
     problem.l.head(n_in / 2).setConstant(-surefoot::kNoBound);
   }
 };
+
+/// The same with a cost of rank two and little besides, as heavy tasks of a user's own make it.
+inline surefoot::QpProblem ill_conditioned(int seed, double rest, int n = 12, int n_eq = 0,
+                                           int n_in = 72) {
+  surefoot::QpProblem p = RandomProgram(seed, n, n_eq, n_in).problem;
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, 2);
+  p.H = A * A.transpose() + rest * Eigen::MatrixXd::Identity(n, n);
+  p.H *= n / p.H.trace();
+  p.g = 2.0 * p.H * Eigen::VectorXd::Random(n);
+  return p;
+}

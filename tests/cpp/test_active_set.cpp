@@ -12,10 +12,10 @@ namespace {
 using Outcome = ActiveSet::Outcome;
 
 struct Solved {
-  explicit Solved(const QpProblem& p)
+  explicit Solved(const QpProblem& p, double tolerance = 1e-10)
       : method(int(p.g.size()), int(p.b.size()), int(p.l.size())), x(p.g), y(p.b), z(p.l) {
     z.setZero();
-    outcome = method.solve(p, 1e-10, x, y, z);
+    outcome = method.solve(p, tolerance, x, y, z);
   }
   ActiveSet method;
   Eigen::VectorXd x, y, z;
@@ -67,6 +67,21 @@ BOOST_AUTO_TEST_CASE(equalities_hold_whatever_their_multipliers) {
   }
 }
 
+// A row on its bound is off it by rounding, which is more than what counts as violated here.
+BOOST_AUTO_TEST_CASE(rounding_of_active_rows_makes_no_row_change) {
+  for (const double tolerance : {1e-11, 1e-10, 1e-9}) {
+    for (const double rest : {1e-2, 1e-3, 1e-4}) {
+      for (int seed = 0; seed < 50; ++seed) {
+        const QpProblem p = ill_conditioned(seed, rest);
+        Solved s(p, tolerance);
+        BOOST_TEST((s.outcome == Outcome::kSolved));
+        BOOST_TEST((s.method.solve(p, tolerance, s.x, s.y, s.z) == Outcome::kSolved));
+        BOOST_TEST(s.method.iterations() == 1);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(any_rows_to_begin_with_lead_to_the_same_answer) {
   for (int seed = 0; seed < 100; ++seed) {
     const RandomProgram random(seed), other(seed + 1000);
@@ -98,6 +113,40 @@ BOOST_AUTO_TEST_CASE(rows_that_cannot_all_hold_are_called_so) {
   p.u[0] = -1.0;
   p.l[1] = 0.5;
   BOOST_TEST((Solved(p).outcome == Outcome::kInfeasible));
+}
+
+BOOST_AUTO_TEST_CASE(a_row_whose_bounds_contradict_each_other_is_called_so) {
+  QpProblem p = nearest(Eigen::Vector2d(1.0, 1.0), 1);
+  p.C << 1.0, 0.0;
+  p.u[0] = 0.0;
+  p.l[0] = 0.5;
+  BOOST_TEST((Solved(p).outcome == Outcome::kInfeasible));
+}
+
+BOOST_AUTO_TEST_CASE(rows_that_are_nearly_parallel_are_not_called_contradictory) {
+  QpProblem p = nearest(Eigen::Vector2d(0.0, 0.0), 2);
+  p.C << 1.0, 0.0, 1.0, 1e-5;
+  p.u[0] = 0.0;
+  p.l[1] = 1e-6;  // (0, 0.1) satisfies both
+  BOOST_TEST((Solved(p, 1e-6).outcome == Outcome::kGaveUp));
+  BOOST_TEST((Solved(p, 1e-9).outcome == Outcome::kGaveUp));
+  p.C(1, 1) = 0.0;  // now nothing does
+  BOOST_TEST((Solved(p, 1e-6).outcome == Outcome::kInfeasible));
+}
+
+BOOST_AUTO_TEST_CASE(no_more_rows_change_than_it_is_told) {
+  for (const int most : {0, 1, 5}) {
+    int ended = 0;
+    for (int seed = 0; seed < 50; ++seed) {
+      const RandomProgram random(seed), other(seed + 1000);
+      const Solved wrong(other.problem);
+      ActiveSet method(12, 0, int(random.problem.l.size()), most);
+      Eigen::VectorXd x = wrong.x, y, z = wrong.z;
+      ended += method.solve(random.problem, 1e-10, x, y, z) == Outcome::kGaveUp;
+      BOOST_TEST(method.iterations() <= most + 1);
+    }
+    BOOST_TEST(ended > 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_convex_or_no_number_is_given_up) {

@@ -26,7 +26,7 @@ pinocchio::Model odd_model(int seed) {
 
 template <typename A, typename B>
 bool same(const A& a, const B& b) {
-  return (a - b).norm() <= 1e-9 * std::max(1.0, b.norm());
+  return (a - b).norm() <= 1e-11 * std::max(1.0, b.norm());
 }
 
 void check_legs(const Dynamics& ours, const Dynamics& theirs) {
@@ -40,7 +40,7 @@ void check_legs(const Dynamics& ours, const Dynamics& theirs) {
     BOOST_TEST(same(a.M_base_leg, b.M_base_leg));
     BOOST_TEST(same(a.M_leg, b.M_leg));
     BOOST_TEST(same(a.h_leg, b.h_leg));
-    BOOST_TEST(std::abs(a.depth - b.depth) < 1e-9);
+    BOOST_TEST(std::abs(a.depth - b.depth) < 1e-11);
   }
 }
 

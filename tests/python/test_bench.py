@@ -5,6 +5,7 @@ import itertools
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -49,6 +50,12 @@ def test_ticks_cost_no_heap_no_page_no_failure_and_hardly_an_iteration(result):
     assert sum(counts.values()) == 7000
     assert sum(k * n for k, n in counts.items()) / 7000 < 1.3
     assert max(counts) <= 30
+    assert tick["first_pass"]["allocations"] == 0
+
+
+def test_ticks_are_timed_at_the_pace_of_the_reports_too(result):
+    paced = result["scenarios"]["push80"]["paced"]
+    assert (paced["wall_us"]["n"], paced["allocations"], paced["failures"]) == (500, 0, 0)
 
 
 def test_a_bench_says_on_what_machine_and_with_what_flags_it_ran(result):
@@ -85,6 +92,19 @@ def test_what_is_replayed_is_a_standing_robot_and_then_a_pushed_one():
     assert max(turns[500:600]) > 3.0 * max(turns[:500])
 
 
+def test_a_body_that_was_asked_to_move_is_asked_again_in_the_replay():
+    reference = {}
+    for scenario in ("quiet", "motion"):
+        recording = record(BenchSettings(), scenario)
+        series, _ = native.run_native(recording, surefoot.Form.AUTO, 100)
+        reference[scenario] = np.median(series["reference"].wall)
+    assert len(recording.references) == len(recording.reports)
+    assert reference["motion"] > 3.0 * reference["quiet"]  # how far it may go takes its time
+    short = replace(recording, references=recording.references[1:])
+    with pytest.raises(surefoot.Error, match="references: got 4999, expected one a report: 5000"):
+        native.run_native(short, surefoot.Form.AUTO, 100)
+
+
 def test_percentiles_are_those_of_all_calls():
     times = figures.distribution(np.arange(1.0, 1002.0))
     assert times == {
@@ -113,6 +133,31 @@ def test_what_cannot_be_timed_is_one_clear_line(capsys, monkeypatch, tmp_path):
     assert main(SHORT) == 2
     error = capsys.readouterr().err
     assert "gone" in error and "Traceback" not in error
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--solvers", "--ticks", "500"], "--ticks: has no effect with --solvers"),
+        (["--solvers", "--peers"], "--peers: has no effect with --solvers"),
+        (["--solvers", "--report", "out"], "--report: has no effect with --solvers"),
+        (["--solvers", "--urdf", "a.urdf"], "--urdf: has no effect with --solvers"),
+        (["--solvers", "--export", "out"], "--solvers: has no effect with --export"),
+        (
+            ["--solvers", "a.npz", "--scenario", "quiet"],
+            "--scenario: has no effect with --solvers F",
+        ),
+        (["--solvers", "a.npz", "--form", "general"], "--form: has no effect with --solvers FILE"),
+        (["--solvers", "--scenario", "dance"], "got 'dance', expected one of quiet"),
+        (["--export", "out", "--ticks", "500"], "--ticks: has no effect with --export"),
+        (["--export", "out", "--json", "-"], "--json: has no effect with --export"),
+        (["--export", "out", "--form", "dense"], "--form: got 'dense'"),
+        (["--qpbenchmark"], "--qpbenchmark: has no effect with bench alone"),
+    ],
+)
+def test_an_option_that_would_have_no_effect_is_refused(capsys, words, said):
+    assert main(["bench", *words]) == 2
+    assert said in capsys.readouterr().err
 
 
 def test_the_table_of_growth_has_an_arm_and_a_humanoid_and_no_failure():

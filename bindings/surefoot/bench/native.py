@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 import surefoot
-from surefoot._core import Error, Form
+from surefoot._core import BodyReference, Error, Form
 from surefoot.bench.recording import Recording
 
 PROGRAM = Path(surefoot.__path__[0]) / "bin" / "surefoot_tick_bench"
@@ -34,6 +34,8 @@ class Series:
         failures: Calls without a usable status.
         allocations: On the heap, in all calls.
         page_faults: In all calls.
+        first_allocations: In the first pass over the reports, which is not among the calls.
+        first_page_faults: The same.
     """
 
     wall: npt.NDArray[np.float32]
@@ -42,10 +44,17 @@ class Series:
     failures: int
     allocations: int
     page_faults: int
+    first_allocations: int
+    first_page_faults: int
 
 
-def run_native(recording: Recording, form: Form, ticks: int) -> tuple[dict[str, Series], str]:
-    """Time a recording; return the series by name, and what the library was built with.
+def run_native(
+    recording: Recording, form: Form, ticks: int
+) -> tuple[dict[str, Series], dict[str, Any]]:
+    """Time a recording; return the series by name, and what the program says of itself.
+
+    That is "build", the library's compiler and flags, and "memory_locked", whether the system
+    allowed that; where it does not, pages are there after the first pass only.
 
     Raises:
         Error: The program is not there or failed; with its own words.
@@ -57,6 +66,11 @@ def run_native(recording: Recording, form: Form, ticks: int) -> tuple[dict[str, 
         reports.write_bytes(b"".join(report.to_bytes() for report in recording.reports))
         words: list[str | Path] = [robot, reports, out]
         words += ["--form", form.name.lower(), "--passes", str(passes)]
+        words += ["--period-us", str(round(1e6 * recording.period))]
+        if recording.references:
+            references = Path(folder) / "references"
+            np.array([_row(r) for r in recording.references]).tofile(references)
+            words += ["--references", references]
         try:
             done = subprocess.run([PROGRAM, *words], capture_output=True, text=True)
         except OSError as problem:
@@ -68,14 +82,19 @@ def run_native(recording: Recording, form: Form, ticks: int) -> tuple[dict[str, 
         return _read(out)
 
 
-def _read(path: Path) -> tuple[dict[str, Series], str]:
+def _row(r: BodyReference) -> list[float]:
+    return [r.x, r.y, r.height, r.roll, r.pitch, r.yaw]  # the struct's order
+
+
+def _read(path: Path) -> tuple[dict[str, Series], dict[str, Any]]:
     with path.open("rb") as file:
         head = json.loads(file.readline())
         found = {
             entry["name"]: _series(entry, np.fromfile(file, _SAMPLE, entry["n"]))
             for entry in head["series"]
         }
-    return found, f"{head['compiler']}, {' '.join(head['flags'].split())}"
+    build = f"{head['compiler']}, {' '.join(head['flags'].split())}"
+    return found, {"build": build, "memory_locked": head["memory_locked"]}
 
 
 def _series(entry: dict[str, Any], samples: npt.NDArray[Any]) -> Series:
@@ -86,4 +105,6 @@ def _series(entry: dict[str, Any], samples: npt.NDArray[Any]) -> Series:
         int(samples["failed"].sum()),
         entry["allocations"],
         entry["page_faults"],
+        entry["first_allocations"],
+        entry["first_page_faults"],
     )

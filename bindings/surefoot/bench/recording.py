@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from surefoot._core import LowState, Robot, StandController
+from surefoot._core import BodyReference, LowState, Robot, StandController
 from surefoot.bench.problems import SCENARIOS
 from surefoot.bench.settings import BenchSettings
 
@@ -19,6 +19,7 @@ class Recording:
         reports: One LowState per tick, from standing to the end or to the fall.
         period: From report to report [s].
         fell: Did the robot fall at the end?
+        references: What the body was asked for before each report; none if it was never asked.
     """
 
     scenario: str
@@ -26,6 +27,7 @@ class Recording:
     reports: list[LowState]
     period: float
     fell: bool
+    references: tuple[BodyReference, ...] = ()
 
 
 def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
@@ -39,12 +41,15 @@ def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
     robot = asked.robot(plant.robot)
     controller = StandController(robot)
     report = plant.reset()
-    reports = []
+    reports, references = [], []
     for tick in range(round(asked.duration * settings.rate)):
         # A copy: whose memory the next report takes is the plant's business.
         reports.append(LowState.from_bytes(report.to_bytes()))
         asked.steer(controller, tick / settings.rate)
+        if asked.body is not None:
+            references.append(asked.body(tick / settings.rate))
         report = plant.step(controller.update(report))
         if plant.truth.fell:
             break
-    return Recording(scenario, robot, reports, 1.0 / settings.rate, plant.truth.fell)
+    period = 1.0 / settings.rate
+    return Recording(scenario, robot, reports, period, plant.truth.fell, tuple(references))

@@ -13,6 +13,7 @@ from surefoot.bench.recording import Recording, record
 from surefoot.bench.settings import BenchSettings
 
 WHOLE = ("tick", "state_to_torque", "null")
+PACED = "paced"
 _UNASKED = "not asked for: --peers"
 
 
@@ -39,12 +40,13 @@ def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = 
         progress: Told which scenario comes.
     """
     say = progress or (lambda _: None)
-    all_series, recordings, build = {}, {}, ""
+    all_series, recordings = {}, {}
+    program: dict[str, Any] = {}
     for scenario in settings.scenarios:
         say(f"recording {scenario}")
         recordings[scenario] = record(settings, scenario)
         say(f"timing {scenario}")
-        all_series[scenario], build = run_native(
+        all_series[scenario], program = run_native(
             recordings[scenario], settings.form, settings.ticks
         )
     first = next(iter(recordings.values()))
@@ -58,7 +60,7 @@ def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = 
         },
         **{f"ratio_{name}": None for name in RATIOS},
         "ratio_reason": _UNASKED,
-        "machine": {**describe_machine(), "build": build},
+        "machine": {**describe_machine(), **program},
     }
     return Bench(figures, all_series, recordings)
 
@@ -68,11 +70,12 @@ RATIOS = ("state_to_torque_over_tsid", "tick_over_tsid", "state_to_torque_over_p
 
 def _scenario(recording: Recording, series: dict[str, Series]) -> dict[str, Any]:
     reports = len(recording.reports)
-    stages = {k: _stage(s, reports) for k, s in series.items() if k not in WHOLE}
+    stages = {k: _stage(s, reports) for k, s in series.items() if k not in (*WHOLE, PACED)}
     return {
         "reports": reports,
         "fell": recording.fell,
         **{name: describe(series[name], reports) for name in WHOLE},
+        PACED: describe(series[PACED], len(series[PACED].wall)),
         "stages_wall_us": stages,
     }
 

@@ -9,6 +9,7 @@ from surefoot.bench.problems import SCENARIOS
 from surefoot.robot_files import RobotDescription
 from surefoot.stand.settings import check_rate
 
+TICKS = 20_000
 LEAST_TICKS, MOST_TICKS = 100, 2_000_000
 USUAL = ("quiet", "motion", "push50", "push80", "weak")
 
@@ -28,7 +29,7 @@ class BenchSettings:
     """
 
     robot: str | RobotDescription = "go1"
-    ticks: int = 20_000
+    ticks: int = TICKS
     form: Form = Form.AUTO
     rate: float = 500.0
     seed: int = 1

@@ -9,12 +9,14 @@ from surefoot.bench.figures import PERCENTILES
 ROWS = {
     "tick": "LowState to LowCmd: StandController::update()",
     "state_to_torque": "WholeBodyController::update() alone",
+    "paced": "LowState to LowCmd, one report a period: a second of it, asleep in between",
     "null": "a loop that computes nothing, as long as a tick: its tail is the machine's",
 }
 NOTE = (
-    "C++ from C++. Wall time; columns cpu have the thread's own CPU time. Stages are timed in "
-    "passes\nof their own. Slowest: of the reports, by its median over all passes; a max is mostly "
-    "the machine's.\nWhere other programs share the processor, the tail is theirs."
+    "C++ from C++, without a pause between reports but in paced. Wall time; columns cpu have the "
+    "thread's\nown CPU time. Stages are timed in passes of their own. Slowest: of the reports, by "
+    "its median over all\npasses; a max is mostly the machine's. Where other programs share the "
+    "processor, the tail is theirs."
 )
 FAILED = "SOME CALLS FAILED: what they took is not the time of a tick that was solved."
 
@@ -27,6 +29,7 @@ def bench_text(b: dict[str, Any]) -> str:
         lines += ["", f"{name}: {scenario['reports']} reports{fell}"]
         lines += _table([_HEAD, *(_row(row, scenario[row]) for row in ROWS)])
         lines.append("  " + _stages(scenario["stages_wall_us"]))
+        lines.append("  " + _first_pass(scenario["tick"]["first_pass"]))
     failed = any(s[row]["failures"] for s in b["scenarios"].values() for row in ROWS)
     return "\n".join([*lines, "", *([FAILED] if failed else []), NOTE])
 
@@ -37,6 +40,8 @@ def machine_line(m: dict[str, Any]) -> str:
     governor = f"governor {m['governor'] or 'unknown'}"
     parts = [m["cpu"] or "unknown processor", f"{m['cores']} cores", governor]
     build = [m["build"]] if "build" in m else []  # programs that are built elsewhere say it there
+    if m.get("memory_locked"):
+        build.append("memory locked")
     return ", ".join([*parts, m["system"], versions, *build])
 
 
@@ -85,6 +90,13 @@ def _table(rows: list[list[str]]) -> list[str]:
         )
         lines.append("  ".join(["  " + name, *numbers, what]).rstrip())
     return lines
+
+
+def _first_pass(first: dict[str, int]) -> str:
+    return (
+        f"the first pass of all, not in the figures: heap {first['allocations']}, "
+        f"faults {first['page_faults']}"
+    )
 
 
 def _stages(stages: dict[str, dict[str, float]]) -> str:

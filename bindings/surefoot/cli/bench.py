@@ -6,6 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
+from surefoot.cli.bench_export import bench_export
+from surefoot.cli.bench_options import check_options
 from surefoot.cli.bench_solvers import bench_solvers
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
@@ -17,7 +19,7 @@ def add_bench_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot bench."""
     add_robot_options(parser, "go1")
     add = parser.add_argument
-    add("--ticks", type=int, default=20_000, metavar="N", help="to time in each scenario (20000)")
+    add("--ticks", type=int, metavar="N", help="to time in each scenario (20000)")
     add("--scenario", action="append", metavar="NAME", help="to time; repeatable (the usual five)")
     add_form_option(parser)
     add(
@@ -44,22 +46,23 @@ def add_bench_options(parser: argparse.ArgumentParser) -> None:
 def bench(arguments: argparse.Namespace) -> None:
     """Record runs, time their replay, print a table and write JSON; raises Error."""
     choose_graphics()
+    check_options(arguments)
     if arguments.solvers is not None:
         return bench_solvers(arguments)
+    if arguments.export is not None:
+        return bench_export(arguments)
     try:
         from surefoot.bench import BenchSettings, bench_text, run_bench, write_bench_report
         from surefoot.bench.peers import PeerOptions, add_peers, peers_text
-        from surefoot.bench.settings import USUAL
+        from surefoot.bench.settings import TICKS, USUAL
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
-    if arguments.export is not None:
-        _export(arguments)
-        return
     scenarios = tuple(arguments.scenario or USUAL)
     form = read_form(arguments.form)
-    settings = BenchSettings(robot, arguments.ticks, form, scenarios=scenarios)
+    ticks = TICKS if arguments.ticks is None else arguments.ticks
+    settings = BenchSettings(robot, ticks, form, scenarios=scenarios)
     check_json_place(arguments.json)
     result = run_bench(settings, _say)
     if arguments.peers:
@@ -72,25 +75,6 @@ def bench(arguments: argparse.Namespace) -> None:
         print(bench_text(result.figures))
         if arguments.peers:
             print("\n" + peers_text(result.figures["peers"]))
-
-
-def _export(arguments: argparse.Namespace) -> None:
-    from surefoot._core import Form
-    from surefoot.bench.problems import export_qpbenchmark, record_problems
-    from surefoot.bench.problems.record import NAMES
-
-    robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
-    folder = Path(arguments.export)
-    for scenario in arguments.scenario or NAMES:
-        for form in (Form.CONDENSED, Form.GENERAL):
-            sequences = record_problems(robot, scenario, form)
-            if arguments.qpbenchmark:
-                export_qpbenchmark(sequences, folder)
-            else:
-                for sequence in sequences:
-                    sequence.save(folder)
-            _say(f"{scenario}, {form.name.lower()}: {sum(map(len, sequences))} programs")
 
 
 def _say(line: str) -> None:

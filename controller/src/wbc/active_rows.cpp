@@ -67,6 +67,11 @@ bool ActiveRows::is_dependent() const noexcept {
   return !(length_ > kDependent * v_.squaredNorm());
 }
 
+double ActiveRows::new_part() noexcept {
+  v_.noalias() -= V_.leftCols(count_) * shares_.head(count_);
+  return v_.norm();
+}
+
 bool ActiveRows::append(int row, double side, double bound, double multiplier) noexcept {
   if (count_ == V_.cols() || is_dependent()) return false;
   rows_[static_cast<std::size_t>(count_)] = row;

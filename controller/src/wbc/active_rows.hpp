@@ -29,8 +29,10 @@ class ActiveRows {
     v_ = side * c.transpose();
     look();
   }
-  bool is_dependent() const noexcept;                        ///< nothing: it follows from them
-  double length() const noexcept { return length_; }         ///< its squared length, in H's metric
+  bool is_dependent() const noexcept;                 ///< nothing: it follows from them
+  double length() const noexcept { return length_; }  ///< its squared length, in H's metric
+  /// How long the part is that they do not span, where length() would be a difference of equals.
+  double new_part() noexcept;
   double share(Eigen::Index k) const { return shares_[k]; }  ///< what it takes from multiplier k
 
   /// Take in the row that was looked at last, unless it depends on the others.
@@ -47,6 +49,7 @@ class ActiveRows {
   Eigen::Index count() const noexcept { return count_; }
   int row(Eigen::Index k) const noexcept { return rows_[static_cast<std::size_t>(k)]; }
   double side(Eigen::Index k) const noexcept { return sides_[k]; }
+  double value(Eigen::Index k) const noexcept { return sides_[k] * bounds_[k]; }  ///< of c'x
   double multiplier(Eigen::Index k) const noexcept { return multipliers_[k]; }
   const Eigen::VectorXd& multipliers() const noexcept { return multipliers_; }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kShare = 0.1;  // of the tolerance: violated
+constexpr double kFar = 1e4;    // in H's metric, trace(H) = n: no answer is as far from another
 
 double bound_of(const QpProblem& problem, int row, double side) noexcept {
   return side > 0.0 ? problem.u[row] : -problem.l[row];
@@ -17,14 +18,17 @@ double bound_of(const QpProblem& problem, int row, double side) noexcept {
 
 }  // namespace
 
-ActiveSet::ActiveSet(int n, int n_eq, int n_in)
-    : n_eq_(n_eq), rows_(n), x_(Eigen::VectorXd::Zero(n)), Cx_(Eigen::VectorXd::Zero(n_in)) {}
+ActiveSet::ActiveSet(int n, int n_eq, int n_in, int most_changes)
+    : n_eq_(n_eq),
+      most_changes_(most_changes),
+      rows_(n),
+      x_(Eigen::VectorXd::Zero(n)),
+      Cx_(Eigen::VectorXd::Zero(n_in)) {}
 
 ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
                                     Eigen::VectorXd& y, Eigen::VectorXd& z) noexcept {
   changes_ = 0;
-  if (!begin(problem, z)) return Outcome::kGaveUp;
-  drop_pulling_rows();
+  if (!begin(problem, z) || !drop_pulling_rows()) return Outcome::kGaveUp;
   for (;;) {
     const Violation violation = worst(problem, kShare * tolerance);
     if (violation.row == kNotFinite) return Outcome::kGaveUp;
@@ -56,7 +60,7 @@ bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexce
 }
 
 // Until every multiplier pushes, the rows are no set that the method can begin with.
-void ActiveSet::drop_pulling_rows() noexcept {
+bool ActiveSet::drop_pulling_rows() noexcept {
   for (;;) {
     rows_.solve_multipliers();
     Eigen::Index worst = -1;
@@ -66,16 +70,19 @@ void ActiveSet::drop_pulling_rows() noexcept {
       least = rows_.multiplier(k);
       worst = k;
     }
-    if (worst < 0) return;
+    if (worst < 0) return true;
+    if (changes_ == most_changes_) return false;
     rows_.remove(worst);
     ++changes_;
   }
 }
 
-// Where x is furthest outside.
+// Where x is furthest outside. Rows of the set are on their bounds: what rounding says of them is
+// no violation, and the method would swap rows for it.
 ActiveSet::Violation ActiveSet::worst(const QpProblem& problem, double tolerance) noexcept {
   x_ = rows_.solve_x();
   Cx_.noalias() = problem.C * x_;
+  for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) Cx_[rows_.row(k)] = rows_.value(k);
   Violation found;
   found.amount = tolerance;
   for (int row = 0; row < Cx_.size(); ++row) {
@@ -92,7 +99,8 @@ ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& vio
   const auto& [row, side, amount] = violation;
   double missing = amount, multiplier = 0.0;
   for (;;) {
-    if (++changes_ > kMostChanges) return Outcome::kGaveUp;
+    if (changes_ == most_changes_) return Outcome::kGaveUp;
+    ++changes_;
     rows_.look_at(problem.C.row(row), side);
     const bool dependent = rows_.is_dependent();
     double length = dependent ? kInfinite : missing / rows_.length();
@@ -102,7 +110,7 @@ ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& vio
       length = rows_.multiplier(k) / rows_.share(k);
       blocking = k;
     }
-    if (!(length < kInfinite)) return Outcome::kInfeasible;
+    if (!(length < kInfinite)) return contradiction(missing);
     rows_.step(length);
     multiplier += length;
     if (blocking < 0) {
@@ -112,6 +120,13 @@ ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& vio
     if (!dependent) missing -= length * rows_.length();
     rows_.remove(blocking);
   }
+}
+
+// A row that follows from others and wants what they forbid. Where it only nearly follows, a point
+// far away may satisfy them all: then another method has to look.
+ActiveSet::Outcome ActiveSet::contradiction(double missing) noexcept {
+  const bool certain = missing > kFar * rows_.new_part();
+  return certain ? Outcome::kInfeasible : Outcome::kGaveUp;
 }
 
 }  // namespace surefoot

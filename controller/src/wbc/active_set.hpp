@@ -10,12 +10,13 @@ namespace surefoot {
 /// The dual method of Goldfarb and Idnani (1983): rows join one by one, the most violated first,
 /// and leave when their multiplier would change its sign. From one tick to the next hardly any row
 /// changes, so that most solves are one small factorisation. It ends, or finds the rows to
-/// contradict each other; rounding is the caller's to check. Real-time: yes, at most kMostChanges.
+/// contradict each other; rounding is the caller's to check. Real-time: yes, at most most_changes.
 class ActiveSet {
  public:
-  ActiveSet(int n, int n_eq, int n_in);
+  static constexpr int kMostChanges = 100;
 
-  static constexpr int kMostChanges = 100;  ///< of the active rows
+  /// @param most_changes rows that may join or leave in a solve
+  ActiveSet(int n, int n_eq, int n_in, int most_changes = kMostChanges);
 
   enum class Outcome { kSolved, kInfeasible, kGaveUp };
 
@@ -37,11 +38,13 @@ class ActiveSet {
     double amount = 0.0;  // of the side's inequality
   };
   bool begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept;
-  void drop_pulling_rows() noexcept;
+  bool drop_pulling_rows() noexcept;
   Violation worst(const QpProblem& problem, double tolerance) noexcept;
   Outcome add(const QpProblem& problem, const Violation& violation) noexcept;
+  Outcome contradiction(double missing) noexcept;
 
   Eigen::Index n_eq_;
+  int most_changes_;
   ActiveRows rows_;  // equalities first: they never leave
   Eigen::VectorXd x_, Cx_;
   int changes_ = 0;

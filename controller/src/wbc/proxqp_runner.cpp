@@ -72,10 +72,6 @@ void ProxqpRunner::take(const QpProblem& problem) noexcept {
 // update() would have put it, refactorise, and go straight to the solve.
 ProxqpRunner::Outcome ProxqpRunner::run() noexcept {
   auto& qp = workspace_->qp;
-  // A warm start counts every multiplier that is not exactly zero as an active row. The last run
-  // leaves rounding residues of 1e-24 on nearly all of them, and inserting those costs 15 us.
-  auto& z = qp.results.z;
-  z = (z.array().abs() < kResidue).select(0.0, z);
   auto& work = qp.work;
   work.cleanup(false);
   work.H_scaled = qp.model.H;
@@ -98,6 +94,10 @@ ProxqpRunner::Outcome ProxqpRunner::run() noexcept {
   qp.results.cleanup_statistics();
   proxqp::dense::qp_solve(qp.settings, qp.model, qp.results, work, false, qp.which_dense_backend(),
                           qp.which_hessian_type(), qp.ruiz);
+  // It leaves rounding residues of 1e-24 on nearly all rows, and whoever starts from its answer
+  // takes every row whose multiplier is not exactly zero for active.
+  auto& z = qp.results.z;
+  z = (z.array().abs() < kResidue).select(0.0, z);
   Outcome outcome;
   outcome.iterations = static_cast<int>(info.iter);
   outcome.infeasible = info.status == proxqp::QPSolverOutput::PROXQP_PRIMAL_INFEASIBLE ||

@@ -18,15 +18,18 @@ constexpr int kTightFactor = 10;
 }  // namespace
 
 struct QpSolver::Workspace {
-  Workspace(int n, int n_eq, int n_in)
-      : active_set(n, n_eq, n_in), proxqp(n, n_eq, n_in), check(n, n_eq, n_in) {}
+  Workspace(int n, int n_eq, int n_in, int most_changes)
+      : active_set(n, n_eq, n_in, most_changes), proxqp(n, n_eq, n_in), check(n, n_eq, n_in) {}
   ActiveSet active_set;
   ProxqpRunner proxqp;  // has the answer, whoever found it
   QpCheck check;
 };
 
 QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
-    : workspace_(std::make_unique<Workspace>(n, n_eq, n_in)),
+    : QpSolver(n, n_eq, n_in, tolerance, ActiveSet::kMostChanges) {}
+
+QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance, int most_changes)
+    : workspace_(std::make_unique<Workspace>(n, n_eq, n_in, most_changes)),
       patience_(tolerance < kTight ? kTightFactor : 1) {
   set_tolerance(tolerance);
 }
@@ -60,7 +63,10 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasi
     return result;
   }
   if (result.status == Status::kInfeasible && feasibility == Feasibility::kDoubtful) return result;
-  return run_proxqp(problem, budget, result.iterations);
+  const int changes = result.iterations;  // told, and no part of the budget
+  result = run_proxqp(problem, budget);
+  result.iterations += changes;
+  return result;
 }
 
 // The rows that were active last, first: mostly they are it, or nearly.
@@ -76,9 +82,10 @@ QpResult QpSolver::try_active_set(const QpProblem& problem) noexcept {
   return result;
 }
 
-QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget, int spent) noexcept {
+QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget) noexcept {
   ProxqpRunner& proxqp = workspace_->proxqp;
   QpResult result;
+  int spent = 0;
   proxqp.take(problem);
   for (int attempt = 0; attempt < patience_ * kAttempts; ++attempt) {
     if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) forget();

@@ -31,11 +31,13 @@ class QpSolver {
  public:
   /// @param tolerance of the residuals; what is accepted is 5 times that
   QpSolver(int n, int n_eq, int n_in, double tolerance);
+  /// @param most_changes of the active rows before ProxQP takes over; 0: nearly always
+  QpSolver(int n, int n_eq, int n_in, double tolerance, int most_changes);
   ~QpSolver();
 
   /// Solve, warm started from the last answer; go on from a corrected one while our check fails,
   /// and at last from nothing.
-  /// @param budget inner iterations after which no further attempt begins
+  /// @param budget ProxQP's inner iterations after which it begins no further attempt
   /// @param feasibility doubtful: rows that contradict each other end the solve with kInfeasible at
   ///   once; certain: they can only be rounding, and ProxQP goes on
   QpResult solve(const QpProblem& problem, int budget = kBudget,
@@ -58,7 +60,7 @@ class QpSolver {
  private:
   struct Workspace;
   QpResult try_active_set(const QpProblem& problem) noexcept;
-  QpResult run_proxqp(const QpProblem& problem, int budget, int spent) noexcept;
+  QpResult run_proxqp(const QpProblem& problem, int budget) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
   void drop_slack_multipliers(const QpProblem& problem) noexcept;
   void forget() noexcept;

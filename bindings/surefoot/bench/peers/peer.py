@@ -35,7 +35,8 @@ PEERS = (
         TSID,
         "tsid_worker.py",
         Program("tsid_tick.cpp", ("tsid", "eiquadprog", "pinocchio_default")),
-        "computeProblemData (kinematics in it), solve with eiquadprog-fast, getActuatorForces",
+        "computeProblemData (kinematics in it), solve with eiquadprog-rt, sizes fixed (C++) "
+        "or eiquadprog-fast (Python, which has no other), getActuatorForces",
         "four facets of friction a foot (ours 14), constant torque limits, hard (ours by the "
         "torque-speed curve, elastic), no limits of joint positions and velocities",
     ),

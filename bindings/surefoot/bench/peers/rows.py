@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from surefoot.bench.peers.bout import Played
 from surefoot.bench.peers.contestant import CPU
-from surefoot.bench.peers.figures import answers, median_ratio, times
+from surefoot.bench.peers.figures import SAME, answers, median_ratio, times
 from surefoot.bench.peers.peer import OUR_TICKS, Peer
 
 # Ours over theirs, of which of our ticks, and of which peer.
@@ -51,12 +51,30 @@ def _row(peer: Peer, played: Played, weight: float, calm: NDArray[np.bool_]) -> 
     }
 
 
+def incomparable(row: dict[str, Any]) -> str | None:
+    """Return why a row's times say nothing: it did not run, failed, or solved another problem."""
+    if row["reason"] is not None:
+        return str(row["reason"])
+    if row["answers"]["verdict"] != SAME:
+        return str(row["answers"]["verdict"])
+    sides = {"theirs": row["theirs"], **{name: row[f"our_{name}"] for name in OUR_TICKS}}
+    failed = {name: side["failures"] for name, side in sides.items() if side["failures"]}
+    told = ", ".join(f"{count} of {name}" for name, count in failed.items())
+    return f"ticks that were not solved: {told}" if failed else None
+
+
 def ratios_of(rows: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the RATIOS, in C++ where both sides ran in it; None has a "_reason" beside it."""
+    """Return the RATIOS, in C++ where both sides ran in it; None has a "_reason" beside it.
+
+    There is none of a peer that in any language has ticks that were not solved or another answer.
+    """
     ratios: dict[str, Any] = {}
     for name, (ours, peer) in RATIOS.items():
         its = {row["language"]: row for row in rows if row["peer"] == peer}
         ran = {language: row for language, row in its.items() if row["reason"] is None}
+        wrong = [why for row in ran.values() if (why := incomparable(row)) is not None]
+        if wrong:
+            ran = {}
         language = next((name for name in ("c++", "python") if name in ran), None)
         key = f"ratio_{ours}"
         ratios[name] = ran[language][key] if language else None
@@ -64,6 +82,6 @@ def ratios_of(rows: list[dict[str, Any]]) -> dict[str, Any]:
         if language == "c++" and "python" in ran:
             ratios[f"{name}_python"] = ran["python"][key]
         if language is None:
-            reasons = dict.fromkeys(row["reason"] for row in its.values())
+            reasons = dict.fromkeys(wrong or [str(row["reason"]) for row in its.values()])
             ratios[f"{name}_reason"] = "; ".join(reasons) or "not asked for"
     return ratios

@@ -36,8 +36,7 @@ def record_problems(
     Raises:
         Error: An unknown name, or a robot that fell.
     """
-    if scenario not in NAMES:
-        raise Error(f"scenario: got '{scenario}', expected one of {', '.join(NAMES)}")
+    check_scenario(scenario)
     if scenario == LIMP:
         programs = run_limp(robot, form, rate, seed)
     else:
@@ -59,6 +58,12 @@ def record_problems(
     return [
         make_sequence({**meta, "elastic": size > least}, *found[size]) for size in sorted(found)
     ]
+
+
+def check_scenario(name: str) -> None:
+    """Raise Error unless it is one of NAMES."""
+    if name not in NAMES:
+        raise Error(f"scenario: got '{name}', expected one of {', '.join(NAMES)}")
 
 
 def run_stand(

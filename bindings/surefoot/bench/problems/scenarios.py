@@ -23,28 +23,22 @@ PUSH_TIMES = (1.0, 4.0)  # [s] lateral, forward
 WEAK = 1.3  # times the greatest torque of standing are left to motors that saturate
 SLIPPERY = 0.2  # friction that the controller counts on; the ground's is half more
 
-Steer = Callable[[StandController, float], None]
+Body = Callable[[float], BodyReference]
 
 
-def _stay(controller: StandController, time: float) -> None:
-    pass
-
-
-def _move(controller: StandController, time: float) -> None:
-    """Sway in all six directions, each at its own pace."""
+def _sway(time: float) -> BodyReference:
+    """Return a body that sways in all six directions, each at its own pace."""
 
     def wave(amplitude: float, hertz: float) -> float:
         return amplitude * math.sin(2.0 * math.pi * hertz * time)
 
-    controller.set_body_reference(
-        BodyReference(
-            x=wave(0.02, 0.3),
-            y=wave(0.02, 0.4),
-            height=wave(0.03, 0.25),
-            roll=wave(0.1, 0.35),
-            pitch=wave(0.1, 0.45),
-            yaw=wave(0.15, 0.2),
-        )
+    return BodyReference(
+        x=wave(0.02, 0.3),
+        y=wave(0.02, 0.4),
+        height=wave(0.03, 0.25),
+        roll=wave(0.1, 0.35),
+        pitch=wave(0.1, 0.45),
+        yaw=wave(0.15, 0.2),
     )
 
 
@@ -59,7 +53,7 @@ class Scenario:
         friction: Between foot and ground, and 2/3 of that is counted on; None is the usual.
         strength: What the controller is told of the motors: so many times the greatest torque that
             standing takes; None is all they have.
-        steer: Called before every tick.
+        body: Where the body is asked to be at a time [s], told before every tick; None is to stay.
     """
 
     what: str
@@ -67,7 +61,12 @@ class Scenario:
     push: float = 0.0
     friction: float | None = None
     strength: float | None = None
-    steer: Steer = _stay
+    body: Body | None = None
+
+    def steer(self, controller: StandController, time: float) -> None:
+        """Tell the controller what comes before the tick at a time [s]."""
+        if self.body is not None:
+            controller.set_body_reference(self.body(time))
 
     def robot(self, robot: Robot) -> Robot:
         """Return the robot as the controller is told of it."""
@@ -99,7 +98,7 @@ def _standing_torque(robot: Robot) -> float:
 
 SCENARIOS: dict[str, Scenario] = {
     "quiet": Scenario("quiet standing", 4.0),
-    "motion": Scenario("the body sways in six directions", 10.0, steer=_move),
+    "motion": Scenario("the body sways in six directions", 10.0, body=_sway),
     "push50": Scenario("pushes of 50 % of the LIP limit, lateral and forward", push=0.5),
     "push80": Scenario("pushes of 80 %", push=0.8),
     "push100": Scenario("pushes of 100 %", push=1.0),

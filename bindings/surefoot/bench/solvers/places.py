@@ -54,7 +54,7 @@ def sites() -> Iterator[Path]:
         if entry and Path(entry).name in ("site-packages", "dist-packages"):
             yield Path(entry)
     given = os.environ.get(PEERS)
-    # Absolute: CMake takes a relative folder from its own. surefoot bench --peers makes the default.
+    # Absolute: CMake takes a relative folder from its own. bench --peers makes the default one.
     root = Path(given or ".venv-peers").absolute()
     yield root
     yield from sorted(root.glob("lib/python3*/site-packages"))

@@ -5,6 +5,8 @@
 #include <tsid/formulations/inverse-dynamics-formulation-acc-force.hpp>
 #include <tsid/robots/robot-wrapper.hpp>
 #include <tsid/solvers/solver-HQP-eiquadprog-fast.hpp>
+#include <tsid/solvers/solver-HQP-eiquadprog-rt.hpp>
+#include <tsid/solvers/solver-HQP-eiquadprog-rt.hxx>
 #include <tsid/tasks/task-actuation-bounds.hpp>
 #include <tsid/tasks/task-com-equality.hpp>
 #include <tsid/tasks/task-joint-posture.hpp>
@@ -30,7 +32,7 @@ class Tsid {
     for (int leg = 0; leg < 4; ++leg) add_contact(leg);
     add_body();
     add_joints();
-    solver_.resize(formulation_->nVar(), formulation_->nEq(), formulation_->nIn());
+    make_solver(formulation_->nVar(), formulation_->nEq(), formulation_->nIn());
   }
 
   void load(int tick) {
@@ -44,7 +46,7 @@ class Tsid {
 
   void tick() {
     const auto& data = formulation_->computeProblemData(0.0, q_, v_);
-    solution_ = &solver_.solve(data);
+    solution_ = &solver_->solve(data);
     torques_ = &formulation_->getActuatorForces(*solution_);
   }
 
@@ -64,6 +66,17 @@ class Tsid {
                     problem_.names("joints").end())) {
       throw std::runtime_error("joints: got another order than that of the states");
     }
+  }
+
+  // The faster of both where its sizes, which are fixed, are the problem's: four legs of three
+  // joints.
+  void make_solver(unsigned n, unsigned n_eq, unsigned n_in) {
+    if (n == 30 && n_eq == 18 && n_in == 32) {
+      solver_ = std::make_unique<tsid::solvers::SolverHQuadProgRT<30, 18, 32>>("solver");
+    } else {
+      solver_ = std::make_unique<tsid::solvers::SolverHQuadProgFast>("solver");
+    }
+    solver_->resize(n, n_eq, n_in);
   }
 
   void add_contact(int leg) {
@@ -123,7 +136,7 @@ class Tsid {
   std::unique_ptr<tsid::tasks::TaskSE3Equality> base_;
   std::unique_ptr<tsid::tasks::TaskJointPosture> posture_;
   std::unique_ptr<tsid::tasks::TaskActuationBounds> bounds_;
-  tsid::solvers::SolverHQuadProgFast solver_{"solver"};
+  std::unique_ptr<tsid::solvers::SolverHQPBase> solver_;
   VectorXd q_, v_;
   const tsid::solvers::HQPOutput* solution_ = nullptr;
   const tsid::math::Vector* torques_ = nullptr;

@@ -1,0 +1,35 @@
+"""surefoot bench --export: the programs of recorded runs as files."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from surefoot.cli.bench_options import asked_forms
+from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.simulation import missing_module
+
+
+def bench_export(arguments: argparse.Namespace) -> None:
+    """Record scenarios and write their programs; raises Error."""
+    try:
+        from surefoot.bench.problems import export_qpbenchmark, record_problems
+        from surefoot.bench.problems.record import NAMES
+    except ModuleNotFoundError as problem:
+        raise missing_module("bench", problem) from None
+    robot = chosen_robot(arguments, default="go1")
+    assert robot is not None  # there is a default
+    folder = Path(arguments.export)
+    forms = asked_forms(arguments)
+    for scenario in arguments.scenario or NAMES:
+        for form in forms:
+            sequences = record_problems(robot, scenario, form)
+            if arguments.qpbenchmark:
+                export_qpbenchmark(sequences, folder)
+            else:
+                for sequence in sequences:
+                    sequence.save(folder)
+            count = sum(map(len, sequences))
+            line = f"{scenario}, {form.name.lower()}: {count} programs"
+            print(line, file=sys.stderr, flush=True)
