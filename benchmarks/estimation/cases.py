@@ -13,7 +13,7 @@ from estimation.recording import Recording
 
 GYRO_SIGMA, ACCELEROMETER_SIGMA = 0.01, 0.1  # [rad/s], [m/s^2] of biases drawn normally
 GYRO_BIAS, ACCELEROMETER_BIAS = 0.02, 0.2  # [rad/s], [m/s^2] that are to be found
-PUSH_SHARE, SHOVE_SHARE = 60.0, 80.0  # percent of the pendulum's limit
+PUSH_SHARE, SHOVE_SHARE = 60.0, 70.0  # percent of the pendulum's limit
 PUSH_TIMES = (1.5, 3.5, 5.5, 7.5)  # [s]
 STILL = 10.0  # [s] before the body moves, in the case of biases
 SWAY_DEG = 10.0
@@ -38,7 +38,7 @@ def push60(robot: str, seed: int) -> Recording:
 
 
 def shove(robot: str, seed: int) -> Recording:
-    """Four pushes at 80 % of the limit, for logs that are to begin in full motion."""
+    """Four pushes at 70 % of the limit, for logs that are to begin in full motion."""
     return _pushed(robot, seed, SHOVE_SHARE, 10.0)
 
 

@@ -115,26 +115,31 @@ def score(share: Array, probability: Array, rate: float) -> Score:
             delay = np.nan if estimated[max(0, start)] == transition.closes else np.inf
         if transition.fast:
             delays.append(float(np.maximum(delay, 0.0)))
-    unsure = _unsure(share, 2 * early)
+    unsure = _unsure(share, 2 * early) | _near_slow(len(share), truth, late)
     settled = changes >= round(START * rate)
     false = int(np.sum(~owned & ~unsure[changes] & settled))
-    return Score(delays, false, _near_slow(share, probability, truth, late))
+    return Score(delays, false, _calibration(share, probability, truth, late))
 
 
 def _unsure(share: Array, reach: int) -> Array:
-    """Return rows near a load between the thresholds, or near a bounce: neither yes nor no."""
-    between = (share >= 0.5 * UP) & (share <= 1.5 * DOWN)
+    """Return rows (n,) at most `reach` after a load that is neither none nor surely one."""
+    between = (share >= 0.2 * UP) & (share <= 1.5 * DOWN)
     spread = np.convolve(between, np.ones(reach), mode="full")[: len(share)]
     return np.asarray(spread > 0.0)
 
 
-def _near_slow(share: Array, probability: Array, truth: list[Transition], reach: int) -> Array:
-    near = np.zeros(len(share), bool)
+def _near_slow(size: int, truth: list[Transition], reach: int) -> Array:
+    """Return rows (n,) near slow transitions, where only the calibration counts."""
+    near = np.zeros(size, bool)
     for transition in truth:
         if not transition.fast:
             near[max(0, transition.row - reach) : transition.row + reach] = True
-    near &= (share < UP) | (share > DOWN)
-    return np.stack([probability[near], share[near] > DOWN], axis=1)
+    return near
+
+
+def _calibration(share: Array, probability: Array, truth: list[Transition], reach: int) -> Array:
+    rows = _near_slow(len(share), truth, reach) & ((share < UP) | (share > DOWN))
+    return np.stack([probability[rows], share[rows] > DOWN], axis=1)
 
 
 def calibration_error(pairs: Array, bins: int = 10) -> float:

@@ -39,7 +39,7 @@ def _values(total: Score, where: str) -> Values:
         f"transitions: {where}": float(len(delays)),
         f"missed: {where}": float(np.sum(np.isinf(delays))),
         f"false: {where}": float(total.false),
-        f"delay max: {where}": float(found.max(initial=0.0)),
-        f"delay p95: {where}": float(np.percentile(found, 95)) if len(found) else 0.0,
+        f"delay max: {where}": float(found.max()) if len(found) else np.nan,
+        f"delay p95: {where}": float(np.percentile(found, 95)) if len(found) else np.nan,
         f"calibration error: {where}": calibration_error(total.calibration),
     }

@@ -9,8 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import RobotConfig, VelStopF
-from surefoot.sim.flaws import Flaws
 from surefoot.low_state_layout import MOTORS
+from surefoot.sim.flaws import Flaws
 from surefoot.sim.rotations import Array
 from surefoot.sim.wire import Command
 
