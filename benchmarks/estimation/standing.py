@@ -54,7 +54,7 @@ def push60(robot: Robot, logs: Logs, seed: int) -> Result:
     estimates = replay(robot, log, keep_covariance=True)
     errors, rows = compare(log, estimates), after(log, SETTLED)
     velocity, tilt = errors.velocity[rows], np.degrees(errors.tilt[rows])
-    # At rest nobody can tell a tilt from bias / g; motion may, and an error that is smaller is none.
+    # At rest nobody can tell a tilt from bias / g; motion may, and a smaller error is none.
     unknowable = np.degrees(np.linalg.norm(errors.explained[rows], axis=1))
     beyond = np.maximum(np.linalg.norm(tilt, axis=1) - unknowable, 0.0)
     said = np.any(estimates.forces != 0.0)

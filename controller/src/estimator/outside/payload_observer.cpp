@@ -20,11 +20,8 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
                              bool carried, double dt) noexcept {
   const Vector3 linear = mass_ * dynamics.v_world_com();
   const Vector3& angular = dynamics.L_world_com();
-  if (!carried || !started_) {
-    // Frozen: what is explained follows what is, so that nothing is made up for afterwards.
-    linear_ = linear - gains.payload_time * force_;
-    angular_ = angular - gains.payload_time * moment_;
-    started_ = true;
+  if (!carried) {
+    hold(gains, linear, angular);
     return;
   }
   Vector3 moment = Vector3::Zero();
@@ -33,11 +30,25 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
     moment += arm.cross(forces.col(leg));
   }
   const Vector3 weight = -mass_ * kGravity * Vector3::UnitZ();
+  const double most = gains.payload_max * mass_ * kGravity;
+  if (!started_) {
+    // A robot that stands still when this begins: what the feet bear is what there is.
+    force_ = bounded(-forces.rowwise().sum() - weight, most);
+    moment_ = bounded(-moment, kLever * most);
+    hold(gains, linear, angular);
+    started_ = true;
+    return;
+  }
   linear_ += dt * (forces.rowwise().sum() + weight + force_);
   angular_ += dt * (moment + moment_);
-  const double most = gains.payload_max * mass_ * kGravity;
   force_ = bounded((linear - linear_) / gains.payload_time, most);
   moment_ = bounded((angular - angular_) / gains.payload_time, kLever * most);
+  hold(gains, linear, angular);
+}
+
+// What is explained follows what is, so that nothing is made up for afterwards.
+void PayloadObserver::hold(const Gains& gains, const Vector3& linear,
+                           const Vector3& angular) noexcept {
   linear_ = linear - gains.payload_time * force_;
   angular_ = angular - gains.payload_time * moment_;
 }

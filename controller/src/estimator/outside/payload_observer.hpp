@@ -33,6 +33,8 @@ class PayloadObserver {
   void reset() noexcept { *this = PayloadObserver(mass_); }
 
  private:
+  void hold(const Gains& gains, const Vector3& linear, const Vector3& angular) noexcept;
+
   double mass_;
   bool started_ = false;
   Vector3 linear_ = Vector3::Zero(), angular_ = Vector3::Zero();  // momentum that is explained
