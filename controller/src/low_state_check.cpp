@@ -7,6 +7,7 @@ namespace surefoot {
 
 namespace {
 
+constexpr double kUnit = 0.05;           // off unit length that is still renormalised
 constexpr double kAbsurd = 1e4;          // in any unit
 constexpr double kRate = 40.0;           // [rad/s] gyroscopes clip at 35
 constexpr double kAcceleration = 200.0;  // [m/s^2] accelerometers clip at 157
@@ -45,6 +46,11 @@ Status check_low_state(const LowState& state, const RobotConfig& config) noexcep
     judge(motor.tauEst, kTorqueFactor * config.tau_max[i]);
   }
   return judge.status;
+}
+
+bool has_quaternion(const IMU& imu) noexcept {
+  const std::array<float, 4> q = imu.quaternion;  // packed: copied
+  return std::abs(std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) - 1.0) <= kUnit;
 }
 
 }  // namespace surefoot

@@ -13,4 +13,7 @@ namespace surefoot {
 /// outside their range or twice as fast as their motor); else kOk.
 Status check_low_state(const LowState& state, const RobotConfig& config) noexcept;
 
+/// Is the IMU's quaternion one, within 5 % of unit length? Real-time: yes.
+bool has_quaternion(const IMU& imu) noexcept;
+
 }  // namespace surefoot

@@ -2,6 +2,7 @@
 #include "surefoot/stand_controller.hpp"
 
 #include "estimator/delay_predictor.hpp"
+#include "low_state_check.hpp"
 #include "reference/stand_reference.hpp"
 #include "safety/command_keeper.hpp"
 #include "safety/tick_clock.hpp"
@@ -86,6 +87,8 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
 
 // Estimate, refer, solve: each stage hands one struct to the next.
 Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
+  // A robot that stands goes on without the vendor's attitude; none is started without it.
+  if (latches == 0 && !has_quaternion(low_state.imu)) return Status::kBadQuaternion;
   const Eigen::VectorXd* acting = predictor.acting();
   if (acting != nullptr) estimator.set_planned_acceleration(acting->head<6>());
   const Status estimated = estimator.update(low_state, dt);

@@ -7,9 +7,10 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import surefoot
-from surefoot import StateEstimator, Status
+from surefoot import StateEstimator, Status, Verdict
 
 DT = 0.002
+SUBSTEPS = 4  # of true motion between two reports
 MOUNT = np.array([0.5, 0.5, -0.5, 0.5])  # no axis of the IMU is an axis of the base
 TILTED = pin.rpy.rpyToMatrix(0.1, -0.08, 2.5)
 AIRBORNE = (0.0, 0.3, 0.35, 0.35)  # the right front foot is in the air
@@ -113,19 +114,20 @@ def moving_reports(body, seconds: float):
     """A base that sways on rolling feet after a rest; reports, true velocities and attitudes."""
     q, truth = body.robot.q_standing(), []
     arm, R_base_imu = body.robot.config.p_base_imu, pin.Quaternion(*MOUNT).toRotationMatrix()
-    for k in range(round(seconds / DT)):
-        ramp = min(1.0, max(0.0, k * DT - 2.0))
-        phase = 2 * math.pi * k * DT * np.array([1.0, 0.7, 1.3, 0.9, 1.1, 0.6])
+    fine = DT / SUBSTEPS
+    for k in range(SUBSTEPS * round(seconds / DT)):
+        ramp = min(1.0, max(0.0, k * fine - 2.0))
+        phase = 2 * math.pi * k * fine * np.array([1.0, 0.7, 1.3, 0.9, 1.1, 0.6])
         # World velocity of the base, then its rate in base axes: 12 cm/s, 0.3 rad/s.
         twist = ramp * np.array([0.12, 0.08, 0.06, 0.3, 0.3, 0.2]) * np.cos(phase)
         twist[:3] = rotation(q).T @ twist[:3]
         J = body.contact_jacobian(q)
         v = np.concatenate([twist, -np.linalg.solve(J[:, 6:], J[:, :6] @ twist)])
         truth.append((q, v, rotation(q) @ (v[:3] + np.cross(v[3:6], arm))))
-        q = pin.integrate(body.model, q, DT * v)
-    for k in range(1, len(truth) - 1):
+        q = pin.integrate(body.model, q, fine * v)
+    for k in range(SUBSTEPS, len(truth) - 1, SUBSTEPS):
         q, v, _ = truth[k]
-        force = (truth[k + 1][2] - truth[k - 1][2]) / (2 * DT) + np.array([0, 0, 9.81])
+        force = (truth[k + 1][2] - truth[k - 1][2]) / (2 * fine) + np.array([0, 0, 9.81])
         R = rotation(q) @ R_base_imu
         report = body.resting_report(0, rotation(q))
         report.footForceEst = np.full(4, round(0.25 * body.weight), dtype=np.int16)
@@ -167,7 +169,8 @@ def test_torques_tell_the_foot_that_left_the_ground_where_foot_force_is_dead(bod
     landed = feed(estimator, body.resting_report(0), 50)
     assert not estimator.foot_force_alive
     assert contacts(standing).min() == 1.0
-    assert contacts(lifted)[9] == 1.0
+    assert contacts(lifted)[0] >= 0.8
+    assert contacts(lifted)[9] == 0.0  # 20 ms
     assert contacts(lifted)[-1] == 0.0
     assert contacts(landed)[-1] == 1.0
     for leg in (1, 2, 3):
@@ -175,8 +178,10 @@ def test_torques_tell_the_foot_that_left_the_ground_where_foot_force_is_dead(bod
 
 
 def loaded(body, first: float):
-    """A report whose footForceEst says these newtons for the first foot."""
-    report = body.resting_report(0)
+    """A report in which the first foot bears these newtons, by footForceEst and by the torques."""
+    share = first / body.weight
+    rest = (1.0 - share) / 3.0
+    report = body.resting_report(0, loads=(share, rest, rest, rest))
     report.footForceEst = np.array([first, 40, 40, 40], dtype=np.int16)
     return report
 
@@ -186,15 +191,18 @@ def test_a_contact_ends_after_the_dwell_and_no_sooner(go1) -> None:
     feed(estimator, loaded(go1, 32), 100)
     assert estimator.foot_force_alive
     leaving = contacts(feed(estimator, loaded(go1, 0), 30))
-    np.testing.assert_allclose(leaving[:10], 1.0 - 0.1 * np.arange(1, 11), atol=1e-9)
-    assert leaving[10:].max() == 0.0
+    dwell = round(go1.robot.config.gains.contact_dwell / DT)
+    steps = -np.diff(leaving, prepend=1.0)
+    assert steps.max() <= 1.0 / dwell + 1e-9  # no sooner than the dwell ...
+    assert leaving[dwell - 2] > 0.0
+    assert leaving[dwell + 4 :].max() == 0.0  # ... and a filter's lag later
 
 
 def test_one_wrong_sample_of_force_hardly_shakes_a_contact(go1) -> None:
     estimator = StateEstimator(go1.robot)
     feed(estimator, loaded(go1, 32), 100)
-    assert feed(estimator, loaded(go1, 0), 1)[-1].contact[0] >= 0.9
-    assert feed(estimator, loaded(go1, 32), 1)[-1].contact[0] == 1.0
+    assert feed(estimator, loaded(go1, 0), 1)[-1].contact[0] >= 0.8
+    assert feed(estimator, loaded(go1, 32), 3)[-1].contact[0] == 1.0
 
 
 def test_a_load_between_the_thresholds_changes_no_contact(go1) -> None:
@@ -212,8 +220,12 @@ def test_a_load_between_the_thresholds_changes_no_contact(go1) -> None:
 def test_the_dwell_is_time_and_not_ticks(go1) -> None:
     estimator = StateEstimator(go1.robot)
     feed(estimator, loaded(go1, 32), 200, dt=0.001)
-    leaving = contacts(feed(estimator, loaded(go1, 0), 20, dt=0.001))
-    np.testing.assert_allclose(leaving, 1.0 - 0.05 * np.arange(1, 21), atol=1e-9)
+    leaving = contacts(feed(estimator, loaded(go1, 0), 30, dt=0.001))
+    dwell = round(go1.robot.config.gains.contact_dwell / 0.001)
+    assert -np.diff(leaving, prepend=1.0).min() >= 0.0
+    assert -np.diff(leaving, prepend=1.0).max() <= 1.0 / dwell + 1e-9
+    assert leaving[dwell - 2] > 0.0
+    assert leaving[dwell + 8 :].max() == 0.0
 
 
 @pytest.mark.parametrize("count", [1, -32768, 32767])
@@ -289,7 +301,7 @@ def test_a_jolt_is_no_plumb_line(go1) -> None:
     estimator, jolt = StateEstimator(go1.robot), go1.resting_report(0)
     feed(estimator, go1.resting_report(0), 500)
     jolt.imu.accelerometer[0] = 8.0
-    assert max(tilt(state.q) for state in feed(estimator, jolt, 50)) < 1e-3
+    assert max(tilt(state.q) for state in feed(estimator, jolt, 50)) < 0.01
 
 
 @pytest.mark.parametrize("loads", [(0.25,) * 4, AIRBORNE], ids=["four feet", "three feet"])
@@ -337,11 +349,23 @@ def test_a_step_that_is_no_time_is_refused_and_the_state_kept(go1, dt: float) ->
 
 
 @pytest.mark.parametrize("length", [0.0, 0.5, 0.94, 1.06, 2.0])
-def test_a_quaternion_far_from_unit_length_is_refused_and_the_state_kept(go1, length) -> None:
-    estimator, report = StateEstimator(go1.robot), go1.resting_report(0)
-    feed(estimator, report, 20)
+def test_a_quaternion_far_from_unit_length_counts_against_itself_alone(go1, length) -> None:
+    estimator, plain = StateEstimator(go1.robot), StateEstimator(go1.robot)
+    report = go1.resting_report(0)
+    feed(estimator, report, 20), feed(plain, report, 20)
+    good = feed(plain, report, 100)[-1]
     report.imu.quaternion[:] *= length
-    refused(estimator, report, Status.BAD_QUATERNION)
+    state = feed(estimator, report, 100)[-1]
+    np.testing.assert_array_equal(state.q, good.q)
+    wanted = Verdict.IMPLAUSIBLE if length else Verdict.ZERO
+    assert estimator.report.quaternion == wanted
+
+
+def test_without_a_quaternion_the_accelerometer_says_where_up_is(go1) -> None:
+    report = go1.resting_report(0, TILTED)
+    report.imu.quaternion[:] = 0.0
+    state = feed(StateEstimator(go1.robot), report, 1)[0]
+    assert tilt(state.q) == pytest.approx(math.degrees(math.acos(TILTED[2, 2])), abs=1e-3)
 
 
 @pytest.mark.parametrize("length", [0.96, 1.04])

@@ -13,6 +13,7 @@ constexpr double kSwingSpeed = 3.0;     // [m/s] how fast a foot off the ground 
 constexpr double kLight = 0.03;         // share of the weight that keeps a foot where it is
 constexpr double kLightSpeed = 0.5;     // [m/s] at which one without may slide
 constexpr double kLeastTilt = 0.05;     // [rad] doubt about a tilt that two witnesses share
+constexpr double kSwingShare = 3.0;     // of its speed relative to the base, besides
 constexpr double kSurprise = 1.0;       // [m/s] doubt about the velocity once no foot agrees
 constexpr double kAligned = 0.035;      // [rad] of tilt, known well enough to look for biases
 constexpr double kStands = 0.9;         // belief of a foot whose noise is learnt
@@ -59,6 +60,10 @@ void StateEstimator::Impl::reset() noexcept {
   rise.reset();
   payload.reset();
   push.reset();
+  loads.setConstant(1.0 / kLegs);
+  moving.setZero();
+  rolling.setZero();
+  alpha_base.setZero();
   normal = Vector3::UnitZ();
 }
 
@@ -111,20 +116,22 @@ void StateEstimator::Impl::align() noexcept {
 
 void StateEstimator::Impl::predict(double dt) noexcept {
   step = inertial.step(gains, imu, filter, dynamics, state.contact, dt);
-  filter.predict(gains, step, foot_motion(), foot_variance(dt));
+  filter.predict(gains, step, foot_variance(dt));
   w_base = step.w_base - filter.gyroscope_bias();
   w_smooth += dt / (dt + kRateTime) * (w_base - w_smooth);
   alpha_base = (w_base - w_smooth) / kRateTime;
 }
 
-// Contact points travel with a foot that rolls: the shank's rate times the sole's radius.
-FeetMatrix StateEstimator::Impl::foot_motion() const noexcept {
-  FeetMatrix out;
+// Contact points travel with a foot that rolls: the shank's rate times the sole's radius, its mean
+// over the tick.
+void StateEstimator::Impl::roll_feet(double dt) noexcept {
   const Vector3 lever = robot.config().foot_radius * normal;
+  FeetMatrix now;
   for (int leg = 0; leg < kLegs; ++leg) {
-    out.col(leg) = state.contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);
+    now.col(leg) = state.contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);
   }
-  return out;
+  filter.move_feet(0.5 * dt * (rolling + now));
+  rolling = now;
 }
 
 // Feet that bear no load, slip, or were refused may be anywhere soon; those that bear little slide
@@ -136,8 +143,8 @@ Eigen::Vector4d StateEstimator::Impl::foot_variance(double dt) const noexcept {
     const double doubt = filter.refused()[leg] ? 1.0 : 1.0 - state.contact[leg];
     const double light = torques_tell ? std::exp(-std::max(loads[leg], 0.0) / kLight) : 0.0;
     const double speed = gains.noise_foot_slip + gains.noise_foot_motion * moving[leg] +
-                         doubt * doubt * kSwingSpeed + light * kLightSpeed +
-                         slip.slip()[leg] * slip.speed()[leg];
+                         doubt * doubt * (kSwingSpeed + kSwingShare * moving[leg]) +
+                         light * kLightSpeed + slip.slip()[leg] * slip.speed()[leg];
     out[leg] = speed * speed * kNoisePeriod * dt;
   }
   return out;
@@ -189,6 +196,7 @@ void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) n
 void StateEstimator::Impl::correct(double dt) noexcept {
   const Matrix3& R = dynamics.R_world_base();
   const Vector3 arm = robot.config().p_base_imu;
+  roll_feet(dt);
   FeetMatrix y_base;
   for (int leg = 0; leg < kLegs; ++leg) {
     y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;

@@ -32,7 +32,7 @@ struct StateEstimator::Impl {
   void reset() noexcept;
 
   Eigen::Vector4d foot_variance(double dt) const noexcept;
-  FeetMatrix foot_motion() const noexcept;
+  void roll_feet(double dt) noexcept;
   /// [m/s^2] classical, of the base's origin, base axes, from the accelerometer.
   Vector3 base_acceleration() const noexcept;
   bool carried() const noexcept;
@@ -60,6 +60,7 @@ struct StateEstimator::Impl {
   Vector12 tau_est = Vector12::Zero(), dq = Vector12::Zero();  // SDK order
   InertialStep step;
   Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);  // shares of the weight, by torques
+  FeetMatrix rolling = FeetMatrix::Zero();           // [m/s] of the contact points, world axes
   Eigen::Vector4d moving = Eigen::Vector4d::Zero();  // [m/s] contact points relative to the base
   Vector3 w_base = Vector3::Zero(), w_smooth = Vector3::Zero();  // [rad/s] bias taken off
   Vector3 alpha_base = Vector3::Zero();                          // [rad/s^2]

@@ -47,7 +47,7 @@ Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   s.read_joints(low_state);
   const Vector12 joints = s.state.q.tail<kMotors>() + s.state.v.tail<kMotors>();
   s.reader.read(low_state.imu, s.robot.config(), joints, dt, s.imu);
-  s.torques.update(s.tau_est, s.imu.w_age == 1, dt);
+  s.torques.update(s.tau_est, s.imu.anew, dt);
   if (!s.started) s.start();
   s.predict(dt);
   s.update_dynamics();

@@ -7,10 +7,10 @@
 namespace surefoot {
 
 namespace {
-constexpr double kTime = 0.1;      // [s] in which the variance falls by e when nothing surprises
-constexpr double kSurprise = 4.0;  // times the dimension: a wilder innovation counts no more
-constexpr double kLeast = 1e-6;    // [m] nobody knows a foot better
-constexpr double kMost = 0.02;     // [m]
+constexpr double kTime = 0.1;       // [s] in which the variance falls by e when nothing surprises
+constexpr double kSurprise = 25.0;  // times the dimension: a wilder innovation counts no more
+constexpr double kLeast = 3e-6;     // [m] nobody knows a foot better
+constexpr double kMost = 0.02;      // [m]
 }  // namespace
 
 void FootNoise::reset(const Gains& gains) noexcept {

@@ -33,7 +33,6 @@ void InvariantFilter::doubt(const StartDoubt& doubt) noexcept {
 }
 
 void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
-                              const FeetMatrix& foot_motion,
                               const Eigen::Vector4d& foot_variance) noexcept {
   const double dt = imu.dt;
   ErrorMotion motion;
@@ -58,7 +57,6 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
   const Vector3 a = R_ * (force + 0.5 * turn.cross(force)) - kGravity * Vector3::UnitZ();
   p_ += dt * v_ + 0.5 * dt * dt * a;
   v_ += dt * a;
-  feet_ += dt * foot_motion;
   q_ = (q_ * exp_so3(turn)).normalized();
   R_ = q_.toRotationMatrix();
 }

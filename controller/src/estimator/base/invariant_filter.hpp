@@ -43,10 +43,12 @@ class InvariantFilter {
   void doubt(const StartDoubt& doubt) noexcept;
 
   /// Move on by one IMU reading.
-  /// @param foot_motion [m/s] of contact points that roll, world axes
   /// @param foot_variance [m^2] that each may have moved besides
-  void predict(const Gains& gains, const InertialStep& imu, const FeetMatrix& foot_motion,
+  void predict(const Gains& gains, const InertialStep& imu,
                const Eigen::Vector4d& foot_variance) noexcept;
+
+  /// Contact points have travelled, by rolling. @param way world axes [m]
+  void move_feet(const FeetMatrix& way) noexcept { feet_ += way; }
 
   /// Take in where the legs say the contact points are.
   /// @param y_base from the IMU's point, base axes [m], @param variance [m^2] of each

@@ -101,6 +101,7 @@ void ContactBelief::vote(const Gains& gains, const ContactSignals& signals, int 
   for (int k = 0; k < kContactSources; ++k) {
     const Evidence& one = foot.evidence[k];
     if (one.verdict != Verdict::kGood || one.says == 0.0) continue;
+    foot.told = foot.told || k != kNoSlip;
     sum += weights[k] * one.says;
     voters += weights[k];
   }
@@ -108,8 +109,8 @@ void ContactBelief::vote(const Gains& gains, const ContactSignals& signals, int 
   if (voters > 0.0) {
     const double agreement = sum / voters;
     if (std::abs(agreement) > kUndecided) drive = std::clamp(kMajority * agreement, -1.0, 1.0);
-  } else if (signals.speed[leg] < kResting) {
-    drive = 0.5;  // nothing but a foot that rests
+  } else if (!foot.told && signals.speed[leg] < kResting) {
+    drive = 0.5;  // no forces in these reports: nothing but a foot that rests
   }
   const double step = gains.contact_dwell > dt ? dt / gains.contact_dwell : 1.0;
   probability_[leg] = std::clamp(probability_[leg] + drive * step, 0.0, 1.0);

@@ -42,6 +42,7 @@ class ContactBelief {
     FootCount count;
     double contradicted = 0.0;  // [s] for which footForceEst has contradicted the torques
     bool loaded = true;
+    bool told = false;  // has a force source ever spoken?
   };
   void judge_est_field(const ContactSignals& signals, double dt) noexcept;
   Evidence see_est(const Gains& gains, const ContactSignals& signals, int leg, double dt) noexcept;

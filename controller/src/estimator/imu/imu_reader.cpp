@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/imu/imu_reader.hpp"
 
+#include "low_state_check.hpp"
+
 namespace surefoot {
 
 namespace {
-constexpr double kUnit = 0.05;         // off unit length that is still renormalised
 constexpr double kRateRange = 34.8;    // [rad/s] full scale of 2000 deg/s, just short of it
 constexpr double kForceRange = 156.0;  // [m/s^2] full scale of 16 g
 }  // namespace
@@ -38,6 +39,7 @@ void ImuReader::read(const IMU& imu, const RobotConfig& config, const Vector12& 
   const Vector3 f(accelerometer[0], accelerometer[1], accelerometer[2]);
   const bool moved = joints != joints_;
   joints_ = joints;
+  out.anew = moved || w != gyroscope_.last || f != accelerometer_.last;
   gyroscope_.see(w, moved, dt);
   accelerometer_.see(f, moved, dt);
   out.w_base = R_base_imu * w;
@@ -48,11 +50,10 @@ void ImuReader::read(const IMU& imu, const RobotConfig& config, const Vector12& 
   out.accelerometer = accelerometer_.verdict(kForceRange);
 
   Quaternion R_world_imu(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
-  const double norm = R_world_imu.norm();
-  out.has_quaternion = std::abs(norm - 1.0) <= kUnit;
-  out.quaternion = out.has_quaternion ? Verdict::kGood
-                   : norm == 0.0      ? Verdict::kZero
-                                      : Verdict::kImplausible;
+  out.has_quaternion = has_quaternion(imu);
+  out.quaternion = out.has_quaternion          ? Verdict::kGood
+                   : R_world_imu.norm() == 0.0 ? Verdict::kZero
+                                               : Verdict::kImplausible;
   if (!out.has_quaternion) return;
   R_world_imu.normalize();
   out.R_world_base = R_world_imu * R_base_imu.conjugate();

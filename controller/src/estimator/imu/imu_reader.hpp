@@ -14,6 +14,7 @@ struct ImuReading {
   bool has_quaternion = false;                       ///< of unit length, within 5 %
   /// Reports since the last new sample, this one included: 1 is a fresh one.
   int w_age = 1, f_age = 1;
+  bool anew = true;  ///< has anything in the report changed since the last?
   Verdict gyroscope = Verdict::kUnjudged;
   Verdict accelerometer = Verdict::kUnjudged;
   Verdict quaternion = Verdict::kUnjudged;

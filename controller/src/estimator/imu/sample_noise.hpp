@@ -14,7 +14,8 @@ namespace surefoot {
 /// filter it is. Real-time: yes.
 class SampleNoise {
  public:
-  /// @param sigma first guess, of one axis; what is measured stays within a tenth and ten times it
+  /// @param sigma first guess, of one axis; what is measured stays within a quarter and ten times
+  /// it
   void reset(double sigma) noexcept {
     guess_ = sigma;
     variance_ = sigma * sigma;
@@ -34,14 +35,15 @@ class SampleNoise {
   }
 
   double sigma() const noexcept {
-    return std::clamp(std::sqrt(variance_), guess_ / kSpan, guess_ * kSpan);
+    return std::clamp(std::sqrt(variance_), guess_ * kLeast, guess_ * kMostTimes);
   }
 
  private:
   static constexpr double kTime = 0.5;    // [s]
   static constexpr double kGuess = 20.0;  // samples that the first guess is worth
   static constexpr double kWild = 25.0;   // a blow is not noise
-  static constexpr double kSpan = 10.0;
+  static constexpr double kLeast = 0.25;  // of the guess: no sensor is that good while it moves
+  static constexpr double kMostTimes = 10.0;
   static constexpr int kMost = 1 << 20;
   double guess_ = 1.0, variance_ = 1.0;
   int count_ = 0;
