@@ -88,7 +88,18 @@ void bind_structs(nb::module_& m) {
       .def_prop_rw("f_outside", get(&RobotState::f_outside),
                    set("f_outside", &RobotState::f_outside),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Force from outside through the CoM [N], world.");
+                   "Force from outside through the CoM [N], world.")
+      .def_prop_rw("f_lasting", get(&RobotState::f_lasting),
+                   set("f_lasting", &RobotState::f_lasting),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "The part of f_outside that lasts, a payload [N].")
+      .def_prop_rw("moment_outside", get(&RobotState::moment_outside),
+                   set("moment_outside", &RobotState::moment_outside),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Moment from outside about the CoM [N.m], world.")
+      .def_prop_rw("friction", get(&RobotState::friction), set("friction", &RobotState::friction),
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "What is left of each foot's friction coefficient, 0 .. 1, FR FL RR RL.");
 }
 
 void bind_reference(nb::module_& m) {

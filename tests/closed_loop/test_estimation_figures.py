@@ -33,10 +33,13 @@ GATED = {
     "dropout/doubled accelerometer, velocity RMSE",
     "contact/fell",
     "contact/missed: lifts, est",
-    "contact/missed: feet, est",
-    "contact/delay max: feet, est",
+    "contact/delay max: lifts, est",
     "contact/false: lifts, est",
-    "contact/false: feet, est",
+    "contact/missed: lifts, torque",
+    "contact/delay max: lifts, torque",
+    "contact/false: lifts, torque",
+    "push60/force RMSE",
+    "push60/tilt RMSE beyond bias",
 }
 
 

@@ -42,6 +42,8 @@ struct RobotState {
   Eigen::Vector4d contact = Eigen::Vector4d::Ones();
   /// [N] force on the body from outside, through its centre of mass, world axes: a push, a payload.
   Vector3 f_outside = Vector3::Zero();
+  /// [N] the part of f_outside that lasts: a payload. What holds the robot still counts with it.
+  Vector3 f_lasting = Vector3::Zero();
   /// [N.m] moment on the body from outside about its centre of mass, world axes: a payload off it.
   Vector3 moment_outside = Vector3::Zero();
   /// What is left of each foot's friction coefficient, 0 .. 1, FR FL RR RL: less while it slips.

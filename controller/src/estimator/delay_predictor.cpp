@@ -60,6 +60,7 @@ const RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   predicted_.v = state.v + dv_;
   predicted_.contact = state.contact;
   predicted_.f_outside = state.f_outside;
+  predicted_.f_lasting = state.f_lasting;
   predicted_.moment_outside = state.moment_outside;
   predicted_.friction = state.friction;
   return predicted_;

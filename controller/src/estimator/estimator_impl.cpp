@@ -236,7 +236,7 @@ bool StateEstimator::Impl::carried() const noexcept {
 // beyond the model, slowly, to a payload. The plan counts with both already.
 void StateEstimator::Impl::observe_outside(double dt) noexcept {
   payload.update(gains, dynamics, legs.forces(), carried(), dt);
-  state.f_outside = payload.force();
+  state.f_outside = state.f_lasting = payload.force();
   state.moment_outside = payload.moment();
   if (!has_plan) return;
   // Classical acceleration of the base's origin that is planned.

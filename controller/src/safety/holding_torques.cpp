@@ -7,7 +7,7 @@ namespace surefoot {
 
 Vector12 holding_torques(const Dynamics& dynamics, double mass, const RobotState& state,
                          const Eigen::Vector4d& share) noexcept {
-  const Vector3 force = mass * kGravity * Vector3::UnitZ() - state.f_outside;
+  const Vector3 force = mass * kGravity * Vector3::UnitZ() - state.f_lasting;
   const Vector12 forces = even_forces(dynamics, force, -state.moment_outside, share);
   Vector12 torques;
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -20,12 +20,17 @@ Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
     tau[i] = solution.torques[robot_.motor_to_v()[i] - 6];
     dq[i] = state.v[robot_.motor_to_v()[i]];
   }
-  const Eigen::Vector4d share = load_shares(gains, state.contact, reference);
-  const Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
-  limited_ = limit_power(tau, hold, dq, options_.power_limit, options_.motor_damping);
+  const auto limit = [&](const Eigen::Vector4d& contact, double most) {
+    const Eigen::Vector4d share = load_shares(gains, contact, reference);
+    const Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
+    limited_ = limit_power(tau, hold, dq, most, options_.motor_damping);
+  };
+  limit(state.contact, options_.power_limit);
+  // A foot that is light for a moment bears its share again when the others yield.
+  if (limited_.exceeds) limit(Eigen::Vector4d::Ones(), options_.power_limit);
   // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
   // the power on its way. The command goes as it is; the protection is there for the rest.
-  if (limited_.exceeds) limited_ = limit_power(tau, hold, dq, kUnlimited, options_.motor_damping);
+  if (limited_.exceeds) limit(state.contact, kUnlimited);
   return limited_.scale < 1.0 ? Status::kSaturated : solution.status;
 }
 

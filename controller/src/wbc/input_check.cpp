@@ -25,8 +25,8 @@ bool finite(const Reference& r) noexcept {
 Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (state.q.size() != robot.nq() || state.v.size() != robot.nv()) return Status::kWrongSize;
   if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite() ||
-      !state.f_outside.allFinite() || !state.moment_outside.allFinite() ||
-      !state.friction.allFinite()) {
+      !state.f_outside.allFinite() || !state.f_lasting.allFinite() ||
+      !state.moment_outside.allFinite() || !state.friction.allFinite()) {
     return Status::kNonFinite;
   }
   const auto share = [](const Eigen::Vector4d& x) {
