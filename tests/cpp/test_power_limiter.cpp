@@ -16,7 +16,7 @@ using namespace surefoot;
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kLimit = 150.0;  // [W] of the controller under test
+constexpr double kLimit = 300.0;  // [W] of the controller under test
 
 struct Demand {
   explicit Demand(int seed) {
