@@ -380,6 +380,22 @@ BOOST_AUTO_TEST_CASE(how_a_great_error_moves_does_not_depend_on_the_state) {
   BOOST_TEST((error_of(a_off, a) - xi).norm() > 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(a_force_is_turned_by_half_of_the_ticks_rotation) {
+  const State start;
+  InertialStep imu = some_reading();
+  imu.w_base *= 5.0;
+  InvariantFilter filter = start.filter();
+  move(filter, imu);
+  const int parts = 1000;
+  Vector3 v = start.v;
+  for (int k = 0; k < parts; ++k) {
+    const Quaternion R = start.R * exp_so3((k + 0.5) / parts * kPeriod * imu.w_base);
+    v += kPeriod / parts * (R * imu.f_base - kGravity * Vector3::UnitZ());
+  }
+  BOOST_TEST((filter.v() - v).norm() < 2e-6);
+  BOOST_TEST((filter.v() - start.v).norm() > 1e-3);
+}
+
 BOOST_FIXTURE_TEST_CASE(velocity_is_kept_while_the_base_sways, Sway) {
   const Quaternion wrong(Eigen::AngleAxisd(0.1, Vector3(1, 1, 0).normalized()));
   start({0.3, 0.5, 0.002, 0.0, 0.0}, wrong, Vector3(0.2, -0.1, 0.1));
