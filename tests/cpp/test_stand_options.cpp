@@ -17,8 +17,9 @@ LowState shaken(const Robot& robot, std::uint32_t tick) {
   report.imu.gyroscope = {0.2F * wave, -0.1F * wave, 0.1F * wave};
   report.imu.accelerometer[1] = 0.5F * wave;
   for (int i = 0; i < kMotors; ++i) {
-    report.motorState[i].q += 0.02F * wave;
+    report.motorState[i].q += 0.005F * wave;
     report.motorState[i].dq = 0.3F * wave * (i % 2 ? 1.0F : -1.0F);
+    report.motorState[i].tauEst += 0.01F * wave;  // torques that stand still are not believed
   }
   return report;
 }

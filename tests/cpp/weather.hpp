@@ -20,6 +20,8 @@ class Weather {
     report_.imu.accelerometer[1] = (pushed ? 8.0F : 0.5F) * number();
     for (int i = 0; i < surefoot::kMotors; ++i) {
       report_.motorState[i].dq = (pushed ? 6.0F : 0.3F) * number();
+      // Torques that stand still are not believed: for a fifth of the time they do.
+      if (tick % 5000 < 4000) report_.motorState[i].tauEst += 0.05F * wave;
       report_.motorState[i].q += 0.3F * wave * (tick % 3000 < 1500 ? 0.1F : 1.0F);
     }
     // footForceEst dies and revives; each foot lifts in its turn.

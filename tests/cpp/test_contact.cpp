@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <random>
+
+#include "estimator/contact/contact_belief.hpp"
+#include "estimator/contact/foot_rise.hpp"
+#include "estimator/contact/leg_forces.hpp"
+#include "estimator/contact/slip_detector.hpp"
+#include "estimator/contact/torque_health.hpp"
+#include "scenes.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kPeriod = 0.002;
+constexpr double kWeight = 118.0;  // [N]
+constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
+constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
+constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
+
+// A belief and what it is told; at first the torques alone speak, and the robot stands.
+struct Believing {
+  Gains gains;
+  ContactBelief belief{kWeight};
+  ContactSignals signals;
+  int tick = 0;
+  bool stuck = false;  // do footForceEst's words lack the last digit's noise?
+  Believing() { signals.torque_load.setConstant(0.25); }
+  void no_torques() {
+    signals.tau_est = Verdict::kZero;
+    signals.torque_load.setZero();
+  }
+  // One leg in the air, the others bear the weight.
+  void lift(int lifted) {
+    for (int leg = 0; leg < kLegs; ++leg)
+      signals.torque_load[leg] = leg == lifted ? 0.0 : 1.0 / 3.0;
+  }
+  double after(double seconds, int leg = FL_) {
+    for (int k = 0; k < seconds / kPeriod - 0.5; ++k) {
+      ContactSignals now = signals;
+      ++tick;
+      for (std::int16_t& force : now.foot_force_est) {
+        if (force > 10 && !stuck) force = static_cast<std::int16_t>(force + tick % 2);
+      }
+      belief.update(gains, now, kPeriod);
+    }
+    return belief.probability()[leg];
+  }
+  Verdict verdict(int source, int leg = FL_) const {
+    EstimatorReport report;
+    belief.write(report);
+    return report.contact_sources[source][leg];
+  }
+};
+
+// Counts of a foot whose load changes, as a real one's do.
+struct Counting {
+  Gains gains;
+  FootCount foot;
+  Evidence evidence;
+  std::mt19937 generator{5};
+  std::normal_distribution<double> normal;
+  double t = 0.0;
+  static double load(double t) {
+    return 0.25 + 0.1 * std::sin(4.0 * t) + 0.05 * std::sin(11.0 * t);
+  }
+  void see(double count, double load) {
+    evidence = foot.update(gains, static_cast<int>(std::lround(count)), load, true, kPeriod);
+    t += kPeriod;
+  }
+  template <class Count>
+  void run(double seconds, Count count) {
+    for (const double end = t + seconds; t < end;) see(count(t), load(t));
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(contact)
+
+BOOST_FIXTURE_TEST_CASE(torques_alone_tell_of_a_lifted_foot_within_the_dwell, Believing) {
+  BOOST_TEST(after(1.0) == 1.0);
+  BOOST_TEST(!belief.foot_force_est_alive());
+  lift(FL_);
+  BOOST_TEST(after(kPeriod) == 0.8);  // one wrong sample is one step
+  lift(-1);
+  BOOST_TEST(after(kPeriod) == 1.0);
+  lift(FL_);
+  BOOST_TEST(after(gains.contact_dwell - kPeriod) > 0.0);
+  BOOST_TEST(after(2 * kPeriod) == 0.0);
+  BOOST_TEST(after(1.0, FR_) == 1.0);
+  signals.torque_load[FL_] = 0.5 * (gains.contact_force_on + gains.contact_force_off);
+  BOOST_TEST(after(1.0) == 0.0);  // hysteresis
+  lift(-1);
+  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 1.0);
+  signals.torque_load[FL_] = 0.5 * (gains.contact_force_on + gains.contact_force_off);
+  BOOST_TEST(after(1.0) == 1.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(foot_force_est_alone_tells, Believing) {
+  no_torques();
+  signals.foot_force_est = {30, 30, 30, 30};
+  BOOST_TEST(after(0.05) == 1.0);
+  BOOST_TEST(!belief.foot_force_est_alive());
+  after(0.1);
+  BOOST_TEST(belief.foot_force_est_alive());
+  signals.foot_force_est[FL_] = 1;
+  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 0.0);
+  BOOST_TEST(after(0.1, RL_) == 1.0);
+  signals.foot_force_est[FL_] = 30;
+  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 1.0);
+  BOOST_TEST((verdict(kEst) == Verdict::kGood && verdict(kTau) == Verdict::kZero));
+}
+
+BOOST_FIXTURE_TEST_CASE(counts_alone_tell_by_the_range_that_they_have_shown, Believing) {
+  no_torques();
+  const auto noisy = [this](int tick, int fl) {
+    const auto count = [&](int at) { return static_cast<std::int16_t>(at + (tick * 7) % 3); };
+    signals.foot_force = {count(120), count(fl), count(120), count(120)};
+    return after(kPeriod);
+  };
+  double probability = 0.0;
+  for (int tick = 0; tick < 200; ++tick) probability = noisy(tick, 120);
+  BOOST_TEST(probability == 1.0);
+  BOOST_TEST((verdict(kCount) == Verdict::kUnjudged));
+  for (int tick = 0; tick < 20; ++tick) probability = noisy(tick, 60);
+  BOOST_TEST(probability == 0.0);
+  BOOST_TEST(belief.probability()[FR_] == 1.0);
+  BOOST_TEST((verdict(kCount) == Verdict::kGood));
+  for (int tick = 0; tick < 20; ++tick) probability = noisy(tick, 120);
+  BOOST_TEST(probability == 1.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(motion_alone_speaks_against_contact_and_rest_for_it, Believing) {
+  no_torques();
+  BOOST_TEST(after(1.0) == 1.0);
+  signals.speed[FL_] = 0.2;  // neither
+  BOOST_TEST(after(1.0) == 1.0);
+  signals.speed[FL_] = 0.5;
+  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 0.0);
+  signals.speed[FL_] = 0.2;
+  BOOST_TEST(after(1.0) == 0.0);
+  signals.speed[FL_] = 0.0;
+  BOOST_TEST(after(gains.contact_dwell) < 1.0);
+  BOOST_TEST(after(2.0 * gains.contact_dwell) == 1.0);
+  signals.rise[FL_] = 0.005;  // soft ground
+  BOOST_TEST(after(1.0) == 1.0);
+  signals.rise[FL_] = 0.012;
+  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(two_that_contradict_each_other_leave_the_belief, Believing) {
+  signals.foot_force_est = {30, 30, 30, 30};
+  after(0.2);
+  signals.felt = 1.2;  // the torques bear less than what is felt: nobody vouches for them
+  signals.torque_load[FL_] = 0.0;
+  BOOST_TEST(after(0.2) == 1.0);
+  signals.foot_force_est[FL_] = 0;
+  BOOST_TEST(after(0.02) == 0.0);
+  signals.foot_force_est[FL_] = 30;
+  BOOST_TEST(after(0.05) == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(torques_that_bear_what_is_felt_outvote_a_stuck_sensor, Believing) {
+  signals.foot_force_est = {30, 30, 30, 30};
+  after(0.2);
+  lift(FL_);
+  BOOST_TEST(after(0.05) == 0.0);
+  BOOST_TEST((verdict(kEst) == Verdict::kGood));
+  after(0.4);
+  BOOST_TEST((verdict(kEst) == Verdict::kDisagrees));
+  BOOST_TEST((verdict(kEst, FR_) == Verdict::kGood));
+  lift(-1);
+  signals.foot_force_est[FL_] = 29;
+  after(0.7);
+  BOOST_TEST((verdict(kEst) == Verdict::kGood));  // believed again
+}
+
+BOOST_FIXTURE_TEST_CASE(a_word_that_stands_still_while_the_load_moves_is_stuck, Believing) {
+  stuck = true;
+  signals.foot_force_est = {30, 30, 30, 30};
+  after(1.0);
+  BOOST_TEST((verdict(kEst) == Verdict::kGood));  // nothing has happened yet
+  lift(FL_);
+  BOOST_TEST(after(0.02) == 0.0);
+  BOOST_TEST((verdict(kEst) == Verdict::kConstant));
+}
+
+BOOST_FIXTURE_TEST_CASE(two_others_outvote_the_torques, Believing) {
+  signals.foot_force_est = {30, 30, 30, 30};
+  after(0.2);
+  signals.foot_force_est[FL_] = 0;
+  signals.rise[FL_] = 0.03;
+  BOOST_TEST(after(0.2) == 0.0);
+  BOOST_TEST(after(kPeriod, FR_) == 1.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_force_field_that_goes_silent_while_the_legs_carry_is_dead, Believing) {
+  signals.foot_force_est = {30, 30, 30, 30};
+  after(0.2);
+  BOOST_TEST(belief.foot_force_est_alive());
+  signals.foot_force_est = {};
+  after(0.2);
+  BOOST_TEST(!belief.foot_force_est_alive());
+  BOOST_TEST((belief.probability() == Eigen::Vector4d::Ones()));
+  belief.reset();
+  after(0.2);
+  BOOST_TEST((verdict(kEst) == Verdict::kZero));
+}
+
+BOOST_FIXTURE_TEST_CASE(in_the_air_a_field_of_zeros_stays_alive, Believing) {
+  signals.foot_force_est = {30, 30, 30, 30};
+  after(0.2);
+  signals.foot_force_est = {};
+  signals.torque_load.setZero();
+  signals.felt = 0.0;
+  BOOST_TEST(after(1.0) == 0.0);
+  BOOST_TEST(belief.foot_force_est_alive());
+}
+
+BOOST_FIXTURE_TEST_CASE(stray_counts_in_a_dead_force_field_change_nothing, Believing) {
+  for (int tick = 0; tick < 1000; ++tick) {
+    const auto stray = static_cast<std::int16_t>(tick % 7 == 0 ? 1 : 3);
+    signals.foot_force_est = {stray, 0, 2, stray};
+    after(kPeriod);
+    BOOST_TEST(!belief.foot_force_est_alive());
+  }
+  BOOST_TEST((belief.probability() == Eigen::Vector4d::Ones()));
+}
+
+BOOST_AUTO_TEST_CASE(each_sources_word_is_reported) {
+  Believing b;
+  b.signals.foot_force_est = {30, 30, 30, 30};
+  b.after(0.2);
+  b.lift(FL_);
+  b.after(kPeriod);
+  EstimatorReport report;
+  b.belief.write(report);
+  BOOST_TEST(report.contact_by_source(kEst, FL_) > 0.95);
+  BOOST_TEST(report.contact_by_source(kTau, FL_) < 0.05);
+  BOOST_TEST(report.contact_by_source(kTau, FR_) > 0.95);
+  BOOST_TEST(report.contact_by_source(kCount, FL_) == 0.5);
+}
+
+BOOST_FIXTURE_TEST_CASE(offset_and_scale_are_learnt_through_noise_and_drift, Counting) {
+  const auto offset = [](double at) { return 130.0 + 50.0 / 60.0 * at; };
+  const double scale = 240.0;
+  const auto count = [&](double load) {
+    return offset(t) + scale * load + 2.0 * normal(generator);
+  };
+  run(0.05, [&](double at) { return count(load(at)); });
+  BOOST_TEST((evidence.verdict == Verdict::kUnjudged && evidence.says == 0.0));
+  run(60.0, [&](double at) { return count(load(at)); });
+  BOOST_TEST((evidence.verdict == Verdict::kGood));
+  BOOST_TEST(std::abs(foot.scale() / scale - 1.0) < 0.1);
+  BOOST_TEST(std::abs(foot.offset() - offset(t)) < 8.0);  // it lags by 5 s of drift
+  BOOST_TEST(evidence.says > 0.9);
+  double worst = -1.0;
+  for (int k = 0; k < 100; ++k) {
+    see(count(0.0), 0.0);
+    worst = std::max(worst, evidence.says);
+  }
+  BOOST_TEST(worst < 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(counts_that_do_not_follow_the_load_are_left_out) {
+  const auto judged = [](std::function<double(double)> count) {
+    Counting c;
+    c.run(10.0, count);
+    BOOST_TEST(c.evidence.says == 0.0);
+    return c.evidence.verdict;
+  };
+  std::mt19937 generator(9);
+  std::normal_distribution<double> normal;
+  BOOST_TEST((judged([](double) { return 0.0; }) == Verdict::kZero));
+  BOOST_TEST((judged([](double) { return 137.0; }) == Verdict::kConstant));
+  BOOST_TEST((judged([](double t) { return t < 5.0 ? 200.0 * Counting::load(t) : 0.0; }) ==
+              Verdict::kZero));
+  BOOST_TEST(
+      (judged([&](double) { return 137.0 + 3.0 * normal(generator); }) == Verdict::kConstant));
+  BOOST_TEST((judged([](double) { return 32767.0; }) == Verdict::kSaturated));
+  BOOST_TEST((judged([](double) { return -32768.0; }) == Verdict::kSaturated));
+  BOOST_TEST(
+      (judged([](double t) { return 200.0 + 60.0 * std::sin(23.0 * t); }) == Verdict::kDisagrees));
+  BOOST_TEST(
+      (judged([](double t) { return 300.0 - 200.0 * Counting::load(t); }) == Verdict::kDisagrees));
+}
+
+BOOST_AUTO_TEST_CASE(torques_are_told_to_be_missing_or_stuck) {
+  TorqueHealth health;
+  Vector12 tau = Vector12::Zero();
+  health.update(tau, true, kPeriod);
+  BOOST_TEST((health.verdict() == Verdict::kZero));
+  tau[3] = 1.0;
+  health.update(tau, true, kPeriod);
+  BOOST_TEST((health.verdict() == Verdict::kGood));
+  for (int k = 0; k < 500; ++k) health.update(tau, false, kPeriod);  // reports that repeat
+  for (int k = 0; k < 48; ++k) health.update(tau, true, kPeriod);
+  BOOST_TEST((health.verdict() == Verdict::kGood));
+  for (int k = 0; k < 4; ++k) health.update(tau, true, kPeriod);
+  BOOST_TEST((health.verdict() == Verdict::kConstant));
+  tau[7] = 0.1;
+  health.update(tau, true, kPeriod);
+  BOOST_TEST((health.verdict() == Verdict::kGood));
+}
+
+BOOST_AUTO_TEST_CASE(a_loaded_foot_that_moves_alone_slips_and_recovers) {
+  Gains gains;
+  SlipDetector slip;
+  FeetMatrix v = FeetMatrix::Zero();
+  Eigen::Vector4d loaded = Eigen::Vector4d::Ones();
+  const auto run = [&](double seconds) {
+    for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, v, loaded, kPeriod);
+  };
+  v.row(0).setConstant(1.0);  // all alike: an error of the base's velocity
+  run(0.5);
+  BOOST_TEST(slip.slip().norm() == 0.0);
+  v.setZero();
+  run(0.5);
+  v(1, RR_) = 0.5;
+  run(0.005);
+  BOOST_TEST(slip.slip()[RR_] < 0.5);
+  run(0.1);
+  BOOST_TEST((slip.slip() == Eigen::Vector4d(0.0, 0.0, 1.0, 0.0)));
+  BOOST_TEST(std::abs(slip.speed()[RR_] - 0.5) < 1e-3);
+  BOOST_TEST(slip.friction(gains)[RR_] == gains.slip_friction);
+  BOOST_TEST(slip.friction(gains)[FR_] == 1.0);
+  v.setZero();
+  run(0.2);
+  BOOST_TEST(slip.slip()[RR_] > 0.5);
+  run(0.5);
+  BOOST_TEST(slip.slip()[RR_] == 0.0);
+  loaded[RR_] = 0.0;
+  v(1, RR_) = 2.0;
+  run(0.5);
+  BOOST_TEST(slip.slip().norm() == 0.0);  // it swings
+}
+
+BOOST_AUTO_TEST_CASE(a_foots_rise_is_against_where_it_last_stood) {
+  const Robot robot = quadruped();
+  RobotState state = standing_state(robot);
+  Dynamics dynamics(robot);
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  InvariantFilter filter;
+  filter.reset(Quaternion::Identity(), Vector3::Zero(), Vector3(0.0, 0.0, 0.1), FeetMatrix::Zero(),
+               {});
+  FootRise rise;
+  FeetMatrix v = FeetMatrix::Zero();
+  Eigen::Vector4d loaded = Eigen::Vector4d::Ones();
+  const auto run = [&](double seconds) {
+    for (int k = 0; k < seconds / kPeriod; ++k) {
+      rise.update(dynamics, filter, v, loaded, Vector3::UnitZ(), kPeriod);
+    }
+  };
+  run(2.0);
+  BOOST_TEST(rise.rise().norm() == 0.0);
+  const double before = dynamics.legs()[FL_].p_world_contact.z();
+  state.q[robot.motor_to_q()[FL_2]] -= 0.2;
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  const double lifted = dynamics.legs()[FL_].p_world_contact.z() - before;
+  BOOST_TEST(lifted > 0.01);
+  loaded[FL_] = 0.0;
+  run(3.0);
+  BOOST_TEST((rise.rise() - lifted * Eigen::Vector4d::Unit(FL_)).norm() < 1e-9);
+  loaded[FL_] = 1.0;
+  run(0.9);
+  BOOST_TEST(std::abs(rise.rise()[FL_] - lifted) < 1e-9);
+  v(0, FL_) = 0.05;  // it does not rest yet
+  run(0.5);
+  BOOST_TEST(std::abs(rise.rise()[FL_] - lifted) < 1e-9);
+  v.setZero();
+  run(2.5);
+  BOOST_TEST(std::abs(rise.rise()[FL_]) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(leg_forces_are_those_that_the_torques_were_made_from) {
+  const Robot robot = quadruped();
+  RobotState state = random_state(robot, 4, 0.8);
+  state.v.head<3>().setZero();
+  Eigen::VectorXd a = Eigen::VectorXd::Zero(robot.nv());
+  a.head<6>() << 2.0, -1.0, 3.0, 4.0, -5.0, 6.0;
+  FeetMatrix forces;
+  forces << 5, -4, 3, 0, 2, 6, -7, 0, 30, 40, 20, 0;
+  const Vector12 ddq = 20.0 * Vector12::Random();
+  for (const double moving : {0.0, 1.0}) {
+    for (int i = 0; i < kMotors; ++i) a[robot.motor_to_v()[i]] = moving * ddq[i];
+    Dynamics dynamics(robot);
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+    const Eigen::VectorXd all = inverse_dynamics(robot, state, a);
+    Vector12 tau, dq;
+    for (int i = 0; i < kMotors; ++i) {
+      const int leg = i / 3;
+      tau[i] =
+          all[robot.motor_to_v()[i]] - dynamics.legs()[leg].J_leg.col(i % 3).dot(forces.col(leg));
+      dq[i] = state.v[robot.motor_to_v()[i]];
+    }
+    LegForces legs;
+    // At the pose's one instant for as long as the filter needs.
+    const int ticks = moving > 0.0 ? 100 : 1;
+    for (int k = 0; k < ticks; ++k) {
+      legs.update(dynamics, a.head<3>(), a.segment<3>(3), tau, dq + moving * k * kPeriod * ddq,
+                  kPeriod);
+    }
+    BOOST_TEST((legs.forces() - forces).norm() < 1e-6 * forces.norm());
+    legs.reset();
+    legs.update(dynamics, Vector3::Zero(), Vector3::Zero(), tau, dq, kPeriod);
+    BOOST_TEST((legs.forces() - forces).norm() > 0.01 * forces.norm());  // it matters
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/QR>
+#include <boost/test/unit_test.hpp>
+
+#include "estimator/outside/payload_observer.hpp"
+#include "estimator/outside/push_observer.hpp"
+#include "scenes.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kPeriod = 0.002;
+
+struct Standing {
+  Robot robot = quadruped();
+  RobotState state = standing_state(robot);
+  Dynamics dynamics{robot};
+  Gains gains;
+  PayloadObserver payload{robot.mass()};
+  double weight = robot.mass() * kGravity;
+
+  Standing() { dynamics.update(state.q, state.v, Vector3::UnitZ()); }
+
+  // Forces of the feet, the least, that hold the robot against this wrench about its centre.
+  FeetMatrix against(const Vector3& force, const Vector3& moment) const {
+    Eigen::Matrix<double, 6, 12> A;
+    for (int leg = 0; leg < kLegs; ++leg) {
+      A.block<3, 3>(0, 3 * leg).setIdentity();
+      A.block<3, 3>(3, 3 * leg) =
+          skew(dynamics.legs()[leg].p_world_contact - dynamics.p_world_com());
+    }
+    Vector6 b;
+    b << weight * Vector3::UnitZ() - force, -moment;
+    const Vector12 f = A.completeOrthogonalDecomposition().solve(b);
+    return Eigen::Map<const FeetMatrix>(f.data());
+  }
+  void run(double seconds, const FeetMatrix& forces, bool carried = true) {
+    for (int k = 0; k < seconds / kPeriod - 0.5; ++k) {
+      payload.update(gains, dynamics, forces, carried, kPeriod);
+    }
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(outside)
+
+BOOST_FIXTURE_TEST_CASE(a_robot_that_carries_itself_carries_nothing, Standing) {
+  run(5.0, against(Vector3::Zero(), Vector3::Zero()));
+  BOOST_TEST(payload.force().norm() < 1e-9);
+  BOOST_TEST(payload.moment().norm() < 1e-9);
+  BOOST_TEST(payload.com_shift().norm() < 1e-9);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_wrench_is_found_from_the_feets_forces_over_payload_time, Standing) {
+  const Vector3 force(5.0, -3.0, -20.0), moment(1.0, -2.0, 0.5);
+  run(1.0, against(Vector3::Zero(), Vector3::Zero()));
+  run(gains.payload_time, against(force, moment));
+  const double risen = 1.0 - std::exp(-1.0);
+  BOOST_TEST((payload.force() - risen * force).norm() < 0.01 * force.norm());
+  BOOST_TEST((payload.moment() - risen * moment).norm() < 0.01 * moment.norm());
+  run(20.0 * gains.payload_time, against(force, moment));
+  BOOST_TEST((payload.force() - force).norm() < 1e-6);
+  BOOST_TEST((payload.moment() - moment).norm() < 1e-6);
+}
+
+BOOST_FIXTURE_TEST_CASE(what_stands_still_at_the_start_is_known_at_once, Standing) {
+  const Vector3 force(0.0, 2.0, -20.0), moment(1.0, -2.0, 0.0);
+  run(kPeriod, against(force, moment));
+  BOOST_TEST((payload.force() - force).norm() < 1e-9);
+  BOOST_TEST((payload.moment() - moment).norm() < 1e-9);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_body_that_the_feet_accelerate_is_pushed_by_nobody, Standing) {
+  const FeetMatrix rest = against(Vector3::Zero(), Vector3::Zero());
+  run(0.1, rest);
+  const Vector3 a(1.0, -2.0, 1.5);
+  const FeetMatrix forces = against(-robot.mass() * a, Vector3::Zero());
+  for (int k = 1; k <= 200; ++k) {
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+    dynamics.shift(Vector3::Zero(), kPeriod * k * a);
+    payload.update(gains, dynamics, forces, true, kPeriod);
+  }
+  BOOST_TEST(payload.force().norm() < 1e-9);
+  // The same motion while the feet only bear the weight: somebody pushes.
+  Standing pushed;
+  pushed.run(0.1, rest);
+  for (int k = 1; k <= 2000; ++k) {
+    pushed.dynamics.update(state.q, state.v, Vector3::UnitZ());
+    pushed.dynamics.shift(Vector3::Zero(), kPeriod * k * a);
+    pushed.payload.update(gains, pushed.dynamics, rest, true, kPeriod);
+  }
+  BOOST_TEST((pushed.payload.force() - robot.mass() * a).norm() < 0.01 * robot.mass() * a.norm());
+}
+
+BOOST_FIXTURE_TEST_CASE(a_payload_has_a_mass_and_a_place, Standing) {
+  const double mass = 3.0;
+  const Vector3 place(0.1, -0.05, 0.0), pull(0.0, 0.0, -mass * kGravity);
+  run(1.0, against(Vector3::Zero(), Vector3::Zero()));
+  run(10.0, against(pull, place.cross(pull)));
+  BOOST_TEST(std::abs(payload.mass() - mass) < 1e-6);
+  const Vector3 shift = mass / (mass + robot.mass()) * place;
+  BOOST_TEST((payload.com_shift() - shift).norm() < 1e-6);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_payload_is_bounded, Standing) {
+  gains.payload_max = 0.5;
+  const double most = gains.payload_max * weight;
+  for (const double seconds : {kPeriod, 10.0}) {
+    payload.reset();
+    run(seconds, against(Vector3(0.0, 0.0, -3.0 * weight), Vector3(500.0, 0.0, 0.0)));
+    BOOST_TEST((payload.force() - Vector3(0.0, 0.0, -most)).norm() < 1e-6);
+    BOOST_TEST((payload.moment() - Vector3(0.1 * most, 0.0, 0.0)).norm() < 1e-6);
+  }
+  // Nothing is saved up beyond the bound: back within it as soon as from the bound itself.
+  run(5.0 * gains.payload_time, against(Vector3::Zero(), Vector3::Zero()));
+  BOOST_TEST(payload.force().norm() < 0.01 * most);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_payload_waits_while_the_feet_do_not_carry_the_robot, Standing) {
+  const Vector3 force(0.0, 0.0, -20.0);
+  run(10.0, against(force, Vector3::Zero()));
+  run(5.0, FeetMatrix::Zero(), false);
+  BOOST_TEST((payload.force() - force).norm() < 1e-6);
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  dynamics.shift(Vector3::Zero(), Vector3(0.0, 0.0, -1.0));  // it has fallen meanwhile
+  run(kPeriod, FeetMatrix::Zero(), false);
+  run(1.0, against(force, Vector3::Zero()));
+  BOOST_TEST((payload.force() - force).norm() < 1e-6);
+  payload.reset();
+  BOOST_TEST(payload.force().norm() == 0.0);
+  run(1.0, against(force, Vector3::Zero()), false);
+  BOOST_TEST(payload.force().norm() == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_push_is_seen_beyond_the_dead_band_and_up_to_the_bound) {
+  Gains gains;
+  PushObserver push;
+  const auto after = [&](double seconds, const Vector3& unexplained) {
+    for (int k = 0; k < seconds / kPeriod; ++k) push.update(gains, unexplained, kPeriod);
+    return push.acceleration(gains);
+  };
+  BOOST_TEST(push.acceleration(gains).norm() == 0.0);
+  BOOST_TEST(after(1.0, Vector3(0.0, 0.3, -0.3)).norm() == 0.0);
+  const Vector3 side(3.0, 0.0, 4.0);
+  BOOST_TEST((after(1.0, side) - 0.9 * side).norm() < 1e-6);  // 5 less the band's 0.5
+  BOOST_TEST(std::abs(after(1.0, 100.0 * side).norm() - gains.push_max) < 1e-9);
+  push.reset();
+  const double risen = after(gains.push_time, Vector3(10.0, 0.0, 0.0)).x();
+  BOOST_TEST(risen > 4.5);
+  BOOST_TEST(risen < 7.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
