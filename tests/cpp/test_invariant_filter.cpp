@@ -172,7 +172,7 @@ struct Sway {
     imu.w_variance = gains.noise_gyroscope * gains.noise_gyroscope;
     imu.f_variance = gains.noise_accelerometer * gains.noise_accelerometer;
     imu.dt = kPeriod;
-    filter.predict(gains, imu, FeetMatrix::Zero(), foot_variance);
+    filter.predict(gains, imu, foot_variance);
     t += kPeriod;
   }
   void correct(const FeetMatrix& y) {
@@ -236,7 +236,7 @@ InertialStep some_reading() {
 void move(InvariantFilter& filter, const InertialStep& imu) {
   Gains gains;
   gains.gyroscope_drift = gains.accelerometer_drift = 0.0;
-  filter.predict(gains, imu, FeetMatrix::Zero(), Eigen::Vector4d::Zero());
+  filter.predict(gains, imu, Eigen::Vector4d::Zero());
 }
 
 }  // namespace
