@@ -211,7 +211,9 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     standing += down;
     refused += down && filter.refused()[leg];
   }
-  noise.update(filter.foot_nis(), filter.expected(), stands, dt);
+  // What a stopped IMU misses is not the feet's noise.
+  const bool fresh = imu.w_age == 1 && imu.f_age <= 2;
+  if (fresh) noise.update(filter.foot_nis(), filter.expected(), stands, dt);
   // Standing feet that all contradict the prediction are right: a blow has clipped the
   // accelerometer. Without this the gate would lock them out for ever.
   if (standing >= 2 && refused == standing) filter.doubt_velocity(kSurprise * kSurprise);
