@@ -8,9 +8,10 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRateChange = 50.0;      // [rad/s^2] by which a held rate grows wrong
-constexpr double kForceChange = 500.0;    // [m/s^3] the same of a held specific force
-constexpr double kBetween = 0.25;         // of a change over a tick that its mean may be off by
+constexpr double kRateChange = 50.0;    // [rad/s^2] by which a held rate grows wrong
+constexpr double kForceChange = 500.0;  // [m/s^3] the same of a held specific force
+constexpr double kPlainNoise = 18.0;    // sigma^2: three times what noise alone changes three axes
+constexpr double kBetween = 0.25;       // of a change over a tick that its mean may be off by
 constexpr double kQuaternionRate = 0.05;  // [rad/s] noise of the vendor's quaternion's turn
 constexpr double kLegRate = 0.2;          // [rad/s] noise of a rate from the legs
 constexpr double kBlindRate = 1.0;        // [rad/s] doubt where nothing tells
@@ -26,7 +27,7 @@ double held_variance(double sigma, int age, double change, double dt) noexcept {
 // Of a mean over a tick that is known at both ends: what the signal has changed by, beyond its
 // noise, may have come early in the tick or late.
 double between_variance(const Vector3& change, double sigma) noexcept {
-  return square(kBetween) * std::max(change.squaredNorm() - 6.0 * square(sigma), 0.0);
+  return square(kBetween) * std::max(change.squaredNorm() - kPlainNoise * square(sigma), 0.0);
 }
 
 }  // namespace
