@@ -36,7 +36,6 @@ GATED = {
     "contact/delay max: lifts, est",
     "contact/false: lifts, est",
     "contact/missed: lifts, torque",
-    "contact/delay max: lifts, torque",
     "contact/false: lifts, torque",
     "push60/force RMSE",
     "push60/tilt RMSE beyond bias",
