@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from surefoot.row_rotations import matrices_from_xyzw, rotation_vectors
 
 from estimation.recording import Array, Log
 from estimation.replay import Estimates
@@ -74,15 +75,9 @@ def compare(log: Log, estimates: Estimates) -> Errors:
 
 
 def matrices(quaternions: Array) -> Array:
-    """Return rotation matrices (n, 3, 3) of quaternions (n, 4) w x y z."""
+    """Return rotation matrices (n, 3, 3) of quaternions (n, 4) w x y z, of any length."""
     q = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
-    w, x, y, z = q.T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), 2, 0)
+    return matrices_from_xyzw(q[:, [1, 2, 3, 0]])
 
 
 def about_z(angle: Array) -> Array:
@@ -92,16 +87,6 @@ def about_z(angle: Array) -> Array:
     R[:, 1, 0], R[:, 0, 1] = np.sin(angle), -np.sin(angle)
     R[:, 2, 2] = 1.0
     return R
-
-
-def rotation_vectors(R: Array) -> Array:
-    """Return the logarithms (n, 3) [rad] of rotations (n, 3, 3) of less than 180 deg."""
-    axis = 0.5 * np.stack(
-        [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1
-    )
-    sine = np.linalg.norm(axis, axis=1)
-    angle = np.arctan2(sine, 0.5 * (np.trace(R, axis1=1, axis2=2) - 1.0))
-    return np.asarray(axis * (angle / np.maximum(sine, 1e-12))[:, None])
 
 
 def rms(values: Array) -> float:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
-from surefoot._core import Error
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.simulation import (
     check_json_place,
+    check_report_place,
     check_table_place,
-    missing_module,
     write_json,
 )
 from surefoot.cli.stand import read_gains
@@ -29,7 +27,7 @@ def estimate(arguments: argparse.Namespace) -> None:
     """
     check_json_place(arguments.json)
     check_table_place("--trajectory", arguments.trajectory)
-    _check_report(arguments.report)
+    check_report_place(arguments.report, "estimate --report", "surefoot.estimate.report")
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # there is a default
     gains = read_gains(arguments.gains, description)
@@ -47,16 +45,3 @@ def estimate(arguments: argparse.Namespace) -> None:
         print(summary_text(summary))
         if arguments.report is not None:
             print(f"  report    {page}")
-
-
-def _check_report(folder: str | None) -> None:
-    """Find out before the run, not after it, that the report cannot be written; raises Error."""
-    if folder is None:
-        return
-    try:
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        import surefoot.estimate.report  # noqa: F401
-    except OSError as problem:
-        raise Error(f"--report: cannot make the folder: {problem}") from None
-    except ModuleNotFoundError as problem:
-        raise missing_module("estimate --report", problem) from None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes.util
+import importlib
 import json
 import os
 import sys
@@ -67,3 +68,22 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
         sys.stdout.write(text)
     else:
         Path(place).write_text(text, encoding="utf-8")
+
+
+def check_report_place(folder: str | None, command: str, module: str) -> None:
+    """Find out before a run, not after it, that its report cannot be written; raises Error.
+
+    Args:
+        folder: Where it goes, or None for no report.
+        command: That needs it, for the message.
+        module: That writes it; imported here.
+    """
+    if folder is None:
+        return
+    try:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        importlib.import_module(module)
+    except OSError as problem:
+        raise Error(f"--report: cannot make the folder: {problem}") from None
+    except ModuleNotFoundError as problem:
+        raise missing_module(command, problem) from None

@@ -11,6 +11,7 @@ from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.simulation import (
     check_json_place,
+    check_report_place,
     check_table_place,
     choose_graphics,
     missing_module,
@@ -42,7 +43,7 @@ def stand(arguments: argparse.Namespace) -> int:
     settings = read_settings(arguments)
     check_json_place(arguments.json)
     check_table_place("--log", arguments.log)
-    _check_report(arguments.report)
+    check_report_place(arguments.report, "stand", "surefoot.stand.report")
     progress = progress_bar()
     sensors = None if arguments.log is None else SensorRecorder()
     log = run_stand(settings, progress, sensors)
@@ -130,16 +131,3 @@ def _numbers(
     if len(values) not in counts:
         raise Error(f"{option}: got '{text}', expected {form}")
     return values + (0.0,) * (size - len(values))
-
-
-def _check_report(folder: str | None) -> None:
-    """Find out before the run, not after it, that the report cannot be written; raises Error."""
-    if folder is None:
-        return
-    try:
-        Path(folder).mkdir(parents=True, exist_ok=True)
-        import surefoot.stand.report  # noqa: F401
-    except OSError as problem:
-        raise Error(f"--report: cannot make the folder: {problem}") from None
-    except ModuleNotFoundError as problem:
-        raise missing_module("stand", problem) from None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from surefoot.estimate.columns import COLUMNS, Column
-from surefoot.estimate.fields import FIELDS, Field
+from surefoot.estimate.fields import FIELDS
 from surefoot.estimate.read import read_log
 from surefoot.estimate.result import Estimate
 from surefoot.estimate.run import run_estimator
@@ -13,6 +13,7 @@ from surefoot.estimate.sensor_log import SensorLog
 from surefoot.estimate.summary import summarise
 from surefoot.estimate.trajectory import trajectory, write_trajectory
 from surefoot.estimate.write import write_log
+from surefoot.summary_field import Field
 
 __all__ = [
     "COLUMNS",

@@ -1,6 +1,6 @@
 """The stand: a robot under its controller in simulation, logged, measured and reported."""
 
-from surefoot.stand.fields import FIELDS, Field
+from surefoot.stand.fields import FIELDS
 from surefoot.stand.log import StandLog
 from surefoot.stand.loop import run_stand
 from surefoot.stand.metrics import summarise
@@ -8,6 +8,7 @@ from surefoot.stand.pushes import PushRequest, parse_push
 from surefoot.stand.references import ReferenceRequest, parse_reference
 from surefoot.stand.sensor_recorder import SensorRecorder
 from surefoot.stand.settings import StandSettings
+from surefoot.summary_field import Field
 
 __all__ = [
     "FIELDS",
