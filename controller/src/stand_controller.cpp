@@ -89,8 +89,8 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
 Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
   // A robot that stands goes on without the vendor's attitude; none is started without it.
   if (latches == 0 && !has_quaternion(low_state.imu)) return Status::kBadQuaternion;
-  const Eigen::VectorXd* acting = predictor.acting();
-  if (acting != nullptr) estimator.set_planned_acceleration(acting->head<6>());
+  const SentCommand* acting = predictor.acting();
+  if (acting != nullptr) estimator.set_plan(acting->accelerations.head<6>(), acting->tau);
   const Status estimated = estimator.update(low_state, dt);
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;
@@ -109,7 +109,9 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   estimator.set_ground_normal(wanted.ground_normal);
   const Status solved =
       predictor.active() ? solve_predicted(wanted) : solve(dynamics, estimator.state(), wanted);
-  if (is_usable(solved)) predictor.remember(controller.solution().accelerations);
+  if (is_usable(solved)) {
+    predictor.remember(controller.solution().accelerations, torques.limited().torques);
+  }
   return solved;
 }
 

@@ -16,7 +16,7 @@ struct Predicting {
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
   void send(const Eigen::VectorXd& acceleration, double dt) {
-    predictor.remember(acceleration);
+    predictor.remember(acceleration, acceleration.tail<12>());
     predictor.elapse(dt);
   }
   Predicting() { state.contact << 0.1, 0.2, 0.3, 0.4; }
@@ -32,10 +32,11 @@ BOOST_FIXTURE_TEST_CASE(the_command_that_acts_is_the_one_sent_a_delay_ago, Predi
   BOOST_TEST((predictor.acting() == nullptr));  // six of 2 ms are all still on their way
   for (int k = 6; k < 30; ++k) {
     send(k * a, kDt);
-    BOOST_REQUIRE((*predictor.acting() - (k - 6) * a).norm() < 1e-12);
+    BOOST_REQUIRE((predictor.acting()->accelerations - (k - 6) * a).norm() < 1e-12);
   }
+  BOOST_TEST((predictor.acting()->tau - 23.0 * a.tail<12>()).norm() < 1e-12);
   predictor.elapse(kDt);  // a report was lost: the last command goes on
-  BOOST_TEST((*predictor.acting() - 24.0 * a).norm() < 1e-12);
+  BOOST_TEST((predictor.acting()->accelerations - 24.0 * a).norm() < 1e-12);
 }
 
 BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly, Predicting) {
@@ -89,7 +90,7 @@ BOOST_FIXTURE_TEST_CASE(its_ring_wraps_and_the_oldest_are_forgotten, Predicting)
   DelayPredictor fresh(18, kDelay);
   for (int k = 0; k < 200; ++k) send((k % 7) * a, kDt);
   for (int k = 190; k < 200; ++k) {
-    fresh.remember((k % 7) * a);
+    fresh.remember((k % 7) * a, Vector12::Zero());
     fresh.elapse(kDt);
   }
   BOOST_TEST((predictor.predict(state).v - fresh.predict(state).v).norm() == 0.0);

@@ -20,14 +20,6 @@ struct Gains {
   double base_kd_tilt = 46.0;
   double base_kp_yaw = 200.0;
   double base_kd_yaw = 26.0;
-  // Integral action, for what the model does not know; passed on as feed-forward accelerations.
-  double integral_com = 60.0;
-  double integral_base = 300.0;
-  double integral_com_max = 2.0;
-  double integral_base_max = 20.0;
-  double integral_com_error = 0.02;
-  double integral_base_error = 0.05;
-  double integral_speed = 0.03;
   // Feet: how a stance foot is kept where it stands.
   double foot_kp = 2500.0;
   double foot_kd = 50.0;
@@ -85,7 +77,7 @@ struct Gains {
   double contact_dwell = 0.01;
   double slip_speed = 0.15;
   double slip_friction = 0.5;
-  double payload_time = 0.5;
+  double payload_time = 0.15;
   double payload_max = 1.2;
   double push_time = 0.016;
   double push_dead_band = 0.5;

@@ -44,9 +44,10 @@ class StateEstimator {
   void set_gains(const Gains& gains);
   /// The ground's normal as the contacts know it; unit, world axes.
   void set_ground_normal(const Vector3& normal) noexcept;
-  /// What the motors were asked to make of the body, base acceleration in Pinocchio's axes: what
-  /// the accelerometer feels beyond it is laid to a force from outside. Zero if never told.
-  void set_planned_acceleration(const Vector6& a_base) noexcept;
+  /// What the command that acted until now was to make of the base, in Pinocchio's axes, and its
+  /// torques [N.m], SDK motor order. What the accelerometer feels beyond the plan is laid to a
+  /// force from outside; the torques stand in where tauEst tells nothing. No plan if never told.
+  void set_plan(const Vector6& a_base, const Vector12& tau) noexcept;
   /// Begin anew with the next report.
   void reset() noexcept;
 

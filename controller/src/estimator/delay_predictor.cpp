@@ -12,7 +12,7 @@ constexpr double kInstant = 1e-6;  // [s] periods are whole milliseconds
 
 DelayPredictor::DelayPredictor(int nv, double delay)
     : delay_(delay),
-      sent_(kRing, Sent{Eigen::VectorXd::Zero(nv), 0.0}),
+      sent_(kRing, SentCommand{Eigen::VectorXd::Zero(nv)}),
       dv_(Eigen::VectorXd::Zero(nv)),
       dq_(Eigen::VectorXd::Zero(nv)),
       predicted_(nv + 1, nv) {}
@@ -21,19 +21,20 @@ void DelayPredictor::elapse(double dt) noexcept {
   if (count_ > 0) sent_[(next_ - 1 + kRing) % kRing].dt += dt;
 }
 
-void DelayPredictor::remember(const Eigen::VectorXd& accelerations) noexcept {
-  sent_[next_].acceleration = accelerations;
+void DelayPredictor::remember(const Eigen::VectorXd& accelerations, const Vector12& tau) noexcept {
+  sent_[next_].accelerations = accelerations;
+  sent_[next_].tau = tau;
   sent_[next_].dt = 0.0;
   next_ = (next_ + 1) % kRing;
   count_ = std::min(count_ + 1, kRing);
 }
 
-const Eigen::VectorXd* DelayPredictor::acting() const noexcept {
+const SentCommand* DelayPredictor::acting() const noexcept {
   double age = 0.0;
   for (int k = 1; k <= count_; ++k) {
-    const Sent& sent = sent_[(next_ - k + kRing) % kRing];
+    const SentCommand& sent = sent_[(next_ - k + kRing) % kRing];
     age += sent.dt;
-    if (age > delay_ + kInstant) return &sent.acceleration;
+    if (age > delay_ + kInstant) return &sent;
   }
   return nullptr;
 }
@@ -44,10 +45,10 @@ const RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   // Backwards from the command that stops acting when the next one starts.
   double end = delay_;
   for (int k = 1; k <= count_ && end > 0.0; ++k) {
-    const Sent& sent = sent_[(next_ - k + kRing) % kRing];
+    const SentCommand& sent = sent_[(next_ - k + kRing) % kRing];
     const double lasts = std::min(sent.dt, end);
-    dv_ += lasts * sent.acceleration;
-    dq_ += lasts * (delay_ - end + 0.5 * lasts) * sent.acceleration;
+    dv_ += lasts * sent.accelerations;
+    dq_ += lasts * (delay_ - end + 0.5 * lasts) * sent.accelerations;
     end -= lasts;
   }
   // dq is in base axes for the base, as v is.

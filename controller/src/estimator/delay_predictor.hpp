@@ -7,6 +7,13 @@
 
 namespace surefoot {
 
+/// A command on its way to the motors, or past them.
+struct SentCommand {
+  Eigen::VectorXd accelerations;    ///< that it is to make, Pinocchio's axes, shape (nv,)
+  Vector12 tau = Vector12::Zero();  ///< [N.m] SDK motor order
+  double dt = 0.0;                  ///< [s] for which it acts
+};
+
 /// Carries the state forward to when the next command acts, with the motion that the commands on
 /// their way will make: the accelerations of the last solutions, integrated over the delay.
 ///
@@ -24,10 +31,11 @@ class DelayPredictor {
   void elapse(double dt) noexcept;
 
   /// Note what the command sent now will make from when it acts until the next one does.
-  void remember(const Eigen::VectorXd& accelerations) noexcept;
+  /// @param accelerations shape (nv,) @param tau [N.m] SDK motor order
+  void remember(const Eigen::VectorXd& accelerations, const Vector12& tau) noexcept;
 
-  /// What the command made that acted until now, shape (nv,); null while none has.
-  const Eigen::VectorXd* acting() const noexcept;
+  /// The command that acted until now; null while none has.
+  const SentCommand* acting() const noexcept;
 
   /// A state of the same size as `state`, `delay` later.
   const RobotState& predict(const RobotState& state) noexcept;
@@ -35,12 +43,8 @@ class DelayPredictor {
   void reset() noexcept { count_ = 0; }
 
  private:
-  struct Sent {
-    Eigen::VectorXd acceleration;
-    double dt = 0.0;
-  };
   double delay_;
-  std::vector<Sent> sent_;  // a ring, the newest at next_ - 1
+  std::vector<SentCommand> sent_;  // a ring, the newest at next_ - 1
   int next_ = 0, count_ = 0;
   Eigen::VectorXd dv_, dq_;
   RobotState predicted_;

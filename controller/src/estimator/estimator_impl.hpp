@@ -2,6 +2,7 @@
 #pragma once
 
 #include "estimator/base/foot_noise.hpp"
+#include "estimator/base/foot_wander.hpp"
 #include "estimator/base/invariant_filter.hpp"
 #include "estimator/contact/contact_belief.hpp"
 #include "estimator/contact/foot_rise.hpp"
@@ -31,10 +32,10 @@ struct StateEstimator::Impl {
   void observe_outside(double dt) noexcept;
   void reset() noexcept;
 
-  Eigen::Vector4d foot_variance(double dt) const noexcept;
-  void roll_feet(double dt) noexcept;
+  FootBeliefs feet_beliefs() const noexcept;
   /// [m/s^2] classical, of the base's origin, base axes, from the accelerometer.
   Vector3 base_acceleration() const noexcept;
+  bool torques_tell() const noexcept { return torques.verdict() == Verdict::kGood; }
   bool carried() const noexcept;
 
   Robot robot;
@@ -46,6 +47,7 @@ struct StateEstimator::Impl {
   QuaternionCheck quaternion;
   InvariantFilter filter;
   FootNoise noise;
+  FootWander wander;
   TorqueHealth torques;
   LegForces legs;
   ContactBelief contact;
@@ -55,13 +57,12 @@ struct StateEstimator::Impl {
   PushObserver push;
 
   Vector6 planned = Vector6::Zero();  // Pinocchio's axes
+  Vector12 planned_tau = Vector12::Zero();
   bool has_plan = false;
   RobotState state;
   Vector12 tau_est = Vector12::Zero(), dq = Vector12::Zero();  // SDK order
   InertialStep step;
-  Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);  // shares of the weight, by torques
-  FeetMatrix rolling = FeetMatrix::Zero();           // [m/s] of the contact points, world axes
-  Eigen::Vector4d moving = Eigen::Vector4d::Zero();  // [m/s] contact points relative to the base
+  Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);       // shares of the weight, by torques
   Vector3 w_base = Vector3::Zero(), w_smooth = Vector3::Zero();  // [rad/s] bias taken off
   Vector3 alpha_base = Vector3::Zero();                          // [rad/s^2]
   Vector3 normal = Vector3::UnitZ();

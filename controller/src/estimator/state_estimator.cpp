@@ -31,8 +31,9 @@ void StateEstimator::set_gains(const Gains& gains) {
 
 void StateEstimator::set_ground_normal(const Vector3& normal) noexcept { impl_->normal = normal; }
 
-void StateEstimator::set_planned_acceleration(const Vector6& a_base) noexcept {
+void StateEstimator::set_plan(const Vector6& a_base, const Vector12& tau) noexcept {
   impl_->planned = a_base;
+  impl_->planned_tau = tau;
   impl_->has_plan = true;
 }
 

@@ -23,7 +23,7 @@ class StandReference {
   void reset() noexcept { motion_.reset(); }
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
-  /// Express what is asked in today's world frame, with the integrals as feed-forward.
+  /// Express what is asked in today's world frame.
   const Reference& update(const Gains& gains, const Dynamics& dynamics,
                           const Eigen::Vector4d& contact, double dt) noexcept;
 
@@ -31,12 +31,8 @@ class StandReference {
   const BodyMotion& motion() const noexcept { return motion_; }
 
  private:
-  void integrate(const Gains& gains, const Dynamics& dynamics, double dt) noexcept;
-
   BodyMotion motion_;
   SupportFrame support_;
-  Vector3 com_integral_ = Vector3::Zero();   // [m/s^2] support axes
-  Vector3 base_integral_ = Vector3::Zero();  // [rad/s^2] support axes
   Reference reference_;
 };
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/base/foot_wander.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+constexpr double kNoisePeriod = 0.002;  // [s] the sampling that the noise gains are quoted at
+constexpr double kSwingSpeed = 3.0;     // [m/s] how fast a foot off the ground may move
+constexpr double kSwingShare = 3.0;     // of its speed relative to the base, besides
+constexpr double kLight = 0.03;         // share of the weight that keeps a foot where it is
+constexpr double kLightSpeed = 0.5;     // [m/s] at which one without may slide
+}  // namespace
+
+void FootWander::see(const Dynamics& dynamics) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    moving_[leg] = dynamics.legs()[leg].v_world_contact.norm();
+  }
+}
+
+FeetMatrix FootWander::roll(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                            const Vector3& normal, double radius, double dt) noexcept {
+  const Vector3 lever = radius * normal;
+  const FeetMatrix before = rolling_;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    rolling_.col(leg) = contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);
+  }
+  return 0.5 * dt * (before + rolling_);
+}
+
+Eigen::Vector4d FootWander::variance(const Gains& gains, const FootBeliefs& beliefs,
+                                     double dt) const noexcept {
+  Eigen::Vector4d out;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double doubt = beliefs.refused[leg] ? 1.0 : 1.0 - beliefs.contact[leg];
+    const double light = std::exp(-std::max(beliefs.load[leg], 0.0) / kLight);
+    const double speed = gains.noise_foot_slip + gains.noise_foot_motion * moving_[leg] +
+                         doubt * doubt * (kSwingSpeed + kSwingShare * moving_[leg]) +
+                         light * kLightSpeed + beliefs.slip[leg];
+    out[leg] = speed * speed * kNoisePeriod * dt;
+  }
+  return out;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "surefoot/gains.hpp"
+
+namespace surefoot {
+
+/// What is believed of the feet when the filter asks how far they may go.
+struct FootBeliefs {
+  Eigen::Vector4d contact;  ///< probability
+  Eigen::Vector4d load;     ///< share of the weight, by torques; large where those tell nothing
+  Eigen::Vector4d slip;     ///< how surely each slips, m/s: times its speed along the ground
+  std::array<bool, kLegs> refused;  ///< contradicted the filter beyond its gate
+};
+
+/// How contact points move from tick to tick: on purpose, as a sole rolls, and how far besides,
+/// nobody knows where. Real-time: yes.
+class FootWander {
+ public:
+  /// Take in how the feet move relative to the base.
+  void see(const Dynamics& dynamics) noexcept;
+
+  /// What rolling has moved each contact point by since the last call [m], world axes: the shank's
+  /// rate times the sole's radius, its mean over the tick.
+  FeetMatrix roll(const Dynamics& dynamics, const Eigen::Vector4d& contact, const Vector3& normal,
+                  double radius, double dt) noexcept;
+
+  /// Variance of where each may have gone besides [m^2]. Feet that bear no load, slip, or were
+  /// refused may be anywhere soon; those that bear little slide easily.
+  Eigen::Vector4d variance(const Gains& gains, const FootBeliefs& beliefs,
+                           double dt) const noexcept;
+
+  void reset() noexcept { *this = FootWander(); }
+
+ private:
+  FeetMatrix rolling_ = FeetMatrix::Zero();           // [m/s] world axes
+  Eigen::Vector4d moving_ = Eigen::Vector4d::Zero();  // [m/s] relative to the base
+};
+
+}  // namespace surefoot
