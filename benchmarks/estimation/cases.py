@@ -10,6 +10,7 @@ from surefoot.sim.hands import PARTS
 from surefoot.stand import PushRequest, ReferenceRequest
 
 from estimation.recording import Recording
+from estimation.stepping import Step
 
 GYRO_SIGMA, ACCELEROMETER_SIGMA = 0.01, 0.1  # [rad/s], [m/s^2] of biases drawn normally
 GYRO_BIAS, ACCELEROMETER_BIAS = 0.02, 0.2  # [rad/s], [m/s^2] that are to be found
@@ -66,6 +67,16 @@ def feet(robot: str, seed: int) -> Recording:
     return Recording(robot, time + 1.0, _contact_plant(seed), lifts=tuple(lifts))
 
 
+def steps(robot: str, seed: int) -> Recording:
+    """The robot lifts each of its feet three times and puts it down, in an instant."""
+    rng = np.random.default_rng([seed, 4])
+    steps, time = [], 1.5
+    for foot in np.tile(np.arange(4), 3):
+        steps.append(Step(int(foot), time, rng.uniform(0.2, 0.3), rng.uniform(0.03, 0.05)))
+        time += 1.6
+    return Recording(robot, time, _contact_plant(seed), steps=tuple(steps))
+
+
 def bias(robot: str, seed: int) -> Recording:
     """Ten seconds of standing with great biases, signs drawn, then roll, pitch and yaw."""
     signs = np.random.default_rng([seed, 3]).choice([-1.0, 1.0], 6)
@@ -87,6 +98,7 @@ RECORDINGS: dict[str, Callable[[str, int], Recording]] = {
     "shove": shove,
     "lifts": lifts,
     "feet": feet,
+    "steps": steps,
     "bias": bias,
 }
 

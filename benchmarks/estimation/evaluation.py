@@ -41,7 +41,7 @@ CASES: dict[str, Case] = {
     "quiet": Case(("quiet",), quiet),
     "quiet_long": Case(("quiet_long",), quiet_long, 2),
     "push60": Case(("push60",), push60),
-    "contact": Case(("lifts", "feet"), contact),
+    "contact": Case(("lifts", "steps", "feet"), contact),
     "init": Case(("quiet", "shove"), init),
     "dropout": Case(("push60",), dropout),
     "bias": Case(("bias",), bias),

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from surefoot import StandController
+from surefoot import LowCmd, LowState, StandController
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.rotations import matrix_from_wxyz
 from surefoot.sim.wire import LOW_STATE, MOTORS
 from surefoot.stand import PushRequest, ReferenceRequest
 from surefoot.stand.references import body_references
+
+from estimation.stepping import Step, Stepper
 
 Array = npt.NDArray[Any]
 Log = dict[str, Array]
@@ -43,6 +46,7 @@ class Recording:
         pushes: In percent of the pendulum's limit or N.s.
         lifts: By hands.
         references: Where the body is asked to be.
+        steps: Feet lifted by the robot itself, which then has no StandController.
     """
 
     robot: str
@@ -51,6 +55,7 @@ class Recording:
     pushes: tuple[PushRequest, ...] = ()
     lifts: tuple[Lift, ...] = ()
     references: tuple[ReferenceRequest, ...] = field(default=())
+    steps: tuple[Step, ...] = ()
 
 
 def record(recording: Recording) -> Log:
@@ -62,14 +67,11 @@ def record(recording: Recording) -> Log:
         plant.add_push(push)
     for lift in recording.lifts:
         plant.add_lift(lift)
-    controller = StandController(plant.robot, plant.robot.config.gains)
-    references = body_references(recording.references, plant.settings.control_rate)
     rows = _Rows(round(recording.duration * plant.settings.control_rate))
     state = plant.reset()
+    control = _control(recording, plant)
     for k in range(rows.size):
-        if k in references:
-            controller.set_body_reference(references[k])
-        command = controller.update(state)
+        command = control(k, state)
         # step() hands out the reading of this instant and keeps that of the next for later.
         truth = _truth(plant)
         state = plant.step(command)
@@ -77,6 +79,22 @@ def record(recording: Recording) -> Log:
         if plant.truth.fell:
             break
     return {**rows.log(), **_head(recording, plant)}
+
+
+def _control(recording: Recording, plant: Plant) -> Callable[[int, LowState], LowCmd]:
+    """Return what makes a command of a row and its report."""
+    if recording.steps:
+        stepper = Stepper(plant, recording.steps)
+        return lambda _row, _state: stepper.update()
+    controller = StandController(plant.robot, plant.robot.config.gains)
+    references = body_references(recording.references, plant.settings.control_rate)
+
+    def stand(row: int, state: LowState) -> LowCmd:
+        if row in references:
+            controller.set_body_reference(references[row])
+        return controller.update(state)
+
+    return stand
 
 
 def _head(recording: Recording, plant: Plant) -> Log:
