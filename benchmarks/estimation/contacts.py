@@ -102,7 +102,8 @@ def score(share: Array, probability: Array, rate: float) -> Score:
     owned = np.zeros(len(changes), bool)
     delays = []
     for k, transition in enumerate(truth):
-        end = truth[k + 1].row - early if k + 1 < len(truth) else len(share)
+        # The next is the other way round, so changes up to it are this one's.
+        end = truth[k + 1].row if k + 1 < len(truth) else len(share)
         start = transition.row - early
         end = max(start + 1, min(end, transition.row + late))
         mine = (changes >= start) & (changes < end)

@@ -50,13 +50,14 @@ def _one_foot(fault: str) -> Condition:
     def condition(log: Log, rng: np.random.Generator) -> Log:
         foot = int(rng.integers(4))
         out = alive(log, rng)
+        row = int(rng.uniform(0.0, 0.5) * len(log["tick"]))
         for name in ("footForceEst", "footForce"):
             values = out[name].copy()
-            values[:, foot] = {"stuck": values[0, foot], "zero": 0, "saturated": FULL}[fault]
+            values[row:, foot] = {"stuck": values[row, foot], "zero": 0, "saturated": FULL}[fault]
             out[name] = values
         return out
 
-    condition.__doc__ = f"Both fields live, one foot's are {fault}."
+    condition.__doc__ = f"Both fields live, one foot's {fault} from some time in the first half on."
     return condition
 
 

@@ -9,7 +9,7 @@ from surefoot import LowCmd, Reference, Robot, RobotState, WholeBodyController
 from surefoot.sim import Plant
 
 RELEASE = 0.01  # [s] in which a foot gives up its load, and takes it again
-LEAN = 0.35  # of the way from the middle of four feet to that of the three that stay
+LEAN = 0.45  # of the way from the middle of four feet to that of the three that stay
 LEAN_TIME = 0.5  # [s] to lean over, before; and back, after
 
 

@@ -71,8 +71,8 @@ struct Gains {
   double noise_foot_slip = 0.0005;
   double noise_foot_motion = 0.01;
   double gate_foot = 4.0;
-  double contact_force_on = 0.06;
-  double contact_force_off = 0.05;
+  double contact_force_on = 0.07;
+  double contact_force_off = 0.06;
   double contact_force_width = 0.02;
   double contact_dwell = 0.01;
   double slip_speed = 0.15;

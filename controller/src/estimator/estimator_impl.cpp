@@ -74,7 +74,7 @@ void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) n
   signals.tau_est = torques.verdict();
   signals.foot_force_est = low_state.footForceEst;  // packed: copied
   signals.foot_force = low_state.footForce;
-  signals.speed = slip.speed();
+  signals.speed = slip.excess();
   signals.rise = rise.rise();
   signals.felt = dynamics.R_world_base().row(2).dot(step.f_base) / kGravity;
   contact.update(gains, signals, dt);

@@ -17,9 +17,12 @@ constexpr double kPatience = 0.3;        // [s] of contradiction before a foot's
 constexpr double kMoving = 0.3;          // [m/s] no foot that bears load moves like this for long
 constexpr double kResting = 0.1;         // [m/s]
 constexpr double kRisen = 0.006;         // [m] soft ground gives way by that much
-constexpr double kSlideSays = 0.5;       // a foot may slide under load for a while
-constexpr double kUndecided = 0.1;       // least agreement that moves the belief
-constexpr double kMajority = 3.0;        // two of three move it at full speed
+constexpr double kSlideSays = 0.25;      // a foot may slide under load for a while
+constexpr double kMotionWeight = 2.0;  // a foot that rises bears no ground, whatever else it bears
+constexpr double kBalancedWeight = 1.1;
+constexpr double kSeconds = 0.5;    // of motion that seconds a sensor
+constexpr double kUndecided = 0.1;  // least agreement that moves the belief
+constexpr double kMajority = 3.0;   // two of three move it at full speed
 
 constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
 constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
@@ -32,20 +35,33 @@ Evidence see_motion(double speed, double rise) noexcept {
   return {-std::max(speed > kMoving ? kSlideSays : 0.0, risen), Verdict::kGood};
 }
 
+// A live sensor is never quite still. One that has stopped where no load is, while the torques say
+// load, has failed: both fields of a foot fail together, and would outvote them.
+bool froze(const Evidence& sensor, bool still, const Evidence& tau) noexcept {
+  return still && sensor.says < 0.0 && tau.verdict == Verdict::kGood && tau.says > 0.0;
+}
+
 }  // namespace
 
 void ContactBelief::update(const Gains& gains, const ContactSignals& signals, double dt) noexcept {
   judge_est_field(signals, dt);
+  const bool torques = signals.tau_est == Verdict::kGood;
   for (int leg = 0; leg < kLegs; ++leg) {
     Foot& foot = feet_[leg];
-    const bool torques = signals.tau_est == Verdict::kGood;
     const double load = torques ? signals.torque_load[leg] : NAN;
-    foot.evidence[kEst] = see_est(gains, signals, leg, dt);
-    foot.evidence[kCount] =
-        foot.count.update(gains, signals.foot_force[leg], load, foot.loaded, dt);
-    foot.evidence[kTau] = {torques ? say_load(gains, load, 0.0, foot.loaded) : 0.0,
-                           signals.tau_est};
+    Evidence& tau = foot.evidence[kTau];
+    Evidence& est = foot.evidence[kEst];
+    Evidence& count = foot.evidence[kCount];
+    tau = {torques ? say_load(gains, load, 0.0, foot.loaded) : 0.0, signals.tau_est};
     foot.evidence[kNoSlip] = see_motion(signals.speed[leg], signals.rise[leg]);
+    est = see_est(gains, signals, leg, dt);
+    const bool est_froze = froze(est, foot.est.still(), tau);
+    // Newtons of the same foot tell better what its counts mean than the leg's torques do.
+    const bool newtons = est.verdict == Verdict::kGood && !est_froze;
+    const double known = newtons ? signals.foot_force_est[leg] / weight_ : load;
+    count = foot.count.update(gains, signals.foot_force[leg], known, foot.loaded, dt);
+    if (froze(count, foot.count.still(), tau)) count.says = 0.0;
+    if (est_froze) est.says = 0.0;
     vote(gains, signals, leg, dt);
   }
 }
@@ -73,8 +89,11 @@ Evidence ContactBelief::see_est(const Gains& gains, const ContactSignals& signal
   const double tau_load = torques ? signals.torque_load[leg] : NAN;
   const double load = signals.foot_force_est[leg] / weight_;
   Verdict verdict = foot.est.see(signals.foot_force_est[leg], tau_load, dt);
+  // A hand under a foot bears what the ground does not: torques alone do not refute the newtons of
+  // a foot that has risen.
   const bool contradicts =
-      std::abs(load - tau_load) > std::max(kContradiction, 0.5 * std::abs(tau_load));
+      std::abs(load - tau_load) > std::max(kContradiction, 0.5 * std::abs(tau_load)) &&
+      foot.evidence[kNoSlip].says > -kSeconds;
   const double step = contradicts ? dt : -dt;
   foot.contradicted = std::clamp(foot.contradicted + step, 0.0, 2.0 * kPatience);
   if (!est_alive_) {
@@ -95,8 +114,8 @@ bool ContactBelief::balanced(const ContactSignals& signals) const noexcept {
 void ContactBelief::vote(const Gains& gains, const ContactSignals& signals, int leg,
                          double dt) noexcept {
   Foot& foot = feet_[leg];
-  const double weight_tau = balanced(signals) ? 1.5 : 1.0;
-  const double weights[kContactSources] = {1.0, 1.0, weight_tau, 1.0};
+  const double weight_tau = balanced(signals) ? kBalancedWeight : 1.0;
+  const double weights[kContactSources] = {1.0, 1.0, weight_tau, kMotionWeight};
   double sum = 0.0, voters = 0.0;
   for (int k = 0; k < kContactSources; ++k) {
     const Evidence& one = foot.evidence[k];

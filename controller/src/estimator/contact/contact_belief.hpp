@@ -11,8 +11,8 @@ struct ContactSignals {
   Verdict tau_est = Verdict::kGood;                       ///< are the torques to be had at all?
   std::array<std::int16_t, kLegs> foot_force_est{};       ///< [N]
   std::array<std::int16_t, kLegs> foot_force{};           ///< [counts]
-  Eigen::Vector4d speed = Eigen::Vector4d::Zero();        ///< [m/s] of the contact points
-  Eigen::Vector4d rise = Eigen::Vector4d::Zero();         ///< [m] from where each last stood
+  Eigen::Vector4d speed = Eigen::Vector4d::Zero();  ///< [m/s] of contact points, beyond the slowest
+  Eigen::Vector4d rise = Eigen::Vector4d::Zero();   ///< [m] from where each last stood
   double felt = 1.0;  ///< vertical specific force / g: what the feet would bear of the weight
 };
 

@@ -36,15 +36,21 @@ Evidence FootCount::update(const Gains& gains, int count, double load, bool load
   if (out.verdict != Verdict::kGood) return out;
   if (std::isnan(load)) {
     if (std::isnan(by_range)) return {0.0, Verdict::kUnjudged};
-    const double doubt = kRangeLoad * std::sqrt(noise_) / (high_ - low_);
-    return {say_load(gains, by_range, 2.0 * doubt, loaded), Verdict::kGood};
+    return range_says(gains, by_range, loaded);
   }
   learn(c, load, dt);
   out.verdict = judge();
+  if (out.verdict == Verdict::kUnjudged && !std::isnan(by_range))
+    return range_says(gains, by_range, loaded);
   if (out.verdict != Verdict::kGood) return out;
   const double doubt = std::sqrt(noise_) / scale_;
   out.says = say_load(gains, (c - offset()) / scale_, 2.0 * doubt, loaded);
   return out;
+}
+
+Evidence FootCount::range_says(const Gains& gains, double load, bool loaded) const noexcept {
+  const double doubt = kRangeLoad * std::sqrt(noise_) / (high_ - low_);
+  return {say_load(gains, load, 2.0 * doubt, loaded), Verdict::kGood};
 }
 
 void FootCount::learn(double count, double load, double dt) noexcept {

@@ -16,12 +16,14 @@ class FootCount {
   /// @param load share of the weight by the torques, NAN if they are not to be had
   Evidence update(const Gains& gains, int count, double load, bool loaded, double dt) noexcept;
 
+  bool still() const noexcept { return stuck_.still(); }  ///< see StuckDetector
   double offset() const noexcept { return mean_count_ - scale_ * mean_load_; }  ///< [counts]
   double scale() const noexcept { return scale_; }  ///< [counts] per weight of the robot
 
  private:
   void learn(double count, double load, double dt) noexcept;
   Verdict judge() const noexcept;
+  Evidence range_says(const Gains& gains, double load, bool loaded) const noexcept;
   double load_by_range(double count, double dt) noexcept;
 
   StuckDetector stuck_;

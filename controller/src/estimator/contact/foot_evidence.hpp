@@ -25,8 +25,11 @@ class StuckDetector {
  public:
   /// @param load share of the weight by another source, NAN if there is none
   Verdict see(int value, double load, double dt) noexcept;
+  /// Has it read the same for longer than a live sensor's noise lets it?
+  bool still() const noexcept { return held_ > kStill; }
 
  private:
+  static constexpr double kStill = 0.003;  // [s]
   int last_ = 0;
   bool started_ = false, ever_ = false;
   double held_ = 0.0, least_ = 0.0, most_ = 0.0;

@@ -13,6 +13,7 @@ constexpr double kStands = 0.5;  // belief
 void FootRise::update(const Dynamics& dynamics, const InvariantFilter& filter,
                       const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
                       const Vector3& normal, double dt) noexcept {
+  Eigen::Vector4d moved;
   for (int leg = 0; leg < kLegs; ++leg) {
     // Dynamics have the base at the origin; what differs from the filter's point does not move.
     const double height = normal.dot(dynamics.legs()[leg].p_world_contact) + normal.dot(filter.p());
@@ -20,7 +21,16 @@ void FootRise::update(const Dynamics& dynamics, const InvariantFilter& filter,
     const bool rests = v_contact.col(leg).norm() < kRests && contact[leg] > kStands;
     rested_[leg] = rests ? rested_[leg] + dt : 0.0;
     if (rested_[leg] > kAnew) stood_[leg] += dt / (dt + kFollow) * (height - stood_[leg]);
-    rise_[leg] = height - stood_[leg];
+    moved[leg] = height - stood_[leg];
+  }
+  for (int leg = 0; leg < kLegs; ++leg) {
+    double others = 0.0, sum = 0.0;
+    for (int other = 0; other < kLegs; ++other) {
+      if (other == leg || !(contact[other] > kStands)) continue;
+      others += 1.0;
+      sum += moved[other];
+    }
+    rise_[leg] = others < 2.0 ? 0.0 : moved[leg] - sum / others;
   }
   started_ = true;
 }

@@ -6,7 +6,9 @@
 
 namespace surefoot {
 
-/// How far each foot has risen, along the ground's normal, from where it last stood still.
+/// How far each foot has risen, along the ground's normal, from where it last stood still, against
+/// the other feet that stand; nothing while fewer than two do, for then the body's own height is
+/// not known.
 ///
 /// A foot may slide under load; it does not rise under load by more than the ground gives way. Feet
 /// that rest for a while stand anew, wherever that is: no flat ground is assumed. Real-time: yes.

@@ -21,7 +21,8 @@ void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
     if (contact[leg] > kLoaded) slowest = std::min(slowest, speed_[leg]);
   }
   for (int leg = 0; leg < kLegs; ++leg) {
-    const bool slips = contact[leg] > kLoaded && speed_[leg] - slowest > gains.slip_speed;
+    excess_[leg] = std::max(speed_[leg] - slowest, 0.0);
+    const bool slips = contact[leg] > kLoaded && excess_[leg] > gains.slip_speed;
     const double step = slips ? dt / kCertain : -dt / kRecovery;
     slip_[leg] = std::clamp(slip_[leg] + step, 0.0, 1.0);
   }

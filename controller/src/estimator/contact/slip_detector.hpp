@@ -19,8 +19,10 @@ class SlipDetector {
 
   /// How surely each foot slips, 0 .. 1.
   const Eigen::Vector4d& slip() const noexcept { return slip_; }
-  /// Of the contact points along the ground, smoothed [m/s].
+  /// Of the contact points, smoothed [m/s].
   const Eigen::Vector4d& speed() const noexcept { return speed_; }
+  /// The same beyond the slowest loaded foot's; 0 while none is loaded.
+  const Eigen::Vector4d& excess() const noexcept { return excess_; }
   /// What is left of each foot's friction coefficient.
   Eigen::Vector4d friction(const Gains& gains) const noexcept {
     return Eigen::Vector4d::Ones() - (1.0 - gains.slip_friction) * slip_;
@@ -31,6 +33,7 @@ class SlipDetector {
  private:
   FeetMatrix v_ = FeetMatrix::Zero();
   Eigen::Vector4d speed_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d excess_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d slip_ = Eigen::Vector4d::Zero();
 };
 
