@@ -118,8 +118,16 @@ def score(share: Array, probability: Array, rate: float) -> Score:
             delays.append(float(np.maximum(delay, 0.0)))
     unsure = _unsure(share, 2 * early) | _near_slow(len(share), truth, late)
     settled = changes >= round(START * rate)
-    false = int(np.sum(~owned & ~unsure[changes] & settled))
+    bounced = _borne_out(share, changes, estimated[changes], early)
+    false = int(np.sum(~owned & ~unsure[changes] & ~bounced & settled))
     return Score(delays, false, _calibration(share, probability, truth, late))
+
+
+def _borne_out(share: Array, changes: Array, closes: Array, reach: int) -> Array:
+    """Return which changes follow a load that was there, if too shortly to be a transition."""
+    windows = [share[max(0, row - reach) : row + 1] for row in changes]
+    pairs = zip(windows, closes, strict=True)
+    return np.array([w.max() > UP if up else w.min() < DOWN for w, up in pairs], bool)
 
 
 def _unsure(share: Array, reach: int) -> Array:

@@ -17,12 +17,12 @@ constexpr double kPatience = 0.3;        // [s] of contradiction before a foot's
 constexpr double kMoving = 0.3;          // [m/s] no foot that bears load moves like this for long
 constexpr double kResting = 0.1;         // [m/s]
 constexpr double kRisen = 0.006;         // [m] soft ground gives way by that much
-constexpr double kSlideSays = 0.25;      // a foot may slide under load for a while
+constexpr double kSlideSays = 0.33;      // a foot may slide under load for a while
 constexpr double kMotionWeight = 2.0;  // a foot that rises bears no ground, whatever else it bears
-constexpr double kBalancedWeight = 1.1;
-constexpr double kSeconds = 0.5;    // of motion that seconds a sensor
-constexpr double kUndecided = 0.1;  // least agreement that moves the belief
-constexpr double kMajority = 3.0;   // two of three move it at full speed
+constexpr double kBalancedWeight = 1.12;
+constexpr double kSeconds = 0.5;     // of motion that seconds a sensor
+constexpr double kUndecided = 0.04;  // least agreement that moves the belief
+constexpr double kMajority = 3.0;    // two of three move it at full speed
 
 constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
 constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
@@ -116,14 +116,16 @@ void ContactBelief::vote(const Gains& gains, const ContactSignals& signals, int 
   Foot& foot = feet_[leg];
   const double weight_tau = balanced(signals) ? kBalancedWeight : 1.0;
   const double weights[kContactSources] = {1.0, 1.0, weight_tau, kMotionWeight};
-  double sum = 0.0, voters = 0.0;
+  double sum = 0.0, voters = 0.0, forces = 0.0;
   for (int k = 0; k < kContactSources; ++k) {
     const Evidence& one = foot.evidence[k];
     if (one.verdict != Verdict::kGood || one.says == 0.0) continue;
     foot.told = foot.told || k != kNoSlip;
     sum += weights[k] * one.says;
+    if (k != kNoSlip) forces += weights[k] * one.says;
     voters += weights[k];
   }
+  bears_[leg] = !foot.told || forces > 0.0;
   double drive = 0.0;
   if (voters > 0.0) {
     const double agreement = sum / voters;

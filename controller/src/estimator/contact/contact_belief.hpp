@@ -29,6 +29,8 @@ class ContactBelief {
   void update(const Gains& gains, const ContactSignals& signals, double dt) noexcept;
 
   const Eigen::Vector4d& probability() const noexcept { return probability_; }
+  /// Do the forces alone say that each foot bears, whatever its motion says? True where none tells.
+  const std::array<bool, kLegs>& bears() const noexcept { return bears_; }
   bool foot_force_est_alive() const noexcept { return est_alive_; }
   /// Verdicts and votes into a report.
   void write(EstimatorReport& report) const noexcept;
@@ -54,6 +56,7 @@ class ContactBelief {
   double est_doubt_ = 0.0;  // [s] for which the torques have contradicted what is held of the field
   std::array<Foot, kLegs> feet_{};
   Eigen::Vector4d probability_ = Eigen::Vector4d::Ones();
+  std::array<bool, kLegs> bears_{true, true, true, true};
 };
 
 }  // namespace surefoot

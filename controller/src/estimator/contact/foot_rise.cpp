@@ -12,13 +12,14 @@ constexpr double kStands = 0.5;  // belief
 
 void FootRise::update(const Dynamics& dynamics, const InvariantFilter& filter,
                       const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
-                      const Vector3& normal, double dt) noexcept {
+                      const std::array<bool, kLegs>& bears, const Vector3& normal,
+                      double dt) noexcept {
   Eigen::Vector4d moved;
   for (int leg = 0; leg < kLegs; ++leg) {
     // Dynamics have the base at the origin; what differs from the filter's point does not move.
     const double height = normal.dot(dynamics.legs()[leg].p_world_contact) + normal.dot(filter.p());
     if (!started_) stood_[leg] = height;
-    const bool rests = v_contact.col(leg).norm() < kRests && contact[leg] > kStands;
+    const bool rests = v_contact.col(leg).norm() < kRests && bears[leg];
     rested_[leg] = rests ? rested_[leg] + dt : 0.0;
     if (rested_[leg] > kAnew) stood_[leg] += dt / (dt + kFollow) * (height - stood_[leg]);
     moved[leg] = height - stood_[leg];

@@ -11,12 +11,15 @@ namespace surefoot {
 /// not known.
 ///
 /// A foot may slide under load; it does not rise under load by more than the ground gives way. Feet
-/// that rest for a while stand anew, wherever that is: no flat ground is assumed. Real-time: yes.
+/// that rest and bear load for a while stand anew, wherever that is: no flat ground is assumed.
+/// Real-time: yes.
 class FootRise {
  public:
   /// @param v_contact velocities of the contact points, world axes [m/s]
+  /// @param contact belief per foot @param bears do its forces say so?
   void update(const Dynamics& dynamics, const InvariantFilter& filter, const FeetMatrix& v_contact,
-              const Eigen::Vector4d& contact, const Vector3& normal, double dt) noexcept;
+              const Eigen::Vector4d& contact, const std::array<bool, kLegs>& bears,
+              const Vector3& normal, double dt) noexcept;
 
   const Eigen::Vector4d& rise() const noexcept { return rise_; }  ///< [m]
   void reset() noexcept { *this = FootRise(); }
