@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/contact/foot_rise.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 
 namespace {
@@ -24,14 +26,15 @@ void FootRise::update(const Dynamics& dynamics, const InvariantFilter& filter,
     if (rested_[leg] > kAnew) stood_[leg] += dt / (dt + kFollow) * (height - stood_[leg]);
     moved[leg] = height - stood_[leg];
   }
+  // FR FL RR RL: beside, before or behind, and across. Out of the plane of the other three, for
+  // what a wrong tilt or height of the base makes of four feet cancels there; and of itself, for
+  // the foot across leaves its own plane by as much.
   for (int leg = 0; leg < kLegs; ++leg) {
-    double others = 0.0, sum = 0.0;
-    for (int other = 0; other < kLegs; ++other) {
-      if (other == leg || !(contact[other] > kStands)) continue;
-      others += 1.0;
-      sum += moved[other];
-    }
-    rise_[leg] = others < 2.0 ? 0.0 : moved[leg] - sum / others;
+    const int beside = leg ^ 1, along = leg ^ 2, across = leg ^ 3;
+    const bool stand = std::min({contact[beside], contact[along], contact[across]}) > kStands;
+    const double plane = moved[beside] + moved[along] - moved[across];
+    const double mean = (moved.sum() - moved[leg]) / 3.0;
+    rise_[leg] = stand ? moved[leg] - std::max(plane, mean) : 0.0;
   }
   started_ = true;
 }

@@ -6,9 +6,9 @@
 
 namespace surefoot {
 
-/// How far each foot has risen, along the ground's normal, from where it last stood still, against
-/// the other feet that stand; nothing while fewer than two do, for then the body's own height is
-/// not known.
+/// How far each foot has risen, along the ground's normal, from where it last stood still, out of
+/// the plane that the other three make; nothing unless those stand, for then a tilt or a height of
+/// the body that is wrong by a little would look the same.
 ///
 /// A foot may slide under load; it does not rise under load by more than the ground gives way. Feet
 /// that rest and bear load for a while stand anew, wherever that is: no flat ground is assumed.
