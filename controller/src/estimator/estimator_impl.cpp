@@ -64,7 +64,7 @@ void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) n
   for (int leg = 0; leg < kLegs; ++leg) {
     v_contact.col(leg) = v_base + dynamics.legs()[leg].v_world_contact;
   }
-  wander.see(dynamics);
+  wander.see(dynamics, dt);
   slip.update(gains, v_contact, state.contact, dt);
   rise.update(dynamics, filter, v_contact, state.contact, contact.bears(), normal, dt);
   ContactSignals signals;

@@ -7,7 +7,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kTime = 0.1;       // [s] in which the variance falls by e when nothing surprises
+constexpr double kTime = 0.02;       // [s] in which the variance falls by e when nothing surprises
 constexpr double kSurprise = 25.0;  // times the dimension: a wilder innovation counts no more
 constexpr double kLeast = 2e-6;     // [m] nobody knows a foot better
 constexpr double kMost = 0.02;      // [m]

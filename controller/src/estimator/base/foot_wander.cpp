@@ -7,6 +7,7 @@
 namespace surefoot {
 
 namespace {
+constexpr double kSmooth = 0.01;        // [s] keeps the encoders' noise out of speeds
 constexpr double kNoisePeriod = 0.002;  // [s] the sampling that the noise gains are quoted at
 constexpr double kSwingSpeed = 3.0;     // [m/s] how fast a foot off the ground may move
 constexpr double kSwingShare = 3.0;     // of its speed relative to the base, besides
@@ -14,9 +15,9 @@ constexpr double kLight = 0.03;         // share of the weight that keeps a foot
 constexpr double kLightSpeed = 0.5;     // [m/s] at which one without may slide
 }  // namespace
 
-void FootWander::see(const Dynamics& dynamics) noexcept {
+void FootWander::see(const Dynamics& dynamics, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
-    moving_[leg] = dynamics.legs()[leg].v_world_contact.norm();
+    v_.col(leg) += dt / (dt + kSmooth) * (dynamics.legs()[leg].v_world_contact - v_.col(leg));
   }
 }
 
@@ -36,8 +37,9 @@ Eigen::Vector4d FootWander::variance(const Gains& gains, const FootBeliefs& beli
   for (int leg = 0; leg < kLegs; ++leg) {
     const double doubt = beliefs.refused[leg] ? 1.0 : 1.0 - beliefs.contact[leg];
     const double light = std::exp(-std::max(beliefs.load[leg], 0.0) / kLight);
-    const double speed = gains.noise_foot_slip + gains.noise_foot_motion * moving_[leg] +
-                         doubt * doubt * (kSwingSpeed + kSwingShare * moving_[leg]) +
+    const double moving = v_.col(leg).norm();
+    const double speed = gains.noise_foot_slip + gains.noise_foot_motion * moving +
+                         doubt * doubt * (kSwingSpeed + kSwingShare * moving) +
                          light * kLightSpeed + beliefs.slip[leg];
     out[leg] = speed * speed * kNoisePeriod * dt;
   }

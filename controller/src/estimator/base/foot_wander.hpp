@@ -19,7 +19,7 @@ struct FootBeliefs {
 class FootWander {
  public:
   /// Take in how the feet move relative to the base.
-  void see(const Dynamics& dynamics) noexcept;
+  void see(const Dynamics& dynamics, double dt) noexcept;
 
   /// What rolling has moved each contact point by since the last call [m], world axes: the shank's
   /// rate times the sole's radius, its mean over the tick.
@@ -34,8 +34,8 @@ class FootWander {
   void reset() noexcept { *this = FootWander(); }
 
  private:
-  FeetMatrix rolling_ = FeetMatrix::Zero();           // [m/s] world axes
-  Eigen::Vector4d moving_ = Eigen::Vector4d::Zero();  // [m/s] relative to the base
+  FeetMatrix rolling_ = FeetMatrix::Zero();  // [m/s] world axes
+  FeetMatrix v_ = FeetMatrix::Zero();        // [m/s] relative to the base, smoothed
 };
 
 }  // namespace surefoot
