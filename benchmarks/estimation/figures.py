@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from estimation.recording import Array
 
 Values = dict[str, float]
@@ -31,7 +33,7 @@ class Figure:
         unit: For people.
         most: Greatest value that passes; None if there is no such.
         least: Least value that passes.
-        total: Whether seeds' values are added, instead of the worst taken.
+        total: Whether seeds' values are added, instead of their percentile taken.
     """
 
     unit: str
@@ -54,14 +56,19 @@ class Figure:
         high = math.inf if self.most is None else self.most
         return low <= value <= high
 
-    def merge(self, values: dict[int, float]) -> tuple[float, int | None]:
-        """Return the value of all seeds and the worst seed."""
+    def merge(self, values: dict[int, float]) -> tuple[float, int, float]:
+        """Return the value of all seeds, the worst seed and its value.
+
+        The value is the sum, or the 95th percentile, the 5th where more is better.
+        """
         known = {seed: value for seed, value in values.items() if not math.isnan(value)}
         if len(known) < len(values):
-            return math.nan, min(set(values) - set(known))
+            return math.nan, min(set(values) - set(known)), math.nan
         upwards = self.least is None
         worst = (max if upwards else min)(known, key=lambda seed: known[seed])
-        return (math.fsum(known.values()) if self.total else known[worst]), worst
+        every = list(known.values())
+        got = math.fsum(every) if self.total else float(np.percentile(every, 95 if upwards else 5))
+        return got, worst, known[worst]
 
 
 def find(case: str, name: str) -> Figure:

@@ -11,7 +11,7 @@ from estimation.consistency import within_band
 from estimation.evaluation import Task
 from estimation.figures import Result, find
 
-HEADER = ("robot", "case", "figure", "asked", "got", "unit", "", "worst seed")
+HEADER = ("robot", "case", "figure", "asked", "got", "unit", "", "worst", "of seed")
 
 
 @dataclass(frozen=True)
@@ -25,6 +25,7 @@ class Row:
     got: float
     unit: str
     passed: bool | None
+    worst: float | None
     worst_seed: int | None
     seeds: int
 
@@ -32,13 +33,14 @@ class Row:
         """Return the row in words."""
         got = "none" if math.isnan(self.got) else f"{self.got:.4g}"
         verdict = {True: "pass", False: "MISS", None: ""}[self.passed]
+        worst = "" if self.worst is None else f"{self.worst:.4g}"
         seed = "" if self.worst_seed is None else str(self.worst_seed)
-        return self.robot, self.case, self.figure, self.asked, got, self.unit, verdict, seed
+        where = self.robot, self.case, self.figure, self.asked
+        return (*where, got, self.unit, verdict, worst, seed)
 
     def json(self) -> dict[str, Any]:
         """Return the row as plain JSON types."""
-        got = None if not math.isfinite(self.got) else float(f"{self.got:.6g}")
-        return {**self.__dict__, "got": got}
+        return {**self.__dict__, "got": _plain(self.got), "worst": _plain(self.worst)}
 
 
 def summarise(results: Iterable[tuple[Task, Result]]) -> list[Row]:
@@ -51,10 +53,10 @@ def summarise(results: Iterable[tuple[Task, Result]]) -> list[Row]:
         names = list(dict.fromkeys(name for result in seeds.values() for name in result.values))
         for name in names:
             values = {seed: r.values[name] for seed, r in seeds.items() if name in r.values}
-            got, worst = find(case, name).merge(values)
-            rows.append(_row(robot, case, name, got, worst, len(values)))
+            got, seed, worst = find(case, name).merge(values)
+            rows.append(_row(robot, case, name, len(values), got, worst, seed))
         for name, got in _consistency(seeds).items():
-            rows.append(_row(robot, case, name, got, None, len(seeds)))
+            rows.append(_row(robot, case, name, len(seeds), got))
     return rows
 
 
@@ -68,9 +70,23 @@ def _consistency(seeds: dict[int, Result]) -> dict[str, float]:
     return out
 
 
-def _row(robot: str, case: str, name: str, got: float, worst: int | None, seeds: int) -> Row:
+def _row(
+    robot: str,
+    case: str,
+    name: str,
+    seeds: int,
+    got: float,
+    worst: float | None = None,
+    worst_seed: int | None = None,
+) -> Row:
     figure = find(case, name)
-    return Row(robot, case, name, figure.asked, got, figure.unit, figure.passes(got), worst, seeds)
+    verdict = figure.passes(got)
+    head = robot, case, name, figure.asked, got, figure.unit, verdict
+    return Row(*head, worst, worst_seed, seeds)
+
+
+def _plain(value: float | None) -> float | None:
+    return float(f"{value:.6g}") if value is not None and math.isfinite(value) else None
 
 
 def table(rows: list[Row]) -> str:

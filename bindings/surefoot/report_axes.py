@@ -1,9 +1,13 @@
-"""How reports' plots look: colours, grids."""
+"""How reports' plots look: colours, grids; and how they are drawn into a report's folder."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, TypeVar
 
+from matplotlib import style
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -23,6 +27,32 @@ STYLE: dict[str, Any] = {
     "xtick.color": "#4a525b",
     "ytick.color": "#4a525b",
 }
+
+Data = TypeVar("Data")
+
+
+@dataclass(frozen=True)
+class Plot(Generic[Data]):
+    """One picture of a report.
+
+    Attributes:
+        file: Its name in the report's folder.
+        title: Heading.
+        caption: What can be seen.
+        draw: Makes it.
+    """
+
+    file: str
+    title: str
+    caption: str
+    draw: Callable[[Data], Figure]
+
+
+def draw_plots(plots: Iterable[Plot[Data]], data: Data, folder: Path) -> None:
+    """Write every plot into a folder as PNG."""
+    with style.context(STYLE):
+        for plot in plots:
+            plot.draw(data).savefig(folder / plot.file, dpi=130)
 
 
 def grid(rows: int, columns: int, height: float) -> tuple[Figure, list[list[Axes]]]:

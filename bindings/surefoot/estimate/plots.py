@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import chain
-from pathlib import Path
 
 import numpy as np
-from matplotlib import style
 from matplotlib.figure import Figure
 
 from surefoot.estimate.plot_bands import band, three_bands
@@ -16,34 +12,10 @@ from surefoot.estimate.plot_contact import draw_contact, draw_verdicts
 from surefoot.estimate.result import Estimate
 from surefoot.estimate.thinning import shown_rows
 from surefoot.estimate.truth_summary import heading_offset, true_rows, true_rpy, turned
-from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, STYLE, at_least, finish_time, grid
+from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot, at_least, finish_time, grid
 from surefoot.row_rotations import Array
 
 AXES = ("x", "y", "z")
-
-
-@dataclass(frozen=True)
-class Plot:
-    """One picture of the report.
-
-    Attributes:
-        file: Its name in the report's folder.
-        title: Heading.
-        caption: What can be seen.
-        draw: Makes it.
-    """
-
-    file: str
-    title: str
-    caption: str
-    draw: Callable[[Estimate], Figure]
-
-
-def draw_plots(estimate: Estimate, folder: Path) -> None:
-    """Write every plot of PLOTS into a folder as PNG."""
-    with style.context(STYLE):
-        for plot in PLOTS:
-            plot.draw(estimate).savefig(folder / plot.file, dpi=130)
 
 
 def draw_path(estimate: Estimate) -> Figure:
@@ -134,7 +106,7 @@ def _true_path(estimate: Estimate) -> Array | None:
     return np.asarray(moved + estimate.q[first, :3])
 
 
-PLOTS = (
+PLOTS: tuple[Plot[Estimate], ...] = (
     Plot(
         "path.png",
         "Where the base was",

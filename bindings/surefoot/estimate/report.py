@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from surefoot.estimate.page import render_page
-from surefoot.estimate.plots import draw_plots
+from surefoot.estimate.plots import PLOTS
 from surefoot.estimate.result import Estimate
+from surefoot.report_axes import draw_plots
 
 
 def write_report(
@@ -34,7 +35,7 @@ def write_report(
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(summary, indent=2, allow_nan=False)
     (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
-    draw_plots(estimate, folder)
+    draw_plots(PLOTS, estimate, folder)
     page = folder / "index.html"
     page.write_text(render_page(summary, shlex.join(command)), encoding="utf-8")
     return page

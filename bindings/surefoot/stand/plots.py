@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from itertools import chain
-from pathlib import Path
 
 import numpy as np
-from matplotlib import style
 from matplotlib.figure import Figure
 
-from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, STYLE, at_least, grid
+from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot, at_least, grid
 from surefoot.stand.asked import asked_pose
 from surefoot.stand.axes import finish, shade_pushes
 from surefoot.stand.geometry import feet_of, pose_from_feet
@@ -19,30 +15,6 @@ from surefoot.stand.log import StandLog
 
 LEGS = ("front right", "front left", "rear right", "rear left")
 JOINTS = ("hip", "thigh", "calf")
-
-
-@dataclass(frozen=True)
-class Plot:
-    """One picture of the report.
-
-    Attributes:
-        file: Its name in the report's folder.
-        title: Heading.
-        caption: What can be seen.
-        draw: Makes it.
-    """
-
-    file: str
-    title: str
-    caption: str
-    draw: Callable[[StandLog], Figure]
-
-
-def draw_plots(log: StandLog, folder: Path) -> None:
-    """Write every plot of PLOTS into a folder as PNG."""
-    with style.context(STYLE):
-        for plot in PLOTS:
-            plot.draw(log).savefig(folder / plot.file, dpi=130)
 
 
 def draw_pose(log: StandLog) -> Figure:
@@ -136,7 +108,7 @@ def draw_ticks(log: StandLog) -> Figure:
     return figure
 
 
-PLOTS = (
+PLOTS: tuple[Plot[StandLog], ...] = (
     Plot(
         "pose.png",
         "Base pose relative to the feet",

@@ -8,11 +8,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from surefoot.report_axes import draw_plots
 from surefoot.stand.film import write_film
 from surefoot.stand.log import StandLog
 from surefoot.stand.loop import Progress
 from surefoot.stand.page import render_page
-from surefoot.stand.plots import draw_plots
+from surefoot.stand.plots import PLOTS
 
 FILM = "film.webp"
 
@@ -38,7 +39,7 @@ def write_report(
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(summary, indent=2, allow_nan=False)
     (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
-    draw_plots(log, folder)
+    draw_plots(PLOTS, log, folder)
     trouble = _try_film(log, folder / FILM, progress)
     page = folder / "index.html"
     film = FILM if trouble is None else None

@@ -52,7 +52,7 @@ class InvariantFilter {
 
   /// Take in where the legs say the contact points are.
   /// @param y_base from the IMU's point, base axes [m], @param variance [m^2] of each
-  /// @param gate standard deviations beyond which a foot counts for less (Huber's way: as if its
+  /// @param gate standard deviations beyond which a foot counts for less (as if its
   /// measurement were as noisy as its surprise); beyond kRefuse times that it is refused
   void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate) noexcept;
 
