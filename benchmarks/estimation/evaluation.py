@@ -39,7 +39,7 @@ class Case:
 
 CASES: dict[str, Case] = {
     "quiet": Case(("quiet",), quiet),
-    "quiet_long": Case(("quiet_long",), quiet_long, 2),
+    "quiet_long": Case(("quiet_long",), quiet_long, 1),
     "push60": Case(("push60",), push60),
     "contact": Case(("lifts", "steps", "feet"), contact),
     "init": Case(("quiet", "shove"), init),

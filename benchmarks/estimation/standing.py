@@ -18,17 +18,20 @@ Logs = dict[str, Log]
 
 def quiet(robot: Robot, logs: Logs, seed: int) -> Result:
     """Drift in a minute, and false transitions under every sensor condition."""
-    log = logs["quiet"]
+    return _still(robot, logs["quiet"], seed)
+
+
+def quiet_long(robot: Robot, logs: Logs, seed: int) -> Result:
+    """Return the same of ten minutes."""
+    return _still(robot, logs["quiet_long"], seed)
+
+
+def _still(robot: Robot, log: Log, seed: int) -> Result:
     values = _drift(robot, log)
     for condition in CONDITIONS:
         estimates = replay(robot, under(condition, log, seed))
         values[f"false: {condition}"] = false_transitions(log, estimates)
     return Result(values)
-
-
-def quiet_long(robot: Robot, logs: Logs, seed: int) -> Result:
-    """Drift in ten minutes."""
-    return Result(_drift(robot, logs["quiet_long"]))
 
 
 def _drift(robot: Robot, log: Log) -> Values:
