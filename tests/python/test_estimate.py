@@ -207,6 +207,14 @@ CONTRADICTIONS = {
         lambda c: {"q": c["q"].reshape(-1, 4, 3).swapaxes(1, 2).reshape(-1, 12), "dq": None},
         *("'q_", "order FR FL RR RL"),
     ),
+    "velocities of exchanged legs": (
+        lambda c: {"dq": legs([1, 0, 2, 3], c["dq"])},
+        *("'dq'", "FL FR RR RL"),
+    ),
+    "accelerometer of the other sign": (
+        lambda c: {"accelerometer": -c["accelerometer"]},
+        *("'accelerometer'", "upwards at rest"),
+    ),
     "torques of the other sign": (
         lambda c: {"tauEst": -c["tauEst"]},
         *("'tauEst'", "expected their sign"),
@@ -246,6 +254,8 @@ def test_what_cannot_be_told_is_a_warning() -> None:
     assert "tauEst of FL" in check_log(robot(), changed(tauEst=torques))[0]
     heavy = check_log(robot(), changed(accelerometer=2.0 * columns["accelerometer"]))
     assert "median size of 19.6" in heavy[0]
+    down = changed(accelerometer=-columns["accelerometer"], quaternion=None)
+    assert "lies on its back" in check_log(robot(), down)[0]
     lone = legs([1, 0, 3, 2], columns["q"])
     doubts = check_log(robot(), changed(q=lone, dq=None, tauEst=None))
     assert "or do they hang?" in doubts[0]

@@ -69,7 +69,7 @@ struct Gains {
   double start_accelerometer_bias = 0.1;
   double noise_foot_position = 0.002;
   double noise_foot_slip = 0.0005;
-  double noise_foot_motion = 0.03;
+  double noise_foot_motion = 0.015;
   double gate_foot = 4.0;
   double contact_force_on = 0.07;
   double contact_force_off = 0.06;

@@ -24,7 +24,7 @@ def check_log(robot: Robot, log: SensorLog) -> list[str]:
     Raises:
         Error: What is wrong beyond doubt, naming the column, what was got and what expected.
     """
-    doubts = check_accelerometer(log) + check_angles(robot, log)
+    doubts = check_accelerometer(robot, log) + check_angles(robot, log)
     windows = cut_windows(log)
     return [
         *doubts,

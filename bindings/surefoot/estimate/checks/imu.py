@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from surefoot._core import Error
+from surefoot._core import Error, Robot
 from surefoot.estimate.checks.evidence import (
     DEGREES,
     ENOUGH,
@@ -15,14 +15,14 @@ from surefoot.estimate.checks.evidence import (
 )
 from surefoot.estimate.checks.quaternion import quaternion_turns
 from surefoot.estimate.sensor_log import SensorLog
-from surefoot.row_rotations import Array
+from surefoot.row_rotations import Array, matrices_from_xyzw
 
 GRAVITY = 9.81
 FULL_SCALE = 36.0  # [rad/s] gyroscopes end at 2000 deg/s
 TILTED = 0.05  # [rad] turn of what the accelerometer feels that counts as one
 
 
-def check_accelerometer(log: SensorLog) -> list[str]:
+def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
     """Compare the accelerometer's median with gravity; raises Error."""
     values = log.columns["accelerometer"]
     norm = float(finite_median(np.linalg.norm(values, axis=1, keepdims=True))[0])
@@ -36,6 +36,10 @@ def check_accelerometer(log: SensorLog) -> list[str]:
         return ["accelerometer is zero most of the time"]
     if not 0.7 * GRAVITY < norm < 1.4 * GRAVITY:
         return [f"accelerometer has a median size of {norm:.3g} m/s^2, expected about {GRAVITY}"]
+    w, x, y, z = robot.config.quat_base_imu
+    felt = matrices_from_xyzw(np.array([[x, y, z, w]]))[0] @ finite_median(values)
+    if felt[2] < -0.7 * GRAVITY:
+        return ["accelerometer says that the robot lies on its back: or is its sign wrong?"]
     return []
 
 

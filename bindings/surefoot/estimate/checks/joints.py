@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from surefoot._core import Error, Robot
 from surefoot.estimate.checks.evidence import DEGREES, Windows, finite_median
-from surefoot.estimate.columns import MOTOR_NAMES
+from surefoot.estimate.columns import LEGS, MOTOR_NAMES
 from surefoot.estimate.sensor_log import SensorLog
+from surefoot.row_rotations import Array
 
 OUTSIDE = 0.5  # [rad] beyond a limit: no joint gets there, whatever its calibration
 SLACK = 0.2  # [rad] beyond a limit for degrees that are taken as such
+FITS = 0.2  # of the squared error: another order explains the rest
+EXCHANGED = 0.05  # of the squared motion: more than noise and a coarse rate make
 MOTION = 0.01  # [rad] RMS in windows where joints move
 
 
@@ -45,6 +50,7 @@ def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
     if moving.sum() < 3:
         return []
     moved, integrated = windows.moved[moving], windows.integrated[moving]
+    _refuse_exchanged(log, moved.reshape(-1, 4, 3), integrated.reshape(-1, 4, 3))
     slope = float(np.sum(moved * integrated) / np.sum(moved**2))
     if slope < -0.5:
         raise Error(
@@ -59,3 +65,20 @@ def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
     if not 0.5 < slope < 2.0:
         return [f"dq is {slope:.2f} times the change of q"]
     return []
+
+
+def _refuse_exchanged(log: SensorLog, moved: Array, integrated: Array) -> None:
+    """Raise Error where one leg's velocities (w, 4, 3) are another's change of angles, not its own.
+
+    A body that moves moves its legs much alike: only an order that fits far better is believed.
+    """
+    missed = np.sum((moved[:, :, None] - integrated[:, None]) ** 2, axis=(0, 3))  # of, by
+    orders = list(itertools.permutations(range(4)))
+    cost = [float(missed[range(4), order].sum()) for order in orders]
+    best = orders[int(np.argmin(cost))]
+    if min(cost) < FITS * cost[0] and cost[0] > EXCHANGED * float(np.sum(moved**2)):
+        names = " ".join(LEGS[best.index(k)] for k in range(4))
+        raise Error(
+            f"{log.source}: columns 'q' and 'dq': got velocities that are the change of q with legs "
+            f"in the order {names}, expected FR FL RR RL in both"
+        )

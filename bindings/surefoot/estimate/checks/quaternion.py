@@ -24,7 +24,8 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
     """Compare its vertical with the accelerometer's and its turns with the gyroscope's.
 
     Raises:
-        Error: Both fit better, beyond doubt, if it is read as x y z w or as world to IMU.
+        Error: Both fit better, beyond doubt, if it is read as x y z w or as world to IMU, or with
+            an accelerometer of the other sign.
     """
     if "quaternion" not in log.columns or len(windows) == 0:
         return []
@@ -46,6 +47,12 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
     }
     scores = {name: _score(*pair, up, turned) for name, pair in readings.items()}
     tilt, error = scores.pop("w x y z")
+    if tilt > 180.0 - RIGHT and not error > UNLIKE:
+        raise Error(
+            f"{log.source}: column 'accelerometer': got a vertical {tilt:.0f} deg from the "
+            "quaternion's, whose turns are the gyroscope's, expected the specific force: + g "
+            "upwards at rest"
+        )
     for name, (other_tilt, other_error) in scores.items():
         by_gravity = tilt > WRONG and other_tilt < RIGHT and not other_error > UNLIKE
         by_turns = error > UNLIKE and other_error < ALIKE and other_tilt < WRONG

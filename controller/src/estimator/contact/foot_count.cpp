@@ -7,6 +7,7 @@
 namespace surefoot {
 
 namespace {
+constexpr double kSmooth = 0.02;     // [s] keeps noise from passing for a change of load
 constexpr double kOffsetTime = 5.0;  // [s] in which the offset follows a drift
 constexpr double kNoiseTime = 5.0;   // [s]
 constexpr double kScaleTime = 2.0;   // [s] of changing load in which the scale follows
@@ -24,8 +25,8 @@ Evidence FootCount::update(const Gains& gains, int count, double load, bool load
                            double dt) noexcept {
   const double c = count;
   if (!started_) {
-    last_ = mean_count_ = low_ = high_ = c;
-    mean_load_ = std::isnan(load) ? 0.0 : load;
+    last_ = smooth_count_ = mean_count_ = low_ = high_ = c;
+    smooth_load_ = mean_load_ = std::isnan(load) ? 0.0 : load;
     started_ = true;
   }
   noise_ += dt / (dt + kNoiseTime) * (0.5 * (c - last_) * (c - last_) - noise_);
@@ -54,10 +55,12 @@ Evidence FootCount::range_says(const Gains& gains, double load, bool loaded) con
 }
 
 void FootCount::learn(double count, double load, double dt) noexcept {
-  const double blend = dt / (dt + kOffsetTime);
-  mean_count_ += blend * (count - mean_count_);
-  mean_load_ += blend * (load - mean_load_);
-  const double dc = count - mean_count_, df = load - mean_load_;
+  const double quick = dt / (dt + kSmooth), blend = dt / (dt + kOffsetTime);
+  smooth_count_ += quick * (count - smooth_count_);
+  smooth_load_ += quick * (load - smooth_load_);
+  mean_count_ += blend * (smooth_count_ - mean_count_);
+  mean_load_ += blend * (smooth_load_ - mean_load_);
+  const double dc = smooth_count_ - mean_count_, df = smooth_load_ - mean_load_;
   if (std::abs(df) < kExcited) return;
   const double keep = 1.0 - dt / (dt + kScaleTime);
   weight_ = keep * weight_ + dt;

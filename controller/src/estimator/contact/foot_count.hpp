@@ -30,6 +30,7 @@ class FootCount {
   bool started_ = false;
   double last_ = 0.0;
   double noise_ = 0.0;  // [counts^2]
+  double smooth_count_ = 0.0, smooth_load_ = 0.0;
   double mean_count_ = 0.0, mean_load_ = 0.0;
   double weight_ = 0.0, spread_load_ = 0.0, spread_count_ = 0.0, covariance_ = 0.0;  // excited
   double scale_ = 0.0;
