@@ -110,7 +110,9 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   const Status solved =
       predictor.active() ? solve_predicted(wanted) : solve(dynamics, estimator.state(), wanted);
   if (is_usable(solved)) {
-    predictor.remember(controller.solution().accelerations, torques.limited().torques);
+    // Torques that were limited make as much less of the motion as they are nearer to holding.
+    const LimitedTorques& sent = torques.limited();
+    predictor.remember(controller.solution().accelerations, sent.scale, sent.torques);
   }
   return solved;
 }

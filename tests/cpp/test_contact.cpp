@@ -67,7 +67,7 @@ struct Counting {
     return 0.25 + 0.1 * std::sin(4.0 * t) + 0.05 * std::sin(11.0 * t);
   }
   void see(double count, double load) {
-    evidence = foot.update(gains, static_cast<int>(std::lround(count)), load, true, kPeriod);
+    evidence = foot.update(gains, static_cast<int>(std::lround(count)), load, true, true, kPeriod);
     t += kPeriod;
   }
   template <class Count>
@@ -219,6 +219,26 @@ BOOST_FIXTURE_TEST_CASE(both_fields_of_a_foot_that_fail_together_do_not_outvote_
   for (int k = 0; k < 500; ++k) least = std::min(least, after(kPeriod));
   BOOST_TEST(least > 0.5);
   BOOST_TEST(belief.probability()[FL_] == 1.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(torques_that_miss_what_is_felt_and_borne_are_left_out, Believing) {
+  signals.foot_force_est = {29, 30, 29, 30};
+  signals.torque_load.setConstant(0.01);  // live, and wrong from the start
+  after(1.0);
+  BOOST_TEST((verdict(kTau) == Verdict::kDisagrees));
+  BOOST_TEST((belief.probability() == Eigen::Vector4d::Ones()));
+  BOOST_TEST((verdict(kEst) == Verdict::kGood));
+  signals.foot_force_est[FL_] = 0;
+  BOOST_TEST(after(0.05) == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_belief_comes_back_to_a_foot_that_rests_once_the_forces_fall_silent,
+                        Believing) {
+  after(0.2);
+  lift(FL_);
+  BOOST_TEST(after(0.05) == 0.0);
+  no_torques();
+  BOOST_TEST(after(2.0) == 1.0);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_force_field_that_goes_silent_while_the_legs_carry_is_dead, Believing) {
@@ -387,18 +407,24 @@ BOOST_AUTO_TEST_CASE(a_foots_rise_is_against_where_it_last_stood) {
   const double lifted = dynamics.legs()[FL_].p_world_contact.z() - before;
   BOOST_TEST(lifted > 0.01);
   loaded[FL_] = 0.0;
-  bears[FL_] = false;
+  v(0, FL_) = 0.05;  // a hand lifts it: its torques never cease to bear
   run(3.0);
   BOOST_TEST((rise.rise() - lifted * Eigen::Vector4d::Unit(FL_)).norm() < 1e-9);
-  bears[FL_] = true;  // on a stone: the belief does not follow while the rise denies it
-  run(0.9);
-  BOOST_TEST(std::abs(rise.rise()[FL_] - lifted) < 1e-9);
-  v(0, FL_) = 0.05;  // it does not rest yet
+  loaded[FR_] = 0.0;  // what was known before holds while another is off
   run(0.5);
   BOOST_TEST(std::abs(rise.rise()[FL_] - lifted) < 1e-9);
+  loaded[FR_] = 1.0;
   v.setZero();
-  run(2.5);
+  run(3.5);  // it rests and bears: it stands there
   BOOST_TEST(std::abs(rise.rise()[FL_]) < 1e-3);
+  state.q[robot.motor_to_q()[FL_2]] -= 0.2;
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  bears[FL_] = false;  // the robot lifts it itself, and puts it onto a stone
+  run(0.5);
+  BOOST_TEST(rise.rise()[FL_] == 0.0);
+  bears[FL_] = true;
+  run(0.1);
+  BOOST_TEST(std::abs(rise.rise()[FL_]) < 1e-9);
 }
 
 BOOST_AUTO_TEST_CASE(leg_forces_are_those_that_the_torques_were_made_from) {

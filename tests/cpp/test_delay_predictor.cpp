@@ -16,7 +16,7 @@ struct Predicting {
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
   void send(const Eigen::VectorXd& acceleration, double dt) {
-    predictor.remember(acceleration, acceleration.tail<12>());
+    predictor.remember(2.0 * acceleration, 0.5, acceleration.tail<12>());
     predictor.elapse(dt);
   }
   Predicting() { state.contact << 0.1, 0.2, 0.3, 0.4; }
@@ -90,7 +90,7 @@ BOOST_FIXTURE_TEST_CASE(its_ring_wraps_and_the_oldest_are_forgotten, Predicting)
   DelayPredictor fresh(18, kDelay);
   for (int k = 0; k < 200; ++k) send((k % 7) * a, kDt);
   for (int k = 190; k < 200; ++k) {
-    fresh.remember((k % 7) * a, Vector12::Zero());
+    fresh.remember((k % 7) * a, 1.0, Vector12::Zero());
     fresh.elapse(kDt);
   }
   BOOST_TEST((predictor.predict(state).v - fresh.predict(state).v).norm() == 0.0);

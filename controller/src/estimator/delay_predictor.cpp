@@ -21,8 +21,9 @@ void DelayPredictor::elapse(double dt) noexcept {
   if (count_ > 0) sent_[(next_ - 1 + kRing) % kRing].dt += dt;
 }
 
-void DelayPredictor::remember(const Eigen::VectorXd& accelerations, const Vector12& tau) noexcept {
-  sent_[next_].accelerations = accelerations;
+void DelayPredictor::remember(const Eigen::VectorXd& accelerations, double share,
+                              const Vector12& tau) noexcept {
+  sent_[next_].accelerations = share * accelerations;
   sent_[next_].tau = tau;
   sent_[next_].dt = 0.0;
   next_ = (next_ + 1) % kRing;

@@ -66,7 +66,7 @@ void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) n
   }
   wander.see(dynamics, dt);
   slip.update(gains, v_contact, state.contact, dt);
-  rise.update(dynamics, filter, v_contact, state.contact, contact.bears(), normal, dt);
+  rise.update(dynamics, filter, slip.velocity(), state.contact, contact.bears(), normal, dt);
   ContactSignals signals;
   const double weight = robot.mass() * kGravity;
   loads = legs.forces().transpose() * normal / weight;

@@ -9,6 +9,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kLeastTilt = 0.05;  // [rad] doubt about a tilt that two witnesses share
+constexpr double kRest = 0.1;        // of g by which what is felt at rest may be off
 constexpr double kAligned = 0.035;   // [rad] of tilt, known well enough to look for biases
 
 // Without its heading, which defines the world's.
@@ -60,7 +61,10 @@ void StateEstimator::Impl::reset() noexcept {
 // The filter tracks the IMU's own point, where the accelerometer is right. Feet at height zero; the
 // legs say how fast the body moves if they stand.
 void StateEstimator::Impl::start() noexcept {
-  const Quaternion R = level_heading(imu.has_quaternion ? imu.R_world_base : upright(imu.f_base));
+  Quaternion R = level_heading(imu.has_quaternion ? imu.R_world_base : upright(imu.f_base));
+  // A field that is not filled, 1 0 0 0, is of unit length, too: gravity knows better at rest.
+  const bool rests = std::abs(imu.f_base.norm() - kGravity) < kRest * kGravity;
+  if (rests && tilt_between(imu.f_base, R) > gains.start_tilt) R = upright(imu.f_base);
   state.q.segment<4>(3) = R.coeffs();
   w_base = w_smooth = imu.w_base;
   update_dynamics();

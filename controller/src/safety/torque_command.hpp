@@ -14,10 +14,8 @@ class TorqueCommand {
   TorqueCommand(const Robot& robot, const StandOptions& options)
       : robot_(robot), options_(options) {}
 
-  /// Take the torques of a usable solution. Where the power is limited the robot does less than the
-  /// plan, of which the push observer and the delay predictor know nothing: the observer sees the
-  /// rest as a push that holds it back (at most gain push_max), the predictor carries the state too
-  /// far by as much of it as fits into the delay. Both end with the limiting.
+  /// Take the torques of a usable solution, less of them where the power is limited:
+  /// limited().scale is the share of the planned motion that is left.
   /// @return the solution's status, kSaturated where it was limited
   Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
               const Reference& reference, const Gains& gains) noexcept;

@@ -11,8 +11,8 @@ namespace surefoot {
 /// What the joint angles say of a foot is off by encoders, bending legs and soft soles, none of
 /// which a data sheet tells. A foot's variance grows while its normalised innovation squared is
 /// above its dimension and shrinks while it is below, exponentially, so that a guess that is wrong
-/// by orders of magnitude is mended in a second (innovation-based adaptation as in Mehra 1970, by
-/// stochastic approximation). Real-time: yes.
+/// by orders of magnitude is mended in a fraction of a second (innovation-based adaptation as in
+/// Mehra 1970, by stochastic approximation). Real-time: yes.
 class FootNoise {
  public:
   void reset(const Gains& gains) noexcept;

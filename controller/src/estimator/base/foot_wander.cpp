@@ -11,6 +11,7 @@ constexpr double kSmooth = 0.01;        // [s] keeps the encoders' noise out of 
 constexpr double kNoisePeriod = 0.002;  // [s] the sampling that the noise gains are quoted at
 constexpr double kSwingSpeed = 3.0;     // [m/s] how fast a foot off the ground may move
 constexpr double kSwingShare = 3.0;     // of its speed relative to the base, besides
+constexpr double kSwingTime = 0.1;      // [s] for which it goes on like that
 constexpr double kLight = 0.03;         // share of the weight that keeps a foot where it is
 constexpr double kLightSpeed = 0.5;     // [m/s] at which one without may slide
 }  // namespace
@@ -38,10 +39,10 @@ Eigen::Vector4d FootWander::variance(const Gains& gains, const FootBeliefs& beli
     const double doubt = beliefs.refused[leg] ? 1.0 : 1.0 - beliefs.contact[leg];
     const double light = std::exp(-std::max(beliefs.load[leg], 0.0) / kLight);
     const double moving = v_.col(leg).norm();
-    const double speed = gains.noise_foot_slip + gains.noise_foot_motion * moving +
-                         doubt * doubt * (kSwingSpeed + kSwingShare * moving) +
+    const double slide = gains.noise_foot_slip + gains.noise_foot_motion * moving +
                          light * kLightSpeed + beliefs.slip[leg];
-    out[leg] = speed * speed * kNoisePeriod * dt;
+    const double swing = doubt * doubt * (kSwingSpeed + kSwingShare * moving);
+    out[leg] = (slide * slide * kNoisePeriod + swing * swing * kSwingTime) * dt;
   }
   return out;
 }

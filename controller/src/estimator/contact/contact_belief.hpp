@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "estimator/contact/field_judge.hpp"
 #include "estimator/contact/foot_count.hpp"
 
 namespace surefoot {
@@ -20,8 +21,8 @@ struct ContactSignals {
 ///
 /// Sources vote, -1 .. 1, and the belief moves towards what they agree on, over the gain
 /// contact_dwell: a single wrong sample moves it by one step, and two sources that contradict each
-/// other leave it where it is. The torques count half as much again while their sum bears out what
-/// the accelerometer feels, for then two sensors say so. Real-time: yes.
+/// other leave it where it is. The torques count a little more while their sum bears out what the
+/// accelerometer feels, which decides a tie, slowly. Real-time: yes.
 class ContactBelief {
  public:
   explicit ContactBelief(double weight) : weight_(weight) {}
@@ -29,9 +30,10 @@ class ContactBelief {
   void update(const Gains& gains, const ContactSignals& signals, double dt) noexcept;
 
   const Eigen::Vector4d& probability() const noexcept { return probability_; }
-  /// Do the forces alone say that each foot bears, whatever its motion says? True where none tells.
+  /// Do the forces alone say that each foot bears, whatever its motion says? True where none
+  /// speaks.
   const std::array<bool, kLegs>& bears() const noexcept { return bears_; }
-  bool foot_force_est_alive() const noexcept { return est_alive_; }
+  bool foot_force_est_alive() const noexcept { return judge_.est_alive(); }
   /// Verdicts and votes into a report.
   void write(EstimatorReport& report) const noexcept;
 
@@ -44,16 +46,14 @@ class ContactBelief {
     FootCount count;
     double contradicted = 0.0;  // [s] for which footForceEst has contradicted the torques
     bool loaded = true;
-    bool told = false;  // has a force source ever spoken?
+    double silent = std::numeric_limits<double>::infinity();  // [s] since a force source spoke
   };
-  void judge_est_field(const ContactSignals& signals, double dt) noexcept;
   Evidence see_est(const Gains& gains, const ContactSignals& signals, int leg, double dt) noexcept;
   void vote(const Gains& gains, const ContactSignals& signals, int leg, double dt) noexcept;
   bool balanced(const ContactSignals& signals) const noexcept;
 
   double weight_;
-  bool est_alive_ = false;
-  double est_doubt_ = 0.0;  // [s] for which the torques have contradicted what is held of the field
+  FieldJudge judge_;
   std::array<Foot, kLegs> feet_{};
   Eigen::Vector4d probability_ = Eigen::Vector4d::Ones();
   std::array<bool, kLegs> bears_{true, true, true, true};

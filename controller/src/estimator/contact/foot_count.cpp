@@ -9,19 +9,19 @@ namespace surefoot {
 namespace {
 constexpr double kSmooth = 0.02;     // [s] keeps noise from passing for a change of load
 constexpr double kOffsetTime = 5.0;  // [s] in which the offset follows a drift
-constexpr double kNoiseTime = 5.0;   // [s]
-constexpr double kScaleTime = 2.0;   // [s] of changing load in which the scale follows
-constexpr double kExcited = 0.04;    // share of the weight by which a load has changed
-constexpr double kEnough = 0.1;      // [s] of changing load before the line is believed
-constexpr double kFollows = 0.5;     // least share of the counts' spread that the load explains
+constexpr double kNoiseSamples = 500.0;
+constexpr double kScaleTime = 2.0;  // [s] of changing load in which the scale follows
+constexpr double kExcited = 0.04;   // share of the weight by which a load has changed
+constexpr double kEnough = 0.1;     // [s] of changing load before the line is believed
+constexpr double kFollows = 0.5;    // least share of the counts' spread that the load explains
 constexpr double kIgnores = 0.2;
-constexpr double kRangeTime = 30.0;  // [s] in which the range that was seen is forgotten
+constexpr double kRangeTime = 10.0;  // [s] in which the range that was seen is forgotten
 constexpr double kRangeNoise = 8.0;  // times the noise that a range must span ...
 constexpr double kLeastRange = 5.0;  // [counts] ... and at least this
 constexpr double kRangeLoad = 0.4;   // share of the weight at the top of a range
 }  // namespace
 
-Evidence FootCount::update(const Gains& gains, int count, double load, bool loaded,
+Evidence FootCount::update(const Gains& gains, int count, double load, bool sure, bool loaded,
                            double dt) noexcept {
   const double c = count;
   if (!started_) {
@@ -29,8 +29,7 @@ Evidence FootCount::update(const Gains& gains, int count, double load, bool load
     smooth_load_ = mean_load_ = std::isnan(load) ? 0.0 : load;
     started_ = true;
   }
-  noise_ += dt / (dt + kNoiseTime) * (0.5 * (c - last_) * (c - last_) - noise_);
-  last_ = c;
+  measure_noise(c);
   Evidence out;
   out.verdict = stuck_.see(count, load, dt);
   const double by_range = load_by_range(c, dt);
@@ -39,7 +38,7 @@ Evidence FootCount::update(const Gains& gains, int count, double load, bool load
     if (std::isnan(by_range)) return {0.0, Verdict::kUnjudged};
     return range_says(gains, by_range, loaded);
   }
-  learn(c, load, dt);
+  if (sure) learn(c, load, dt);
   out.verdict = judge();
   if (out.verdict == Verdict::kUnjudged && !std::isnan(by_range))
     return range_says(gains, by_range, loaded);
@@ -47,6 +46,14 @@ Evidence FootCount::update(const Gains& gains, int count, double load, bool load
   const double doubt = std::sqrt(noise_) / scale_;
   out.says = say_load(gains, (c - offset()) / scale_, 2.0 * doubt, loaded);
   return out;
+}
+
+// By differences of new samples: a sensor slower than the reports repeats its last.
+void FootCount::measure_noise(double count) noexcept {
+  if (count == last_) return;
+  samples_ = std::min(samples_ + 1.0, kNoiseSamples);
+  noise_ += (0.5 * (count - last_) * (count - last_) - noise_) / samples_;
+  last_ = count;
 }
 
 Evidence FootCount::range_says(const Gains& gains, double load, bool loaded) const noexcept {

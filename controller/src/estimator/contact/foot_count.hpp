@@ -14,7 +14,9 @@ namespace surefoot {
 class FootCount {
  public:
   /// @param load share of the weight by the torques, NAN if they are not to be had
-  Evidence update(const Gains& gains, int count, double load, bool loaded, double dt) noexcept;
+  /// @param sure may the load teach what the counts mean?
+  Evidence update(const Gains& gains, int count, double load, bool sure, bool loaded,
+                  double dt) noexcept;
 
   bool still() const noexcept { return stuck_.still(); }  ///< see StuckDetector
   double offset() const noexcept { return mean_count_ - scale_ * mean_load_; }  ///< [counts]
@@ -23,13 +25,15 @@ class FootCount {
  private:
   void learn(double count, double load, double dt) noexcept;
   Verdict judge() const noexcept;
+  void measure_noise(double count) noexcept;
   Evidence range_says(const Gains& gains, double load, bool loaded) const noexcept;
   double load_by_range(double count, double dt) noexcept;
 
   StuckDetector stuck_;
   bool started_ = false;
   double last_ = 0.0;
-  double noise_ = 0.0;  // [counts^2]
+  double noise_ = 0.0;  // [counts^2] of a sample
+  double samples_ = 0.0;
   double smooth_count_ = 0.0, smooth_load_ = 0.0;
   double mean_count_ = 0.0, mean_load_ = 0.0;
   double weight_ = 0.0, spread_load_ = 0.0, spread_count_ = 0.0, covariance_ = 0.0;  // excited

@@ -8,11 +8,12 @@ namespace surefoot {
 
 /// How far each foot has risen, along the ground's normal, from where it last stood still, out of
 /// the plane that the other three make; nothing unless those stand, for then a tilt or a height of
-/// the body that is wrong by a little would look the same.
+/// the body that is wrong by a little would look the same; what was known before holds meanwhile.
 ///
-/// A foot may slide under load; it does not rise under load by more than the ground gives way. Feet
-/// that rest and bear load for a while stand anew, wherever that is: no flat ground is assumed.
-/// Real-time: yes.
+/// It begins where the foot's forces first call it loaded and ends where they call it lifted: a
+/// foot that steps onto a stone has not risen. A foot may slide under load; it does not rise under
+/// load by more than the ground gives way. Feet that rest and bear load for a while stand anew,
+/// wherever that is: no flat ground is assumed. Real-time: yes.
 class FootRise {
  public:
   /// @param v_contact velocities of the contact points, world axes [m/s]
@@ -25,9 +26,9 @@ class FootRise {
   void reset() noexcept { *this = FootRise(); }
 
  private:
-  bool started_ = false;
-  Eigen::Vector4d stood_ = Eigen::Vector4d::Zero();   // [m] height where each last stood
-  Eigen::Vector4d rested_ = Eigen::Vector4d::Zero();  // [s]
+  Eigen::Vector4d stood_ = Eigen::Vector4d::Constant(NAN);  // [m] height where each last stood
+  Eigen::Vector4d rested_ = Eigen::Vector4d::Zero();        // [s]
+  Eigen::Vector4d unborne_ = Eigen::Vector4d::Zero();       // [s]
   Eigen::Vector4d rise_ = Eigen::Vector4d::Zero();
 };
 

@@ -21,6 +21,8 @@ class SlipDetector {
   const Eigen::Vector4d& slip() const noexcept { return slip_; }
   /// Of the contact points, smoothed [m/s].
   const Eigen::Vector4d& speed() const noexcept { return speed_; }
+  /// The same, world axes.
+  const FeetMatrix& velocity() const noexcept { return v_; }
   /// The same beyond the slowest loaded foot's; 0 while none is loaded.
   const Eigen::Vector4d& excess() const noexcept { return excess_; }
   /// What is left of each foot's friction coefficient.
@@ -34,6 +36,7 @@ class SlipDetector {
   FeetMatrix v_ = FeetMatrix::Zero();
   Eigen::Vector4d speed_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d excess_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d down_ = Eigen::Vector4d::Zero();  // [s] since touchdown
   Eigen::Vector4d slip_ = Eigen::Vector4d::Zero();
 };
 

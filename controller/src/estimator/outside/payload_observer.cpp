@@ -7,6 +7,7 @@ namespace surefoot {
 
 namespace {
 
+constexpr double kStill = 0.1;  // [m/s] of the centre of mass
 constexpr double kLever = 0.1;  // [m] at which the greatest force may act: bounds the moment
 
 Vector3 bounded(const Vector3& value, double most) noexcept {
@@ -32,9 +33,11 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   const Vector3 weight = -mass_ * kGravity * Vector3::UnitZ();
   const double most = gains.payload_max * mass_ * kGravity;
   if (!started_) {
-    // A robot that stands still when this begins: what the feet bear is what there is.
-    force_ = bounded(-forces.rowwise().sum() - weight, most);
-    moment_ = bounded(-moment, kLever * most);
+    // If the robot stands still when this begins, what the feet bear is what there is.
+    if (dynamics.v_world_com().norm() < kStill) {
+      force_ = bounded(-forces.rowwise().sum() - weight, most);
+      moment_ = bounded(-moment, kLever * most);
+    }
     hold(gains, linear, angular);
     started_ = true;
     return;
