@@ -130,8 +130,8 @@ def test_delays_missed_and_false_transitions_are_counted() -> None:
     assert follows.false == 0
     never = score(share, np.ones(3000), rate)
     assert np.isinf(never.delays[0]) and np.isnan(never.delays[1])
-    late[2000:2020] = False
-    assert score(share, late.astype(float), rate).false == 2
+    late[2000:2020] = False  # the load never went: leaving is false, coming back to it is not
+    assert score(share, late.astype(float), rate).false == 1
 
 
 def test_every_case_names_recordings_that_exist() -> None:

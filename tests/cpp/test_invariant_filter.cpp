@@ -177,7 +177,7 @@ struct Sway {
   }
   void correct(const FeetMatrix& y) {
     const double sigma = gains.noise_foot_position;
-    filter.correct(y, Eigen::Vector4d::Constant(sigma * sigma), gains.gate_foot);
+    filter.correct(y, Eigen::Vector4d::Constant(sigma * sigma), gains.gate_foot, Vector3::Zero());
   }
   void run(double seconds) {
     for (const double end = t + seconds - 0.5 * kPeriod; t < end;) {
@@ -262,7 +262,9 @@ BOOST_AUTO_TEST_CASE(a_correction_is_the_dense_joseph_form_for_any_gain) {
   for (int round = 0; round < 200; ++round) {
     ErrorCovariance P = random.covariance();
     const Covariance before = dense(P);
-    const Rows H = measurement(round % kLegs);
+    Rows H = measurement(round % kLegs);
+    const Vector3 lever = round % 2 ? Vector3(0.01, -0.02, 0.03) : Vector3(Vector3::Zero());
+    H.leftCols<3>() -= skew(lever);
     const Matrix3 A = random.rotation();
     const Matrix3 R = A * Vector3(0.1, 0.2, 0.5).asDiagonal() * A.transpose();
     const Eigen::Matrix<double, kSize, 3> W = before * H.transpose();
@@ -270,7 +272,7 @@ BOOST_AUTO_TEST_CASE(a_correction_is_the_dense_joseph_form_for_any_gain) {
     Eigen::Matrix<double, kSize, 3> K = W * S.inverse();
     if (round % 2) K += 0.1 * Eigen::Matrix<double, kSize, 3>::Random();
     ErrorCovariance::Columns w, k;
-    P.project(round % kLegs, w);
+    P.project(round % kLegs, lever, w);
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < kSize; ++i) BOOST_REQUIRE(std::abs(w[j][i] - W(i, j)) < 1e-12);
     }
@@ -299,7 +301,7 @@ BOOST_AUTO_TEST_CASE(covariance_stays_symmetric_and_positive_definite_over_many_
     P.propagate(motion);
     const int leg = round % kLegs;
     ErrorCovariance::Columns W, K;
-    P.project(leg, W);
+    P.project(leg, Vector3::Zero(), W);
     Matrix3 S;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) S(i, k) = W[k][kPosition + i] - W[k][kFeet + 3 * leg + i];
@@ -489,7 +491,7 @@ BOOST_FIXTURE_TEST_CASE(a_foot_between_one_gate_and_five_counts_for_less, Sway) 
     InvariantFilter one = filter;
     FeetMatrix y = seen();
     y.col(FL_).x() += jump;
-    one.correct(y, Eigen::Vector4d::Constant(4e-6), gate);
+    one.correct(y, Eigen::Vector4d::Constant(4e-6), gate, Vector3::Zero());
     BOOST_TEST(!one.refused()[FL_]);
     return one.feet().col(FL_).x() - filter.feet().col(FL_).x();
   };
@@ -511,7 +513,7 @@ BOOST_AUTO_TEST_CASE(a_foots_noise_is_measured_by_its_innovations) {
   const auto run = [&](double seconds) {
     for (int k = 0; k < seconds / kPeriod; ++k) {
       sway.predict();
-      sway.filter.correct(sway.seen(), noise.variance(), sway.gains.gate_foot);
+      sway.filter.correct(sway.seen(), noise.variance(), sway.gains.gate_foot, Vector3::Zero());
       noise.update(sway.filter.foot_nis(), sway.filter.expected(), standing, kPeriod);
     }
   };

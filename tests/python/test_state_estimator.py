@@ -213,7 +213,7 @@ def test_a_load_between_the_thresholds_changes_no_contact(go1) -> None:
     assert contacts(feed(estimator, loaded(go1, between), 50))[-1] == 1.0
     feed(estimator, loaded(go1, 0), 50)
     assert contacts(feed(estimator, loaded(go1, between), 50))[-1] == 0.0
-    above = math.ceil(gains.contact_force_on * go1.weight)
+    above = math.ceil((gains.contact_force_on + gains.contact_force_width) * go1.weight)
     assert contacts(feed(estimator, loaded(go1, above), 50))[-1] == 1.0
 
 

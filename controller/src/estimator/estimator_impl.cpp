@@ -90,7 +90,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
   }
-  filter.correct(y_base, noise.variance(), gains.gate_foot);
+  filter.correct(y_base, noise.variance(), gains.gate_foot, robot.config().foot_radius * normal);
   align();
   std::array<bool, kLegs> stands;
   int standing = 0, refused = 0;

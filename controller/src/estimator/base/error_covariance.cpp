@@ -85,12 +85,18 @@ void ErrorCovariance::propagate(const ErrorMotion& motion) noexcept {
   add_variance(kAccelerometer, 3, motion.accelerometer_drift);
 }
 
-void ErrorCovariance::project(int leg, Columns& out) const noexcept {
+void ErrorCovariance::project(int leg, const Vector3& lever, Columns& out) const noexcept {
   for (int k = 0; k < 3; ++k) {
     const int p = kPosition + k, d = kFeet + 3 * leg + k;
     for (int i = 0; i < p; ++i) out[k][i] = P_[i][p] - P_[i][d];
     for (int i = p; i < d; ++i) out[k][i] = P_[p][i] - P_[i][d];
     for (int i = d; i < kPadded; ++i) out[k][i] = P_[p][i] - P_[d][i];
+  }
+  for (int i = 0; i < kPadded; ++i) {
+    Vector3 turn;  // the i-th row of the rotation's columns
+    for (int j = 0; j < 3; ++j) turn[j] = i >= j ? P_[kRotation + j][i] : P_[i][kRotation + j];
+    const Vector3 moved = turn.cross(lever);
+    for (int k = 0; k < 3; ++k) out[k][i] += moved[k];
   }
 }
 

@@ -48,8 +48,9 @@ class ErrorCovariance {
   /// P = Phi P Phi' + Q.
   void propagate(const ErrorMotion& motion) noexcept;
 
-  /// P H' of a foot, H = position less foot. @param out shape (kSize, 3), by columns
-  void project(int leg, Columns& out) const noexcept;
+  /// P H' of a foot, H xi = position less foot plus rotation x lever.
+  /// @param lever [m] world axes @param out shape (kSize, 3), by columns
+  void project(int leg, const Vector3& lever, Columns& out) const noexcept;
 
   /// Take in a measurement z = H xi of variance R, in Joseph's form multiplied out:
   /// (I - K H) P (I - K H)' + K R K' = P - K M' - M K', M = W - K S / 2, W = P H', which stays

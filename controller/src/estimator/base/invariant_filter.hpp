@@ -54,7 +54,9 @@ class InvariantFilter {
   /// @param y_base from the IMU's point, base axes [m], @param variance [m^2] of each
   /// @param gate standard deviations beyond which a foot counts for less (as if its
   /// measurement were as noisy as its surprise); beyond kRefuse times that it is refused
-  void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate) noexcept;
+  /// @param lever [m] from a contact point to its sole's centre, world axes
+  void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate,
+               const Vector3& lever) noexcept;
 
   const Matrix3& R_world_base() const noexcept { return R_; }
   const Quaternion& quaternion() const noexcept { return q_; }
@@ -88,6 +90,7 @@ class InvariantFilter {
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
   ErrorCovariance P_;
+  Vector3 lever_ = Vector3::Zero();
   std::array<bool, kLegs> refused_{};
   Eigen::Vector4d foot_nis_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d expected_ = Eigen::Vector4d::Zero();
