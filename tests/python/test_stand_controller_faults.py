@@ -84,7 +84,7 @@ TIPPING = 10.0  # [rad/s^2]
 
 
 def toppling(axis: int, rate: float, angles: list[float]):
-    """All that an IMU says of a fall, gravity included; it gathers speed as a robot does that tips over."""
+    """All that an IMU says of a fall, gravity included, as a robot tips over."""
     turn, angle, speed = np.eye(3)[axis], 0.0, 0.0
 
     def spoil(report: LowState) -> None:

@@ -70,6 +70,7 @@ struct Gains {
   double noise_foot_position = 0.002;
   double noise_foot_slip = 0.0005;
   double noise_foot_motion = 0.015;
+  double leg_scale = 0.01;
   double gate_foot = 4.0;
   double contact_force_on = 0.07;
   double contact_force_off = 0.06;

@@ -8,6 +8,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kRateTime = 0.005;  // [s] smooths the angular acceleration
+constexpr double kTravels = 0.05;    // [m/s] slower is not travelling, but noise
 constexpr double kSurprise = 1.0;    // [m/s] doubt about the velocity once no foot agrees
 constexpr double kStands = 0.9;      // belief of a foot whose noise is learnt
 constexpr double kCarried = 0.4;     // share of the weight that feet bear of a robot that stands
@@ -109,6 +110,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
 
   const Vector3 p_base = filter.p() - R * arm;
   const Vector3 v_base = filter.v() - R * w_base.cross(arm);
+  if (v_base.norm() > kTravels) way += dt * v_base.norm();
   state.q.head<3>() = p_base;
   state.v.head<3>() = R.transpose() * v_base;
   dynamics.shift(p_base, v_base);

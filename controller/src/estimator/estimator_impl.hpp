@@ -66,6 +66,7 @@ struct StateEstimator::Impl {
   Vector3 w_base = Vector3::Zero(), w_smooth = Vector3::Zero();  // [rad/s] bias taken off
   Vector3 alpha_base = Vector3::Zero();                          // [rad/s^2]
   Vector3 normal = Vector3::UnitZ();
+  double way = 0.0;  // [m] that the base has travelled
   bool started = false, aligned = false;
 };
 

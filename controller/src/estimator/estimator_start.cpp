@@ -42,6 +42,7 @@ StateEstimator::Impl::Impl(const Robot& r)
 
 void StateEstimator::Impl::reset() noexcept {
   started = has_plan = false;
+  way = 0.0;
   reader.reset();
   inertial.reset();
   quaternion.reset();

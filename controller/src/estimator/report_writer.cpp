@@ -47,6 +47,9 @@ EstimatorReport StateEstimator::report() const noexcept {
   const Vector3 v_base = s.dynamics.R_world_base() * s.state.v.head<3>();
   out.covariance =
       base_covariance(s.filter, s.state.q.head<3>(), v_base, s.robot.config().p_base_imu);
+  // Wrong lengths repeat with every step: not a noise that the filter could know of.
+  const double stretched = s.gains.leg_scale * s.way;
+  out.covariance.diagonal().segment<3>(6).array() += stretched * stretched;
   out.nis = s.filter.nis();
   out.nis_dimension = s.filter.nis_dimension();
   out.refused = s.filter.refused();

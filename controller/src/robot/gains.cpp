@@ -98,6 +98,8 @@ constexpr GainInfo kRows[] = {
      "how fast a stance foot may be believed to wander"},
     {"noise_foot_motion", "1", 0, 10, &G::noise_foot_motion,
      "share of a foot's speed relative to the base by which it may be believed to wander"},
+    {"leg_scale", "1", 0, 1, &G::leg_scale,
+     "share of the way walked that lengths of legs, soles and slips leave in doubt"},
     {"gate_foot", "sigma", 1, 100, &G::gate_foot, "innovations beyond this are not believed"},
     {"contact_force_on", "m g", 0.001, 0.5, &G::contact_force_on, "load that makes a contact"},
     {"contact_force_off", "m g", 0.001, 0.5, &G::contact_force_off, "load that ends a contact"},

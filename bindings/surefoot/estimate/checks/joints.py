@@ -79,6 +79,6 @@ def _refuse_exchanged(log: SensorLog, moved: Array, integrated: Array) -> None:
     if min(cost) < FITS * cost[0] and cost[0] > EXCHANGED * float(np.sum(moved**2)):
         names = " ".join(LEGS[best.index(k)] for k in range(4))
         raise Error(
-            f"{log.source}: columns 'q' and 'dq': got velocities that are the change of q with legs "
-            f"in the order {names}, expected FR FL RR RL in both"
+            f"{log.source}: columns 'q' and 'dq': got velocities that are the change of q with "
+            f"legs in the order {names}, expected FR FL RR RL in both"
         )

@@ -14,6 +14,7 @@ constexpr double kPlainNoise = 18.0;    // sigma^2: three times what noise alone
 constexpr double kBetween = 0.25;       // of a change over a tick that its mean may be off by
 constexpr double kQuaternionRate = 0.05;  // [rad/s] noise of the vendor's quaternion's turn
 constexpr double kLegRate = 0.2;          // [rad/s] noise of a rate from the legs
+constexpr double kMostRate = 35.0;        // [rad/s] faster a quaternion does not turn: it jumps
 constexpr double kBlindRate = 1.0;        // [rad/s] doubt where nothing tells
 constexpr double kBlindForce = 3.0;       // [m/s^2]
 
@@ -52,7 +53,10 @@ InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
                    between_variance(imu.w_base - last_w_, w_noise_.sigma());
   out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kForceChange, dt) +
                    between_variance(imu.f_base - last_f_, f_noise_.sigma());
-  if (imu.gyroscope != Verdict::kGood) replace_rate(imu, filter, dynamics, contact, dt, out);
+  const bool moved = imu.has_quaternion && imu.R_world_base.coeffs() != last_.coeffs();
+  if (imu.gyroscope != Verdict::kGood) {
+    replace_rate(imu, filter, dynamics, contact, has_last_ && moved, out);
+  }
   if (imu.accelerometer != Verdict::kGood) {
     out.f_base = filter.R_world_base().transpose() * (kGravity * Vector3::UnitZ()) +
                  filter.accelerometer_bias();
@@ -60,6 +64,8 @@ InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
   }
   last_w_ = imu.w_base;
   last_f_ = imu.f_base;
+  since_ = moved ? Quaternion::Identity()
+                 : since_ * exp_so3(dt * (out.w_base - filter.gyroscope_bias()));
   last_ = imu.R_world_base;
   has_last_ = imu.has_quaternion;
   return out;
@@ -67,14 +73,14 @@ InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
 
 void InertialInput::replace_rate(const ImuReading& imu, const InvariantFilter& filter,
                                  const Dynamics& dynamics, const Eigen::Vector4d& contact,
-                                 double dt, InertialStep& out) const noexcept {
-  const bool moves = has_last_ && imu.has_quaternion && imu.R_world_base.coeffs() != last_.coeffs();
+                                 bool moved, InertialStep& out) const noexcept {
   Vector3 w = Vector3::Zero();
   double sigma = kBlindRate;
-  if (moves) {
-    w = log_so3(last_.conjugate() * imu.R_world_base) / dt;
+  // A quaternion slower than the reports: what was taken for its turn meanwhile is not taken twice.
+  if (moved) w = log_so3(since_.conjugate() * last_.conjugate() * imu.R_world_base) / out.dt;
+  if (moved && w.norm() < kMostRate) {
     sigma = kQuaternionRate;
-  } else if (rate_from_legs(dynamics, contact, w)) {
+  } else if (w.setZero(); rate_from_legs(dynamics, contact, w)) {
     sigma = kLegRate;
   }
   out.w_base = w + filter.gyroscope_bias();

@@ -25,11 +25,12 @@ class InertialInput {
 
  private:
   void replace_rate(const ImuReading& imu, const InvariantFilter& filter, const Dynamics& dynamics,
-                    const Eigen::Vector4d& contact, double dt, InertialStep& out) const noexcept;
+                    const Eigen::Vector4d& contact, bool moved, InertialStep& out) const noexcept;
 
   SampleNoise w_noise_, f_noise_;
   Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
-  Quaternion last_ = Quaternion::Identity();  // the vendor's
+  Quaternion last_ = Quaternion::Identity();   // the vendor's
+  Quaternion since_ = Quaternion::Identity();  // what it was turned by since that was new
   bool has_last_ = false;                     // a quaternion
   bool started_ = false;
 };
