@@ -10,7 +10,7 @@ from surefoot import Robot
 from estimation.cases import STILL
 from estimation.errors import matrices
 from estimation.figures import Result, Values
-from estimation.recording import Log
+from estimation.log_rows import Log
 from estimation.replay import Estimates, replay
 from estimation.rows import rows_of
 

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from estimation.recording import Log, Recording, record
+from estimation.log_rows import Log
+from estimation.recording import Recording, record
 
 VERSION = 1  # of the log's layout
 

@@ -7,7 +7,7 @@ from statistics import NormalDist
 
 import numpy as np
 
-from estimation.recording import Array
+from estimation.log_rows import Array
 
 SHARE = 0.95  # of the band
 

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from estimation.recording import Array
+from estimation.log_rows import Array
 
 UP, DOWN = 0.05, 0.10  # share of the weight that a load crosses when a contact closes, opens
 SLOPE, SLOPE_TIME = 0.20, 0.020  # share of the weight per time [s] that makes a transition fast
@@ -149,12 +149,3 @@ def _near_slow(size: int, truth: list[Transition], reach: int) -> Array:
 def _calibration(share: Array, probability: Array, truth: list[Transition], reach: int) -> Array:
     rows = _near_slow(len(share), truth, reach) & ((share < UP) | (share > DOWN))
     return np.stack([probability[rows], share[rows] > DOWN], axis=1)
-
-
-def calibration_error(pairs: Array, bins: int = 10) -> float:
-    """Return the mean distance between probability and frequency over bins; NaN without rows."""
-    if len(pairs) == 0:
-        return float("nan")
-    index = np.minimum((pairs[:, 0] * bins).astype(int), bins - 1)
-    gaps = [abs(np.sum(pairs[index == k, 0] - pairs[index == k, 1])) for k in range(bins)]
-    return float(np.sum(gaps) / len(pairs))

@@ -7,7 +7,8 @@ from surefoot import Robot
 
 from estimation.errors import Errors, compare, rms
 from estimation.figures import Result
-from estimation.recording import Log, cut
+from estimation.log_rows import Log
+from estimation.recording import cut
 from estimation.replay import replay
 from estimation.rows import SETTLED, after, pushes, rows_of
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from surefoot.row_rotations import matrices_from_xyzw, rotation_vectors
 
-from estimation.recording import Array, Log
+from estimation.log_rows import Array, Log
 from estimation.replay import Estimates
 
 GRAVITY = 9.81  # [m/s^2]

@@ -14,7 +14,7 @@ from estimation.cases import RECORDINGS
 from estimation.dropping import dropout
 from estimation.figures import Result
 from estimation.loaded import payload
-from estimation.recording import Log
+from estimation.log_rows import Log
 from estimation.standing import push60, quiet, quiet_long
 from estimation.starting import init
 from estimation.touching import contact

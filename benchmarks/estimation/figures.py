@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from estimation.recording import Array
+from estimation.log_rows import Array
 
 Values = dict[str, float]
 

@@ -4,34 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from surefoot import LowCmd, LowState, StandController
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.rotations import matrix_from_wxyz
-from surefoot.sim.wire import LOW_STATE, MOTORS
 from surefoot.stand import PushRequest, ReferenceRequest
 from surefoot.stand.references import body_references
 
+from estimation.log_rows import Array, Log, LogRows
 from estimation.stepping import Step, Stepper
 
-Array = npt.NDArray[Any]
-Log = dict[str, Array]
-"""Rows of a run by name; every array is (n, k) or (n,), the last five are single.
-
-tick (n,) [ms], accelerometer (n, 3), gyroscope (n, 3), quaternion (n, 4) w x y z, q dq tauEst
-(n, 12) in SDK order, footForce footForceEst (n, 4): as the controller got them. truth_p (n, 3) and
-truth_v (n, 3) of the base's origin, truth_quaternion (n, 4) w x y z, truth_com (n, 3), all in the
-world; truth_q truth_dq (n, 12); truth_foot_forces (n, 12) ground on foot x y z, FR FL RR RL;
-truth_contact (n, 4): the truth of the instant in which the report was read. truth_gyro_bias and
-truth_accelerometer_bias (3,) in base axes, push_times (k,) [s] since the log's first row,
-weight () [N] of the model, fell ().
-"""
-
-_SENSORS = ("accelerometer", "gyroscope", "quaternion", "footForce", "footForceEst")
-_MOTORS = ("q", "dq", "tauEst")
 SINGLE = ("truth_gyro_bias", "truth_accelerometer_bias", "push_times", "weight", "fell")
 
 
@@ -67,7 +50,7 @@ def record(recording: Recording) -> Log:
         plant.add_push(push)
     for lift in recording.lifts:
         plant.add_lift(lift)
-    rows = _Rows(round(recording.duration * plant.settings.control_rate))
+    rows = LogRows(round(recording.duration * plant.settings.control_rate))
     state = plant.reset()
     control = _control(recording, plant)
     for k in range(rows.size):
@@ -121,35 +104,6 @@ def _truth(plant: Plant) -> Log:
         "truth_contact": forces @ handles.ground_normal > 0.0,
         "truth_com": data.subtree_com[handles.root].copy(),
     }
-
-
-class _Rows:
-    """Rows that fill up.
-
-    Args:
-        size: How many there may be.
-    """
-
-    def __init__(self, size: int) -> None:
-        self.size = size
-        self._frames = np.zeros((size, LOW_STATE.itemsize), np.uint8)
-        self._truth: dict[str, list[Array]] = {}
-        self._count = 0
-
-    def add(self, frame: Array, truth: Log) -> None:
-        self._frames[self._count] = frame
-        for name, value in truth.items():
-            self._truth.setdefault(name, []).append(value)
-        self._count += 1
-
-    def log(self) -> Log:
-        """Return all rows so far by name, in single precision what a LowState has so."""
-        frames = self._frames[: self._count].view(LOW_STATE)[:, 0]
-        log = {name: frames[name].copy() for name in (*_SENSORS, "tick")}
-        for name in _MOTORS:
-            log[name] = frames["motorState"][name][:, :MOTORS].copy()
-        truth = {name: np.array(rows) for name, rows in self._truth.items()}
-        return {**log, **truth}
 
 
 def cut(log: Log, rows: slice | Array) -> Log:

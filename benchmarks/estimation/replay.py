@@ -8,7 +8,8 @@ import numpy as np
 from surefoot import LowState, Robot, StateEstimator
 from surefoot.sim.wire import LOW_STATE, MOTORS, StateFrame
 
-from estimation.recording import Array, Log, rate_of
+from estimation.log_rows import Array, Log
+from estimation.recording import rate_of
 
 MOST_DT = 0.1  # [s] that StateEstimator.update takes
 

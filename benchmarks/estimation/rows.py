@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from estimation.recording import Array, Log, rate_of
+from estimation.log_rows import Array, Log
+from estimation.recording import rate_of
 
 SETTLED = 1.0  # [s] from which on the estimator is judged
 

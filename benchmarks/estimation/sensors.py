@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from estimation.recording import Array, Log
+from estimation.log_rows import Array, Log
 
 NEWTON_NOISE = 3.0  # [N] of footForceEst
 COUNT_OFFSET, COUNT_GAIN = (5.0, 50.0), (1.0, 2.0)  # counts, counts per newton

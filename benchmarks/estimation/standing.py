@@ -8,7 +8,8 @@ from surefoot import Robot
 from estimation.contacts import score
 from estimation.errors import compare, rms
 from estimation.figures import Result, Values
-from estimation.recording import Log, rate_of
+from estimation.log_rows import Log
+from estimation.recording import rate_of
 from estimation.replay import Estimates, replay
 from estimation.rows import SETTLED, after
 from estimation.sensors import CONDITIONS, normal_forces, under

@@ -9,7 +9,8 @@ from surefoot import Robot
 
 from estimation.errors import Errors, compare
 from estimation.figures import Result
-from estimation.recording import Array, Log, cut, rate_of
+from estimation.log_rows import Array, Log
+from estimation.recording import cut, rate_of
 from estimation.replay import replay
 from estimation.rows import pushes, rows_of, speed
 

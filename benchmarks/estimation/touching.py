@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 from surefoot import Robot
 
-from estimation.contacts import Score, calibration_error, score
+from estimation.calibration import calibration_error
+from estimation.contacts import Score, score
 from estimation.figures import Result, Values
-from estimation.recording import Log, rate_of
+from estimation.log_rows import Log
+from estimation.recording import rate_of
 from estimation.replay import replay
 from estimation.sensors import CONDITIONS, normal_forces, under
 

@@ -19,7 +19,8 @@ from estimation.contacts import score, true_transitions
 from estimation.errors import compare
 from estimation.evaluation import CASES, Task
 from estimation.figures import Result
-from estimation.recording import Log, Recording, record
+from estimation.log_rows import Log
+from estimation.recording import Recording, record
 from estimation.replay import replay
 from estimation.report import Row, summarise
 from estimation.sensors import CONDITIONS, normal_forces, under

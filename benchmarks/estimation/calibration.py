@@ -1,0 +1,16 @@
+"""Whether a probability of contact is one."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimation.log_rows import Array
+
+
+def calibration_error(pairs: Array, bins: int = 10) -> float:
+    """Return the mean distance between probability and frequency over bins; NaN without rows."""
+    if len(pairs) == 0:
+        return float("nan")
+    index = np.minimum((pairs[:, 0] * bins).astype(int), bins - 1)
+    gaps = [abs(np.sum(pairs[index == k, 0] - pairs[index == k, 1])) for k in range(bins)]
+    return float(np.sum(gaps) / len(pairs))
