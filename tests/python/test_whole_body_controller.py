@@ -33,7 +33,7 @@ def asked(body, seed: int, normal=UP, swing=()):
     for leg in range(4):
         foot = reference.foot(leg)
         foot.p_world = foot.p_world + 0.005 * rng.uniform(-1, 1, 3)
-        foot.v_world, foot.a_world = 0.1 * rng.uniform(-1, 1, 3), rng.uniform(-1, 1, 3)
+        foot.v_world, foot.a_world = 0.2 * rng.uniform(-1, 1, 3), rng.uniform(-1, 1, 3)
         foot.stance = leg not in swing
     return state, reference
 
@@ -512,12 +512,14 @@ def test_the_stand_controller_solves_the_same_program(body) -> None:
     standing, rng = surefoot.StandController(body.robot, gains), np.random.default_rng(6)
     for tick in range(100):
         report = body.resting_report(2 * tick)
-        report.imu.gyroscope[:] = 0.2 * rng.uniform(-1, 1, 3)
+        report.imu.gyroscope[:] = 0.1 * rng.uniform(-1, 1, 3)
         report.imu.accelerometer[:] += 2.0 * np.sin(0.1 * tick)
         for i in range(12):
             report.motorState[i].dq = 0.3 * rng.uniform(-1, 1)
         standing.update(report)
         assert standing.status == Status.OK
+        if tick < 5:
+            continue  # the attitude is being found: a tick late is far off
         twin = WholeBodyController(body.robot, gains).update(standing.state, standing.reference)
         theirs = standing.solution
         tau_max = body.robot.config.tau_max.max()
