@@ -517,7 +517,7 @@ def test_the_stand_controller_solves_the_same_program(body) -> None:
         for i in range(12):
             report.motorState[i].dq = 0.3 * rng.uniform(-1, 1)
         standing.update(report)
-        assert standing.status == Status.OK
+        assert surefoot.is_usable(standing.status)
         if tick < 5:
             continue  # the attitude is being found: a tick late is far off
         twin = WholeBodyController(body.robot, gains).update(standing.state, standing.reference)
