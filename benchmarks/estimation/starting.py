@@ -39,14 +39,13 @@ def init(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
 
 
 def _flights(log: Log) -> list[tuple[int, int]]:
-    """Return (first, end) of pieces that begin when a push has made the base fastest."""
-    starts = pushes(log)
-    ends = [*starts[1:], len(log["tick"])]
-    window = rows_of(log, 0.3)
-    return [
-        (start + int(np.argmax(speed(log)[start : start + window])), end)
-        for start, end in zip(starts, ends, strict=True)
-    ]
+    """Return (first, end) of pieces of 1.5 s that begin when a push has made the base fastest.
+
+    They end before the next push, whose blow is an error of its own.
+    """
+    window, length = rows_of(log, 0.3), rows_of(log, 1.5)
+    begins = [start + int(np.argmax(speed(log)[start : start + window])) for start in pushes(log)]
+    return [(begin, begin + length) for begin in begins]
 
 
 def time_until_gone(log: Log, errors: Errors) -> float:
