@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from surefoot import LowCmd, Reference, Robot, RobotState, WholeBodyController
+from surefoot import LowCmd, Reference, WholeBodyController
+from surefoot.bench.problems.limp import ease, torque_command, true_state
 from surefoot.sim import Plant
 
 RELEASE = 0.01  # [s] in which a foot gives up its load, and takes it again
@@ -41,7 +42,7 @@ class Stepper:
     def __init__(self, plant: Plant, steps: tuple[Step, ...]) -> None:
         self._plant, self._steps = plant, steps
         self._controller = WholeBodyController(plant.robot)
-        self._reference = self._controller.hold(self._state(None))
+        self._reference = self._controller.hold(true_state(self._plant))
         self._start = np.array(self._reference.p_com)
         feet = [np.array(self._reference.foot(k).p_world) for k in range(4)]
         self._anchors = np.array(feet)
@@ -52,8 +53,8 @@ class Stepper:
         step = min(self._steps, key=lambda s: abs(time - s.time - 0.5 * s.duration))
         self._ask(step, time - step.time)
         airborne = step.foot if 0.0 <= time - step.time < step.duration else None
-        solution = self._controller.update(self._state(airborne), self._reference)
-        return _torque_command(self._plant.robot, solution.torques)
+        solution = self._controller.update(true_state(self._plant, airborne), self._reference)
+        return torque_command(self._plant.robot, solution.torques)
 
     def _ask(self, step: Step, time: float) -> None:
         """Set the reference at a time [s] since a step began."""
@@ -61,7 +62,7 @@ class Stepper:
         others = [k for k in range(4) if k != step.foot]
         towards = self._anchors[others].mean(axis=0) - self._anchors.mean(axis=0)
         until = time - step.duration
-        over = _ease(1.0 + time / LEAN_TIME) * (1.0 - _ease(until / LEAN_TIME))
+        over = ease(1.0 + time / LEAN_TIME) * (1.0 - ease(until / LEAN_TIME))
         r.p_com = self._start + LEAN * over * np.array([towards[0], towards[1], 0.0])
         foot = r.foot(step.foot)
         foot.load = float(np.clip(max(-time, until) / RELEASE, 0.0, 1.0))
@@ -73,25 +74,3 @@ class Stepper:
         speed = step.height * rate * np.cos(np.pi * phase) if inside else 0.0
         rise = -step.height * rate**2 * np.sin(np.pi * phase) if inside else 0.0
         foot.v_world, foot.a_world = [0.0, 0.0, speed], [0.0, 0.0, rise]
-
-    def _state(self, airborne: int | None) -> RobotState:
-        truth, robot = self._plant.truth, self._plant.robot
-        state = RobotState(robot.nq, robot.nv)
-        state.q, state.v = truth.q, truth.v
-        contact = np.ones(4)
-        if airborne is not None:
-            contact[airborne] = 0.0
-        state.contact = contact
-        return state
-
-
-def _torque_command(robot: Robot, torques: np.ndarray) -> LowCmd:
-    command = LowCmd()
-    for motor, v in enumerate(robot.motor_to_v):
-        command.motorCmd[motor].tau = torques[v - 6]
-    return command
-
-
-def _ease(x: float) -> float:
-    x = min(max(x, 0.0), 1.0)
-    return x * x * (3.0 - 2.0 * x)

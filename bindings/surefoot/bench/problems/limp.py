@@ -46,9 +46,9 @@ class Limp:
 def limp_at(time: float) -> Limp:
     """Return the plan at a time [s]: there, a rest, and the same way back."""
     t = min(time, DURATION - REST - time)  # the last rest is on four feet
-    over = _ease(t / SHIFT)
-    load = 1.0 - _ease((t - SHIFT) / UNLOAD)
-    return Limp(over, load, _ease((t - SHIFT - UNLOAD) / LIFT))
+    over = ease(t / SHIFT)
+    load = 1.0 - ease((t - SHIFT) / UNLOAD)
+    return Limp(over, load, ease((t - SHIFT - UNLOAD) / LIFT))
 
 
 def run_limp(
@@ -71,7 +71,9 @@ def run_limp(
         foot = reference.foot(LIFTED)
         foot.stance, foot.load = limp.load > 0.0, limp.load
         foot.p_world = anchor + HEIGHT * limp.up * UP
-        solution = controller.update(true_state(plant, limp), reference)
+        solution = controller.update(
+            true_state(plant, None if limp.load > 0.0 else LIFTED), reference
+        )
         if plant.truth.fell or not is_usable(solution.status):
             raise Error(
                 f"limp: got a {plant.robot.name} {solution.status.name} at {plant.time:.2f} s"
@@ -80,13 +82,14 @@ def run_limp(
         plant.step(torque_command(plant.robot, solution.torques))
 
 
-def true_state(plant: Plant, limp: Limp | None = None) -> RobotState:
-    """Return the plant's state; the lifted foot's contact is what was planned."""
+def true_state(plant: Plant, airborne: int | None = None) -> RobotState:
+    """Return the plant's state; contact is what was planned: all feet but one that is airborne."""
     truth = plant.truth
     state = RobotState(plant.robot.nq, plant.robot.nv)
     state.q, state.v = truth.q, truth.v
     contact = np.ones(4)
-    contact[LIFTED] = 1.0 if limp is None else float(limp.load > 0.0)
+    if airborne is not None:
+        contact[airborne] = 0.0
     state.contact = contact
     return state
 
@@ -99,6 +102,7 @@ def torque_command(robot: Robot, torques: np.ndarray) -> LowCmd:
     return command
 
 
-def _ease(x: float) -> float:
+def ease(x: float) -> float:
+    """Return 0 .. 1 for x from 0 to 1, at rest at both ends."""
     x = min(max(x, 0.0), 1.0)
     return x * x * (3.0 - 2.0 * x)
