@@ -86,12 +86,13 @@ void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) n
 void StateEstimator::Impl::correct(double dt) noexcept {
   const Matrix3& R = dynamics.R_world_base();
   const Vector3 arm = robot.config().p_base_imu;
-  filter.move_feet(wander.roll(dynamics, state.contact, normal, robot.config().foot_radius, dt));
+  const Vector3 lever = robot.config().foot_radius * normal;
+  filter.move_feet(wander.roll(dynamics, state.contact, lever, dt));
   FeetMatrix y_base;
   for (int leg = 0; leg < kLegs; ++leg) {
     y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
   }
-  filter.correct(y_base, noise.variance(), gains.gate_foot, robot.config().foot_radius * normal);
+  filter.correct(y_base, noise.variance(), gains.gate_foot, lever);
   align();
   std::array<bool, kLegs> stands;
   int standing = 0, refused = 0;

@@ -22,9 +22,10 @@ class FootWander {
   void see(const Dynamics& dynamics, double dt) noexcept;
 
   /// What rolling has moved each contact point by since the last call [m], world axes: the shank's
-  /// rate times the sole's radius, its mean over the tick.
-  FeetMatrix roll(const Dynamics& dynamics, const Eigen::Vector4d& contact, const Vector3& normal,
-                  double radius, double dt) noexcept;
+  /// rate times the lever, its mean over the tick.
+  /// @param lever [m] from a contact point to its sole's centre, world axes
+  FeetMatrix roll(const Dynamics& dynamics, const Eigen::Vector4d& contact, const Vector3& lever,
+                  double dt) noexcept;
 
   /// Variance of where each may have gone besides [m^2]. Feet that bear no load, slip, or were
   /// refused may be anywhere soon; those that bear little slide easily.

@@ -63,13 +63,12 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
 
 void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance,
                               double gate, const Vector3& lever) noexcept {
-  lever_ = lever;
   Error xi = Error::Zero();
   nis_ = 0.0;
   nis_dimension_ = 0;
   const FeetMatrix z = R_ * y_base - (feet_.colwise() - p_);
   for (int leg = 0; leg < kLegs; ++leg) {
-    correct_foot(leg, z.col(leg), variance[leg], gate, xi);
+    correct_foot(leg, z.col(leg), variance[leg], gate, lever, xi);
   }
   apply(xi);
 }
@@ -78,20 +77,20 @@ void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& v
 // sole's contact point is straight below its centre, by the very attitude that is looked for. The
 // feet share one point of linearisation: what those before have explained is taken off.
 void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, double gate,
-                                   Error& xi) noexcept {
+                                   const Vector3& lever, Error& xi) noexcept {
   const int foot = kFeet + 3 * leg;
   ErrorCovariance::Columns W, K;
-  P_.project(leg, lever_, W);
+  P_.project(leg, lever, W);
   Matrix3 S;
   for (int k = 0; k < 3; ++k) {
     const Vector3 turn(W[k][kRotation], W[k][kRotation + 1], W[k][kRotation + 2]);
-    const Vector3 moved = turn.cross(lever_);
+    const Vector3 moved = turn.cross(lever);
     for (int i = 0; i < 3; ++i) S(i, k) = W[k][kPosition + i] - W[k][foot + i] + moved[i];
   }
   expected_[leg] = S.trace() / 3.0;
   S.diagonal().array() += variance + kSmallestFoot;
   const Vector3 explained = xi.segment<3>(kPosition) - xi.segment<3>(foot) +
-                            Vector3(xi.segment<3>(kRotation)).cross(lever_);
+                            Vector3(xi.segment<3>(kRotation)).cross(lever);
   const Vector3 innovation = z - explained;
   Matrix3 inverse = S.inverse();
   const double nis = innovation.dot(inverse * innovation);

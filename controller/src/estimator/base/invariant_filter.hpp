@@ -81,7 +81,8 @@ class InvariantFilter {
  private:
   static constexpr double kRefuse = 5.0;
   using Error = Eigen::Matrix<double, ErrorCovariance::kPadded, 1>;
-  void correct_foot(int leg, const Vector3& z, double variance, double gate, Error& xi) noexcept;
+  void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,
+                    Error& xi) noexcept;
   void apply(const Error& xi) noexcept;
 
   Quaternion q_ = Quaternion::Identity();
@@ -90,7 +91,6 @@ class InvariantFilter {
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
   ErrorCovariance P_;
-  Vector3 lever_ = Vector3::Zero();
   std::array<bool, kLegs> refused_{};
   Eigen::Vector4d foot_nis_ = Eigen::Vector4d::Zero();
   Eigen::Vector4d expected_ = Eigen::Vector4d::Zero();

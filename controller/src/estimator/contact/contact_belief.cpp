@@ -8,7 +8,6 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kBalanced = 0.25;       // share by which torques may miss what is felt
 constexpr double kContradiction = 0.15;  // share of the weight between two views of one load
 constexpr double kPatience = 0.3;        // [s] of contradiction before a foot's sensor is left out
 constexpr double kForgiving = 0.25;      // how much slower it comes back than it goes
@@ -98,16 +97,10 @@ Evidence ContactBelief::see_est(const Gains& gains, const ContactSignals& signal
   return {say_load(gains, load, 0.0, foot.loaded), verdict};
 }
 
-// Do the torques carry what the accelerometer feels?
-bool ContactBelief::balanced(const ContactSignals& signals) const noexcept {
-  const double felt = std::max(signals.felt, 0.0);
-  return std::abs(signals.torque_load.sum() - felt) < kBalanced * std::max(felt, 0.5);
-}
-
 void ContactBelief::vote(const Gains& gains, const ContactSignals& signals, int leg,
                          double dt) noexcept {
   Foot& foot = feet_[leg];
-  const double weight_tau = balanced(signals) ? kBalancedWeight : 1.0;
+  const double weight_tau = judge_.torques_balance() ? kBalancedWeight : 1.0;
   const bool one = one_witness(foot.evidence[kEst], foot.est.still(), foot.evidence[kCount],
                                foot.count.still(), foot.evidence[kTau]);
   const double weights[kContactSources] = {one ? 0.5 : 1.0, one ? 0.5 : 1.0, weight_tau,

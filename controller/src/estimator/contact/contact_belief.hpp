@@ -50,7 +50,6 @@ class ContactBelief {
   };
   Evidence see_est(const Gains& gains, const ContactSignals& signals, int leg, double dt) noexcept;
   void vote(const Gains& gains, const ContactSignals& signals, int leg, double dt) noexcept;
-  bool balanced(const ContactSignals& signals) const noexcept;
 
   double weight_;
   FieldJudge judge_;

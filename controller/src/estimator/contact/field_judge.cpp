@@ -18,6 +18,7 @@ constexpr double kPatience = 0.3;   // [s] before torques are called wrong, or r
 
 void FieldJudge::update(const FieldSums& sums, double dt) noexcept {
   const double felt = std::max(sums.felt, kCarrying);
+  torques_balance_ = std::abs(sums.torque - std::max(sums.felt, 0.0)) < kBears * felt;
   const bool bears = std::abs(sums.est - felt) < kBears * felt;
   const bool misses = sums.torques && bears && std::abs(sums.torque - felt) > kMisses * felt;
   torque_doubt_ = std::clamp(torque_doubt_ + (misses ? dt : -dt), 0.0, kPatience);

@@ -25,9 +25,11 @@ class FieldJudge {
 
   bool est_alive() const noexcept { return est_alive_; }
   bool torques_disagree() const noexcept { return torques_wrong_; }
+  /// Do the torques carry what the accelerometer feels, at this instant?
+  bool torques_balance() const noexcept { return torques_balance_; }
 
  private:
-  bool est_alive_ = false, torques_wrong_ = false;
+  bool est_alive_ = false, torques_wrong_ = false, torques_balance_ = false;
   double est_doubt_ = 0.0;     // [s] for which what is held of the field has been contradicted
   double torque_doubt_ = 0.0;  // [s] leaky
 };
