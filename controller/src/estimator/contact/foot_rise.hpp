@@ -10,10 +10,11 @@ namespace surefoot {
 /// the plane that the other three make; nothing unless those stand, for then a tilt or a height of
 /// the body that is wrong by a little would look the same; what was known before holds meanwhile.
 ///
-/// It begins where the foot's forces first call it loaded and ends where they call it lifted: a
-/// foot that steps onto a stone has not risen. A foot may slide under load; it does not rise under
-/// load by more than the ground gives way. Feet that rest and bear load for a while stand anew,
-/// wherever that is: no flat ground is assumed. Real-time: yes.
+/// It begins where the foot's forces first call it loaded, three feet bearing, and ends where they
+/// call it lifted: a foot that steps onto a stone has not risen, nor has one of a robot that lands.
+/// A foot may slide under load; it does not rise under load by more than the ground gives way. Feet
+/// that rest and bear load for a while stand anew, wherever that is: no flat ground is assumed.
+/// Real-time: yes.
 class FootRise {
  public:
   /// @param v_contact velocities of the contact points, world axes [m/s]
@@ -29,6 +30,7 @@ class FootRise {
   Eigen::Vector4d stood_ = Eigen::Vector4d::Constant(NAN);  // [m] height where each last stood
   Eigen::Vector4d rested_ = Eigen::Vector4d::Zero();        // [s]
   Eigen::Vector4d unborne_ = Eigen::Vector4d::Zero();       // [s]
+  double plane_ = 0.0;                                      // [s] for which three feet have borne
   Eigen::Vector4d rise_ = Eigen::Vector4d::Zero();
 };
 
