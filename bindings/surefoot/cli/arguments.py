@@ -20,6 +20,7 @@ from surefoot.cli.run_options import add_run_options
 from surefoot.cli.stand import stand
 from surefoot.cli.stand_options import add_stand_options
 from surefoot.cli.tables import list_gains, list_robots
+from surefoot.cli.tune import add_tune_options
 
 
 class _Parser(argparse.ArgumentParser):
@@ -64,6 +65,8 @@ def _build_parser() -> _Parser:
     add_virtual_robot_options(
         add("robot", robot, "simulate a robot that SDK programs drive over UDP as the real one")
     )
+    tune = commands.add_parser("tune", help="find gains", description="Find gains.", allow_abbrev=False)
+    add_tune_options(tune)
     add("robots", list_robots, "list the robots known by name")
     gains = add("gains", list_gains, "list what can be tuned: value, unit, range, meaning")
     add_robot_options(gains, "the library's own values")

@@ -1,0 +1,1 @@
+"""Tuning: a live page, a search on every core, a design from frequencies and damping."""
