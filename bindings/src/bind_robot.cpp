@@ -19,6 +19,9 @@ namespace {
 void bind_gains(nb::module_& m) {
   nb::class_<GainInfo>(m, "GainInfo", "One row of gain_table().")
       .def_prop_ro(
+          "group", [](const GainInfo& i) { return std::string(i.group); },
+          "What it belongs to: Body, Feet, Joints, ...")
+      .def_prop_ro(
           "name", [](const GainInfo& i) { return std::string(i.name); }, "Attribute of Gains.")
       .def_prop_ro(
           "unit", [](const GainInfo& i) { return std::string(i.unit); }, "Unit of the value.")

@@ -3,7 +3,8 @@
 from surefoot import _core
 from surefoot._core import *  # noqa: F403
 from surefoot.delay import identify_delay
-from surefoot.robots import available_robots, load_gains, load_robot
+from surefoot.gain_files import load_gains, save_gains
+from surefoot.robots import available_robots, load_robot
 
 __version__ = "0.1.0"
 __all__ = [
@@ -12,4 +13,5 @@ __all__ = [
     "identify_delay",
     "load_gains",
     "load_robot",
+    "save_gains",
 ]

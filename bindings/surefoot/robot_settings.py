@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import Error, Gains, RobotConfig, set_gain
+from surefoot._core import Error, Gains, RobotConfig
+from surefoot.gain_files import apply_gains
 from surefoot.robot_table import suggest
 
 _KINDS = ("hip", "thigh", "calf")
@@ -94,15 +95,3 @@ def per_motor(values: list[float], field: str) -> np.ndarray:
     if len(values) not in (3, 12):
         raise Error(f"{field}: got {len(values)} values, expected 3 (hip, thigh, calf) or 12")
     return np.array(values * (12 // len(values)), dtype=float)
-
-
-def apply_gains(gains: Gains, rows: dict[str, Any], source: str) -> None:
-    """Write rows of a TOML into gains; raises Error naming the source and the valid names."""
-    for name, value in rows.items():
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise Error(f"{source}: gain '{name}': got {value!r}, expected a number")
-        try:
-            set_gain(gains, name, float(value))
-        except Error as problem:
-            raise Error(f"{source}: {problem}") from None
-    gains.validate()

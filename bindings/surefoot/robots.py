@@ -5,17 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from surefoot._core import Error, Gains, Robot
+from surefoot._core import Error, Robot
 from surefoot.robot_files import RobotDescription, available_robots, describe_robot
-from surefoot.robot_settings import apply_gains, build_config, per_motor
-from surefoot.robot_table import read_table, read_toml
+from surefoot.robot_settings import build_config, per_motor
+from surefoot.robot_table import read_table
 
 __all__ = [
     "RobotDescription",
     "available_robots",
     "build_robot",
     "describe_robot",
-    "load_gains",
     "load_pinocchio_model",
     "load_robot",
     "per_motor",
@@ -58,25 +57,6 @@ def load_robot(
     if not isinstance(model, pinocchio.Model):
         raise Error(f"model: got {type(model).__name__}, expected a pinocchio.Model")
     return _robot_of(model, read_table(config))
-
-
-def load_gains(path: str | Path, start: Gains | None = None) -> Gains:
-    """Read gains from a TOML file with a ``[gains]`` table (or plain keys).
-
-    Args:
-        path: The file.
-        start: Gains that keep their value where the file is silent; library defaults if None.
-
-    Raises:
-        Error: A key that is no gain, a value that is no number or out of range.
-    """
-    table = read_toml(Path(path))
-    gains = start.__copy__() if start is not None else Gains()
-    rows = table["gains"] if set(table) == {"gains"} else table
-    if not isinstance(rows, dict):
-        raise Error(f"{path}: 'gains' is {rows!r}, expected a table of names and numbers")
-    apply_gains(gains, rows, str(path))
-    return gains
 
 
 def load_pinocchio_model(description: RobotDescription) -> Any:

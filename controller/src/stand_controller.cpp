@@ -5,6 +5,7 @@
 #include "low_state_check.hpp"
 #include "reference/stand_reference.hpp"
 #include "safety/command_keeper.hpp"
+#include "safety/gain_ramp.hpp"
 #include "safety/tick_clock.hpp"
 #include "safety/torque_command.hpp"
 #include "surefoot/error.hpp"
@@ -39,6 +40,9 @@ struct StandController::Impl {
         torques(r, o) {
     estimator.set_gains(g);
   }
+  void adopt(const Gains& gains) noexcept {
+    if (controller.adopt_gains(gains)) estimator.adopt_gains(gains);
+  }
   Status think(const LowState& low_state, double dt) noexcept;
   Status solve_predicted(const Reference& wanted) noexcept;
   Status solve(const Dynamics& dynamics, const RobotState& state, const Reference& wanted) noexcept;
@@ -53,6 +57,7 @@ struct StandController::Impl {
   WholeBodyController controller;
   TorqueCommand torques;
   CommandKeeper keeper;
+  GainRamp ramp;
   double since_estimate = 0.0;  // [s]
   int latches = 0;
   Status status = Status::kWaiting;
@@ -94,6 +99,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   const Status estimated = estimator.update(low_state, dt);
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;
+  if (ramp.moving()) adopt(ramp.step(dt));
   const Dynamics& dynamics = estimator.dynamics();
   const Eigen::Vector4d& contact = estimator.state().contact;
   if (dynamics.R_world_base()(2, 2) < std::cos(controller.gains().fall_tilt)) {
@@ -171,8 +177,10 @@ void StandController::add_task(std::shared_ptr<Task> task) {
 const Gains& StandController::gains() const noexcept { return impl_->controller.gains(); }
 
 void StandController::set_gains(const Gains& gains) {
-  impl_->controller.set_gains(gains);
-  impl_->estimator.set_gains(gains);
+  gains.validate();
+  Impl& s = *impl_;
+  s.ramp.start(s.controller.gains(), gains);
+  if (s.latches == 0) s.adopt(s.ramp.step(GainRamp::kTime));  // nothing is commanded yet
 }
 
 void StandController::reset() noexcept {
@@ -184,6 +192,7 @@ void StandController::reset() noexcept {
   s.predictor.reset();
   s.torques.reset();
   s.keeper.reset();
+  if (s.ramp.moving()) s.adopt(s.ramp.step(GainRamp::kTime));
   s.since_estimate = 0.0;
   s.latches = 0;
   s.status = Status::kWaiting;

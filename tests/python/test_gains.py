@@ -3,10 +3,14 @@ from __future__ import annotations
 
 import copy
 import math
+import re
+from collections.abc import Callable
 
+import numpy as np
 import pytest
 import surefoot
 from surefoot import Error, Gains
+from surefoot.sim import Plant, PlantSettings, Push
 
 TABLE = surefoot.gain_table()
 NAMES = [info.name for info in TABLE]
@@ -203,7 +207,7 @@ def belief_lost(go1, first: float, later: float) -> float:
         report.footForceEst[:] = 40
         report.footForceEst[0] = 0 if lifted else 40
         controller.update(report)
-        if later != first and tick == 100:
+        if later != first and tick == 10:  # they get there in 0.1 s
             controller.set_gains(gains)
     return 1.0 - float(controller.state.contact[0])
 
@@ -213,3 +217,93 @@ def test_gains_reach_the_estimator_from_the_start_and_between_ticks(go1) -> None
     assert 0.2 < fast < 0.4  # of 40 ms, less what a filter's lag leaves undecided
     assert fast == pytest.approx(4.0 * slow)
     assert belief_lost(go1, 0.1, 0.4) == pytest.approx(slow)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_saved_file_loads_to_the_same_gains_to_the_last_digit(tmp_path, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    gains = Gains()
+    for info in TABLE:
+        surefoot.set_gain(gains, info.name, float(rng.uniform(info.minimum, info.maximum)))
+    gains.contact_force_off = 0.5 * gains.contact_force_on
+    path = tmp_path / "saved.toml"
+    surefoot.save_gains(path, gains, "go1", "two lines\nof where they come from")
+    assert surefoot.load_gains(path) == gains
+    text = path.read_text()
+    assert text.startswith("# Gains of go1.\n# two lines\n# of where they come from\n")
+    for info in TABLE:
+        assert f"# [{info.unit}] {info.meaning}" in text
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_gains_out_of_range_are_not_saved(tmp_path) -> None:
+    gains = Gains()
+    gains.foot_kp = -1.0
+    with pytest.raises(Error, match="'foot_kp' out of range"):
+        surefoot.save_gains(tmp_path / "bad.toml", gains)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_place_that_cannot_be_written_is_named() -> None:
+    with pytest.raises(OSError, match=r"/no/such"):
+        surefoot.save_gains("/no/such/gains.toml", Gains())
+
+
+def test_a_unit_beside_a_value_is_checked(load) -> None:
+    gains = load('foot_kp = { value = 77, unit = "1/s^2" }')
+    assert gains.foot_kp == 77.0
+    for text, words in (
+        ('{ value = 77, unit = "N/m" }', "'foot_kp': got unit 'N/m', expected '1/s^2'"),
+        ("{ value = 77 }", "'foot_kp': got a table of value, expected value and unit"),
+        ('{ value = "a", unit = "1/s^2" }', "'foot_kp': got 'a', expected a number"),
+    ):
+        with pytest.raises(Error, match=re.escape(words)):
+            load(f"foot_kp = {text}")
+
+
+def pushed_torques(go1, change: Callable[[Gains], None]) -> np.ndarray:
+    """Torques while a push is worked off, gains changed in the midst of it."""
+    plant = Plant("go1", PlantSettings(sensors="ideal"))
+    controller = surefoot.StandController(plant.robot)
+    state = plant.reset()
+    plant.add_push(Push("lateral", 0.3 * plant.lip_limit("lateral"), time=0.2))
+    rows = []
+    for k in range(250):
+        if k == 180:
+            gains = controller.gains
+            change(gains)
+            controller.set_gains(gains)
+        command = controller.update(state)
+        rows.append([command.motorCmd[i].tau for i in range(12)])
+        state = plant.step(command)
+    assert controller.gains == gains
+    return np.array(rows)
+
+
+def test_gains_that_change_while_a_push_is_worked_off_do_not_make_torques_jump(go1) -> None:
+    def stiffer(gains: Gains) -> None:
+        for name in ("com_kp_horizontal", "com_kd_horizontal", "base_kp_tilt", "base_kd_tilt"):
+            setattr(gains, name, 2.0 * getattr(gains, name))
+
+    left = pushed_torques(go1, lambda gains: None)
+    changed = pushed_torques(go1, stiffer)
+    before = np.abs(np.diff(left[101:250], axis=0)).max()
+    assert np.abs(changed[180] - left[180]).max() < 0.1 * before
+    assert np.abs(np.diff(changed[179:], axis=0)).max() < 1.2 * before
+
+
+def test_gains_are_in_force_at_once_before_the_first_report_and_after_a_reset(go1) -> None:
+    controller = surefoot.StandController(go1.robot)
+    gains = controller.gains
+    gains.foot_kp = 77.0
+    controller.set_gains(gains)
+    assert controller.gains == gains
+    for tick in range(10):
+        controller.update(go1.resting_report(2 * tick))
+    gains.foot_kp = 99.0
+    controller.set_gains(gains)
+    assert controller.gains.foot_kp == 77.0
+    controller.update(go1.resting_report(20))
+    assert 77.0 < controller.gains.foot_kp < 79.0
+    controller.reset()
+    assert controller.gains == gains

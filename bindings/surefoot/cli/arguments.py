@@ -65,7 +65,9 @@ def _build_parser() -> _Parser:
     add_virtual_robot_options(
         add("robot", robot, "simulate a robot that SDK programs drive over UDP as the real one")
     )
-    tune = commands.add_parser("tune", help="find gains", description="Find gains.", allow_abbrev=False)
+    tune = commands.add_parser(
+        "tune", help="find gains", description="Find gains.", allow_abbrev=False
+    )
     add_tune_options(tune)
     add("robots", list_robots, "list the robots known by name")
     gains = add("gains", list_gains, "list what can be tuned: value, unit, range, meaning")

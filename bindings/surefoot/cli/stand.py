@@ -18,8 +18,9 @@ from surefoot.cli.simulation import (
     write_json,
 )
 from surefoot.estimate import write_log
+from surefoot.gain_files import load_gains
 from surefoot.robot_table import suggest
-from surefoot.robots import RobotDescription, build_robot, load_gains
+from surefoot.robots import RobotDescription, build_robot
 
 if TYPE_CHECKING:
     from surefoot.stand import StandSettings

@@ -90,12 +90,14 @@ struct Gains {
 
   /// Throw surefoot::Error naming the first gain that is not finite or outside its range.
   void validate() const;
+  bool valid() const noexcept;  ///< would validate() not throw? Real-time: yes.
 
   bool operator==(const Gains& other) const;
 };
 
 /// One row of the gain table.
 struct GainInfo {
+  std::string_view group;  ///< what it belongs to: Body, Feet, Joints, ...
   std::string_view name;
   std::string_view unit;
   double minimum;

@@ -42,6 +42,9 @@ class StateEstimator {
 
   /// Throws surefoot::Error and changes nothing if a gain is invalid.
   void set_gains(const Gains& gains);
+  /// The same in the tick. @return false, and nothing is changed, if one is invalid. Real-time:
+  /// yes.
+  bool adopt_gains(const Gains& gains) noexcept;
   /// The ground's normal as the contacts know it; unit, world axes.
   void set_ground_normal(const Vector3& normal) noexcept;
   /// What the command that acted until now was to make of the base, in Pinocchio's axes, and its

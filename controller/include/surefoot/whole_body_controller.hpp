@@ -67,6 +67,9 @@ class WholeBodyController {
 
   /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
   void set_gains(const Gains& gains);
+  /// The same in the tick. @return false, and nothing is changed, if one is invalid. Real-time:
+  /// yes.
+  bool adopt_gains(const Gains& gains) noexcept;
 
   /// Forget the warm start.
   void reset() noexcept;

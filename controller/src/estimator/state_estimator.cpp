@@ -29,6 +29,12 @@ void StateEstimator::set_gains(const Gains& gains) {
   impl_->gains = gains;
 }
 
+bool StateEstimator::adopt_gains(const Gains& gains) noexcept {
+  if (!gains.valid()) return false;
+  impl_->gains = gains;
+  return true;
+}
+
 void StateEstimator::set_ground_normal(const Vector3& normal) noexcept { impl_->normal = normal; }
 
 void StateEstimator::set_plan(const Vector6& a_base, const Vector12& tau) noexcept {

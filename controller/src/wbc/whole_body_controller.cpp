@@ -64,6 +64,12 @@ void WholeBodyController::set_gains(const Gains& gains) {
   impl_->gains = gains;
 }
 
+bool WholeBodyController::adopt_gains(const Gains& gains) noexcept {
+  if (!gains.valid()) return false;
+  impl_->gains = gains;
+  return true;
+}
+
 void WholeBodyController::add_task(std::shared_ptr<Task> task) {
   const int rows = task == nullptr ? 0 : task->rows();
   if (rows < 1 || rows > kMostRows) {
