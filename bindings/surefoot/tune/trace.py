@@ -1,0 +1,88 @@
+"""What a cost is computed from: a few rows of truth, cheap enough for every tick."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot.sim import Plant
+from surefoot.sim.rotations import Array
+from surefoot.sim.truth import has_fallen
+
+MOTORS = 12
+
+
+class Trace:
+    """Rows of a plant's true state, one a control period.
+
+    Args:
+        plant: The plant.
+        ticks: Rows to make room for; what comes after them pushes out the oldest.
+
+    Attributes:
+        fell: Whether the robot has fallen since the last clear().
+    """
+
+    def __init__(self, plant: Plant, ticks: int) -> None:
+        self._plant = plant
+        self._rows = {
+            "time": np.zeros(ticks),
+            "base": np.zeros((ticks, 7)),
+            "velocity": np.zeros((ticks, 3)),
+            "feet": np.zeros((ticks, 4, 3)),
+            "tau": np.zeros((ticks, MOTORS)),
+            "dq": np.zeros((ticks, MOTORS)),
+            "push": np.zeros(ticks),
+        }
+        self._size, self._count = ticks, 0
+        self.fell = False
+
+    def __len__(self) -> int:
+        """Rows that are there."""
+        return min(self._count, self._size)
+
+    def clear(self) -> None:
+        """Forget every row."""
+        self._count, self.fell = 0, False
+
+    def record(self) -> None:
+        """Add a row: the plant as it is now."""
+        rows, k, plant = self._rows, self._count % self._size, self._plant
+        data, handles = plant.data, plant.handles
+        rows["time"][k] = plant.time
+        rows["base"][k] = data.qpos[:7]
+        rows["velocity"][k] = data.qvel[:3]
+        rows["feet"][k] = data.xpos[handles.foot_bodies]
+        rows["tau"][k] = plant.motors.torque
+        rows["dq"][k] = data.qvel[handles.motor_v]
+        rows["push"][k] = np.abs(plant.push_force[0]).max()
+        self._count += 1
+        if not self.fell:
+            self.fell = has_fallen(data, handles)
+
+    @property
+    def rate(self) -> float:
+        """Rows per second [Hz]."""
+        return self._plant.settings.control_rate
+
+    @property
+    def weight(self) -> float:
+        """True weight [N], payload included."""
+        return float(self._plant.model.body_subtreemass[self._plant.handles.root] * 9.81)
+
+    @property
+    def tau_max(self) -> Array:
+        """(12,) [N.m]."""
+        return np.array(self._plant.robot.config.tau_max)
+
+    def rows(self, name: str) -> Array:
+        """Return what was recorded, oldest first.
+
+        Args:
+            name: "time" (n,) [s]; "base" (n, 7) position [m] and quaternion w x y z; "velocity"
+                (n, 3) [m/s], "feet" (n, 4, 3) [m], world axes; "tau" (n, 12) [N.m]; "dq" (n, 12)
+                [rad/s]; "push" (n,) greatest component of the force of pushes [N].
+        """
+        rows = self._rows[name]
+        if self._count <= self._size:
+            return rows[: self._count]
+        return np.roll(rows, -(self._count % self._size), axis=0)
