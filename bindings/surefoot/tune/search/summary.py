@@ -43,7 +43,8 @@ def summarise(result: SearchResult) -> dict[str, Any]:
         "rollouts": result.speed,
         "front": [_on_front(result, trial) for trial in result.front] if two else None,
     }
-    return {name: plain(value) for name, value in summary.items()}
+    exact = ("gains", "gains_changed", "front")
+    return {name: value if name in exact else plain(value) for name, value in summary.items()}
 
 
 def summary_text(s: dict[str, Any]) -> str:
