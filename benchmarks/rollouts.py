@@ -23,9 +23,9 @@ import mujoco
 from surefoot import load_robot
 from surefoot.sim import PlantSettings
 from surefoot.tune.search.episodes import Episode
-from surefoot.tune.search.rollout import Job, judged, plant_of
-from surefoot.tune.search.run import named
-from surefoot.tune.search.workers import Cluster, Processes, Queue
+from surefoot.tune.search.queue import Queue
+from surefoot.tune.search.rollout import Job, judged, named, plant_of
+from surefoot.tune.search.workers import Cluster, Processes
 
 PORT = 8796
 SEEDS = 2  # episodes a trial

@@ -114,10 +114,14 @@ void bind_controller(nb::module_& m) {
                    "How much of the torques' way from holding still power_limit left, 0 .. 1.")
       .def_prop_ro(
           "gains", [](const StandController& c) { return Gains(c.gains()); },
-          "A copy of those in force.")
+          "A copy of those asked for.")
+      .def_prop_ro(
+          "gains_in_force", [](const StandController& c) { return Gains(c.gains_in_force()); },
+          "A copy; on their way to `gains`.")
       .def("set_gains", &StandController::set_gains, "gains"_a,
            "Change gains; those of a controller at work move there in 0.1 s of good ticks, for "
-           "torques not to jump. Raise Error, and change nothing, if one is invalid.")
+           "torques not to jump; while nothing is computed, at once. Raise Error, and change "
+           "nothing, if one is invalid.")
       .def("reset", &StandController::reset, "Leave damping; latch the pose anew.");
 }
 

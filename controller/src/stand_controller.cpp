@@ -174,13 +174,18 @@ ReachStatus StandController::reach() const noexcept { return impl_->reference.mo
 void StandController::add_task(std::shared_ptr<Task> task) {
   impl_->controller.add_task(std::move(task));
 }
-const Gains& StandController::gains() const noexcept { return impl_->controller.gains(); }
+const Gains& StandController::gains() const noexcept {
+  return impl_->ramp.moving() ? impl_->ramp.target() : impl_->controller.gains();
+}
+const Gains& StandController::gains_in_force() const noexcept { return impl_->controller.gains(); }
 
 void StandController::set_gains(const Gains& gains) {
   gains.validate();
   Impl& s = *impl_;
+  // Asked for again on their way, they go on: a caller may do so every tick.
+  if (gains == this->gains()) return;
   s.ramp.start(s.controller.gains(), gains);
-  if (s.latches == 0) s.adopt(s.ramp.step(GainRamp::kTime));  // nothing is commanded yet
+  if (s.latches == 0 || s.keeper.latched()) s.adopt(s.ramp.step(GainRamp::kTime));
 }
 
 void StandController::reset() noexcept {

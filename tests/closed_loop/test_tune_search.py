@@ -4,25 +4,28 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import resource
 import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import BrokenExecutor, Future
 from pathlib import Path
 
 import pytest
 from surefoot import Error, Gains, get_gain, load_gains, load_robot
 from surefoot.sim import PlantSettings
 from surefoot.tune.search.episodes import Episode
-from surefoot.tune.search.rollout import BROKEN, Job, judged
-from surefoot.tune.search.run import named, run_search
+from surefoot.tune.search.queue import Queue
+from surefoot.tune.search.rollout import BROKEN, Job, Outcome, judged, named
+from surefoot.tune.search.run import run_search
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply, default_space, parse_parameter
 from surefoot.tune.search.store import open_store
 from surefoot.tune.search.summary import summarise
-from surefoot.tune.search.workers import Cluster, Processes, Queue
+from surefoot.tune.search.workers import Cluster, Processes
 
 OWN = load_robot("go1").config.gains
 ALL = {p.name: p.get(OWN) for p in default_space()}
@@ -83,17 +86,6 @@ def test_an_episode_is_the_same_every_time_and_another_with_another_seed() -> No
     assert other.costs != first.costs
 
 
-def test_a_fall_costs_more_than_anything_else_and_is_finite() -> None:
-    limp = OWN.__copy__()
-    limp.com_kp_horizontal = limp.com_kd_horizontal = 0.0
-    limp.base_kp_tilt = limp.base_kd_tilt = 0.0
-    limp.fall_tilt = 0.1
-    fallen = judged(Job(named(limp), (EPISODE,), ("balance",)))
-    stood = judged(Job(named(POOR), (EPISODE,), ("balance",)))
-    assert fallen.falls == 1 and 100.0 < fallen.costs[0] < BROKEN
-    assert stood.falls == 0 and stood.costs[0] < 50.0
-
-
 def test_a_hopeless_trial_is_not_run_to_its_end() -> None:
     episodes = tuple(Episode("go1", seed, PlantSettings()) for seed in range(1, 4))
     outcome = judged(Job(named(POOR), episodes, ("balance",), hopeless=1.0))
@@ -131,7 +123,7 @@ def test_a_worker_that_is_killed_takes_no_trial_with_it() -> None:
         for number in range(6):
             queue.put(number, Job(named(OWN), (EPISODE,), ("balance",)))
         done = queue.take()
-        victim = next(iter(crew._pool._processes))  # type: ignore[union-attr]
+        victim = next(iter(crew._pool._processes))
         os.kill(victim, signal.SIGKILL)
         while len(queue):
             done += queue.take()
@@ -230,3 +222,168 @@ def test_a_wrong_option_is_one_line(words: tuple[str, ...], message: str) -> Non
     assert run.returncode == 2
     assert run.stderr.count("\n") == 1
     assert message in run.stderr
+
+
+class FakeCrew:
+    """One worker at a time; submits answer as they are told to: an outcome, or an exception."""
+
+    count = 2
+    deaths = (BrokenExecutor,)
+
+    def __init__(self, answers) -> None:
+        self.answers, self.renewed, self.gone = answers, 0, False
+
+    def submit(self, job: Job) -> Future:
+        future: Future = Future()
+        answer = self.answers(job)
+        if isinstance(answer, BaseException):
+            future.set_exception(answer)
+        else:
+            future.set_result(answer)
+        return future
+
+    def renew(self) -> None:
+        self.renewed += 1
+
+    def check(self) -> None:
+        if self.gone:
+            raise Error("the scheduler is gone")
+
+
+def job_of(cost: float) -> Job:
+    return Job({"foot_kp": cost}, (EPISODE,), ("balance",))
+
+
+def test_only_the_trial_that_kills_its_workers_is_broken() -> None:
+    def answer(job: Job):
+        deadly = job.gains["foot_kp"] == 2.0
+        return BrokenExecutor("died") if deadly else Outcome(costs=(job.gains["foot_kp"],))
+
+    crew = FakeCrew(answer)
+    queue = Queue(crew)
+    for number in range(5):
+        queue.put(number, job_of(float(number)))
+    done = {}
+    while len(queue):
+        done.update(queue.take())
+    assert {n: o.costs[0] for n, o in done.items()} == {0: 0.0, 1: 1.0, 2: BROKEN, 3: 3.0, 4: 4.0}
+    assert [n for n, o in done.items() if o.broken] == [2]
+
+
+def test_a_worker_that_cannot_run_trials_ends_the_search_with_its_reason() -> None:
+    queue = Queue(FakeCrew(lambda job: ModuleNotFoundError("No module named 'surefoot'")))
+    queue.put(0, job_of(1.0))
+    with pytest.raises(Error, match="cannot run trials: ModuleNotFoundError: No module named"):
+        queue.take()
+
+
+def test_a_scheduler_that_dies_ends_the_search(monkeypatch) -> None:
+    monkeypatch.setattr("surefoot.tune.search.queue.LOOK", 0.01)
+    crew = FakeCrew(lambda job: Outcome(costs=(1.0,)))
+    crew.submit = lambda job: Future()  # type: ignore[method-assign] # nobody ever answers
+    crew.gone = True
+    queue = Queue(crew)
+    queue.put(0, job_of(1.0))
+    with pytest.raises(Error, match="the scheduler is gone"):
+        queue.take()
+
+
+def test_a_pool_that_breaks_between_trials_is_renewed() -> None:
+    crew = Processes(1)
+    try:
+        queue = Queue(crew)
+        for number in range(2):
+            queue.put(number, Job(named(OWN), (EPISODE,), ("balance",)))
+            outcomes = queue.take()
+            assert outcomes[0][1].costs[0] < BROKEN
+            victim = next(iter(crew._pool._processes))
+            os.kill(victim, signal.SIGKILL)
+            time.sleep(0.5)  # the pool has seen it by now
+    finally:
+        crew.close()
+
+
+def test_workers_end_with_a_search_that_is_killed(tmp_path: Path) -> None:
+    running = subprocess.Popen(command("--trials", "500", *SHORT[2:]))
+    children: list[int] = []
+    deadline = time.monotonic() + 60.0
+    while not children and time.monotonic() < deadline:
+        path = Path(f"/proc/{running.pid}/task/{running.pid}/children")
+        children = [int(pid) for pid in path.read_text().split()]
+        time.sleep(0.1)
+    time.sleep(3.0)
+    running.kill()
+    running.wait()
+    while any(Path(f"/proc/{pid}").exists() for pid in children):
+        assert time.monotonic() < deadline + 30.0
+        time.sleep(0.1)
+
+
+def test_a_gain_and_the_number_that_sets_it_are_not_searched_together() -> None:
+    space = tuple(parse_parameter(name) for name in ("sway_frequency", "com_kp_horizontal"))
+    with pytest.raises(Error, match="got sway_frequency and com_kp_horizontal, expected one"):
+        SearchSettings("go1", OWN, space=space)
+
+
+def test_gains_that_begin_like_a_task_are_themselves() -> None:
+    assert parse_parameter("foot_kp").get(OWN) == OWN.foot_kp
+    assert parse_parameter("foot_kd").get(OWN) == OWN.foot_kd
+
+
+def test_a_range_is_widened_to_the_start_and_a_start_of_0_is_refused() -> None:
+    slow = apply({"sway_frequency": 0.3, "sway_damping": 0.25}, OWN)
+    slow.com_kp_horizontal = 0.5
+    settings = SearchSettings("go1", slow)
+    sway = next(p for p in settings.space if p.name == "sway_frequency")
+    assert sway.low == pytest.approx(math.sqrt(0.5) / (2.0 * math.pi))
+    with pytest.raises(Error, match="start's weight_momentum is 0, expected above 0"):
+        SearchSettings("go1", OWN, space=(parse_parameter("weight_momentum"),))
+
+
+def test_numbers_that_do_not_go_together_are_a_broken_trial_and_the_search_goes_on() -> None:
+    names = ("contact_force_on", "contact_force_off")
+    space = tuple(parse_parameter(name) for name in names)
+    settings = SearchSettings(
+        "go1", OWN, trials=8, episodes=1, held_out=1, space=space, sampler="random"
+    )
+    summary = summarise(run_search(settings, OWN))
+    assert summary["trials"] == 8
+    assert 1 <= summary["failures"] < 8
+
+
+@pytest.mark.parametrize("sampler", ["random", "tpe"])
+def test_a_search_that_goes_on_does_not_draw_the_same_numbers_again(tmp_path, sampler) -> None:
+    settings = {"episodes": 1, "held_out": 1, "sampler": sampler, "store": str(tmp_path / "x")}
+    run_search(SearchSettings("go1", OWN, trials=4, **settings), OWN)
+    result = run_search(SearchSettings("go1", OWN, trials=8, **settings), OWN)
+    drawn = {tuple(trial.params.values()) for trial in result.trials}
+    assert len(result.trials) == len(drawn) == 8
+
+
+def test_a_store_without_its_beginning_or_of_something_else_is_refused(tmp_path: Path) -> None:
+    store = tmp_path / "trials.log"
+    run_search(SearchSettings("go1", OWN, trials=2, episodes=1, held_out=1, store=str(store)), OWN)
+    lines = store.read_text().splitlines(keepends=True)
+    for text, words in (
+        ("".join(lines[1:]), "its beginning is missing"),
+        ('{"op_code": 99}\n', "is no journal of trials"),
+        (lines[0].replace('"surefoot"', '"theirs"'), "holds theirs, expected a search"),
+        ("".join(lines[:3]) + "rubbish\n" + "".join(lines[3:]), "line 4 is no journal entry"),
+    ):
+        store.write_text(text)
+        run = search(*SHORT, "--store", str(store))
+        assert run.returncode == 2, text[:100]
+        assert words in run.stderr
+        assert store.read_text() == text
+
+
+@pytest.mark.parametrize("objective", ["balance", "quiet", "power"])
+def test_nothing_that_stands_costs_more_than_a_fall(objective: str) -> None:
+    stiff = apply({"sway_frequency": 6.0, "sway_damping": 2.5}, OWN)
+    limp = OWN.__copy__()
+    limp.fall_tilt = 0.1
+    limp.com_kp_horizontal = limp.com_kd_horizontal = 0.0
+    limp.base_kp_tilt = limp.base_kd_tilt = 0.0
+    stood, fallen = (judged(Job(named(g), (EPISODE,), (objective,))) for g in (stiff, limp))
+    assert (stood.falls, fallen.falls) == (0, 1)
+    assert stood.costs[0] <= 100.0 < fallen.costs[0] <= 300.0 < BROKEN

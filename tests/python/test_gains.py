@@ -297,13 +297,43 @@ def test_gains_are_in_force_at_once_before_the_first_report_and_after_a_reset(go
     gains = controller.gains
     gains.foot_kp = 77.0
     controller.set_gains(gains)
-    assert controller.gains == gains
+    assert controller.gains_in_force == gains
     for tick in range(10):
         controller.update(go1.resting_report(2 * tick))
     gains.foot_kp = 99.0
     controller.set_gains(gains)
-    assert controller.gains.foot_kp == 77.0
-    controller.update(go1.resting_report(20))
-    assert 77.0 < controller.gains.foot_kp < 79.0
-    controller.reset()
     assert controller.gains == gains
+    assert controller.gains_in_force.foot_kp == 77.0
+    controller.update(go1.resting_report(20))
+    assert 77.0 < controller.gains_in_force.foot_kp < 79.0
+    controller.reset()
+    assert controller.gains_in_force == gains
+
+
+def test_gains_that_are_asked_for_every_tick_or_one_after_the_other_arrive(go1) -> None:
+    controller = surefoot.StandController(go1.robot)
+    for tick in range(10):
+        controller.update(go1.resting_report(2 * tick))
+    for tick in range(10, 70):
+        gains = controller.gains
+        gains.foot_kp = 99.0
+        if tick > 12:
+            gains.foot_kd = 11.0
+        controller.set_gains(gains)
+        controller.update(go1.resting_report(2 * tick))
+    assert controller.gains_in_force == controller.gains
+    assert (controller.gains.foot_kp, controller.gains.foot_kd) == (99.0, 11.0)
+
+
+def test_gains_that_change_while_the_motors_damp_are_in_force_at_once(go1) -> None:
+    controller = surefoot.StandController(go1.robot)
+    for tick in range(10):
+        controller.update(go1.resting_report(2 * tick))
+    for _ in range(20):
+        command = controller.update(go1.resting_report(20))
+    assert controller.status == surefoot.Status.DAMPING
+    gains = controller.gains
+    gains.damping_kd = 6.0
+    controller.set_gains(gains)
+    command = controller.update(go1.resting_report(22))
+    assert command.motorCmd[0].Kd == 6.0

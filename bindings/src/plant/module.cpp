@@ -149,7 +149,8 @@ void bind_physics(nb::module_& m) {
              Doubles sensordata, const Indices& motor_q, const Indices& motor_v) {
             new (self) State{qpos, qvel, qacc, applied, sensordata, motor_q, motor_v};
           },
-          "qpos"_a, "qvel"_a, "qacc"_a, "qfrc_applied"_a, "sensordata"_a, "motor_q"_a, "motor_v"_a);
+          "qpos"_a.noconvert(), "qvel"_a.noconvert(), "qacc"_a.noconvert(),
+          "qfrc_applied"_a.noconvert(), "sensordata"_a.noconvert(), "motor_q"_a, "motor_v"_a);
   nb::class_<Sensors>(m, "Sensors", "Everything a LowState says, read from a MuJoCo state.")
       .def(
           "__init__",

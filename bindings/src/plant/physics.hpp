@@ -6,7 +6,8 @@
 namespace surefoot::plant {
 
 /// MuJoCo's two half steps, called by address: the wheel's own library, whatever its version, and
-/// nothing to link to.
+/// nothing to link to. What MuJoCo calls an error (a solver that does not exist, memory that is
+/// out) ends the process, as in any C program that uses it: the models made here give it no cause.
 ///
 /// mj_step2 uses what mj_step1 has computed of the same instant, so torque laws see the present
 /// state, and after the loop every position belongs to the present too.

@@ -80,14 +80,16 @@ def run(arguments: argparse.Namespace) -> None:
     check_json_place(arguments.json)
     check_place("--toml", arguments.toml)
     check_place("--store", arguments.store)
-    check_report_place(arguments.report, "tune search", "surefoot.tune.search.episodes")
+    check_report_place(arguments.report, "tune search", "surefoot.tune.search.report")
     warnings.filterwarnings("ignore", module="optuna")
     try:
-        import optuna  # noqa: F401
-    except ModuleNotFoundError:
-        raise Error("module 'optuna' not found: run: pip install 'surefoot[tune]'") from None
-    from surefoot.tune.search.run import run_search
-    from surefoot.tune.search.summary import origin, summarise, summary_text
+        from surefoot.tune.search.run import run_search
+        from surefoot.tune.search.summary import origin, summarise, summary_text
+    except ModuleNotFoundError as problem:
+        raise Error(
+            f"module '{problem.name}' not found: surefoot tune search needs the extras 'sim' and "
+            "'tune'; run: pip install 'surefoot[sim,tune]'"
+        ) from None
 
     description = chosen_robot(arguments, default="go1")
     assert description is not None
@@ -111,7 +113,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _settings(arguments: argparse.Namespace) -> SearchSettings:
-    from surefoot.tune.search.settings import SearchSettings
+    from surefoot.tune.search.settings import MOST_JOBS, SearchSettings
     from surefoot.tune.search.space import default_space, parse_parameter
 
     description = chosen_robot(arguments, default="go1")
@@ -126,7 +128,7 @@ def _settings(arguments: argparse.Namespace) -> SearchSettings:
         robot,
         start,
         trials=arguments.trials,
-        jobs=arguments.jobs if arguments.jobs is not None else os.cpu_count() or 1,
+        jobs=arguments.jobs or min(os.cpu_count() or 1, MOST_JOBS),
         cluster=arguments.cluster,
         objectives=tuple(arguments.objective.split(",")),
         space=tuple(space),

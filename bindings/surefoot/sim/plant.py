@@ -235,7 +235,7 @@ class Plant:
             self._step += count
 
     def _lift(self) -> None:
-        # Pushes write the trunk's force anew as long as one is to come, and then leave it alone.
+        # Forces hold until they are taken back; pushes, while they act, write the trunk's anew.
         self.data.xfrc_applied[:] = 0.0
         for hand in self._hands:
             hand.apply(self.data, self.time)

@@ -1,7 +1,8 @@
 """One number for how well a robot stood: what it weighs, and in which units.
 
 A term of 1 is what an engineer who stands beside the robot begins to mind. Objectives are weighted
-sums of terms; a fall costs more than anything else, and the sooner it comes the more.
+sums of terms, FALL at most; a fall costs FALL more, and up to as much again the sooner it comes, so
+that no robot that stands costs more than one that falls.
 """
 
 from __future__ import annotations
@@ -69,8 +70,12 @@ def cost(trace: Trace, objective: str = "balance", of: int | None = None) -> Cos
     terms = _terms(trace)
     whole = max(of or len(trace), 1)
     terms["fall"] = FALL * (2.0 - min(len(trace) / whole, 1.0)) if trace.fell else 0.0
-    value = sum(weights[name] * terms[name] for name in weights) + terms["fall"]
-    return Cost(float(value), {name: float(term) for name, term in terms.items()})
+    # A state that is not a number is a fall, and its terms are none.
+    terms = {
+        name: float(np.nan_to_num(term, nan=FALL, posinf=FALL)) for name, term in terms.items()
+    }
+    value = min(sum(weights[name] * terms[name] for name in weights), FALL) + terms["fall"]
+    return Cost(value, terms)
 
 
 def weights_of(objective: str) -> dict[str, float]:

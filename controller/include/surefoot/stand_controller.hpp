@@ -81,11 +81,12 @@ class StandController {
   /// How much of the torques' way from holding still was left to the last good tick, 0 .. 1; below
   /// 1 (power_limit) status() is kSaturated, and solution() is what was planned.
   double power_scale() const noexcept;
-  const Gains& gains() const noexcept;  ///< in force; see set_gains()
+  const Gains& gains() const noexcept;           ///< asked for; see set_gains()
+  const Gains& gains_in_force() const noexcept;  ///< on their way to those
 
   /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
   /// Those of a controller that is at work move there in 0.1 s of good ticks, for torques not to
-  /// jump.
+  /// jump; where nothing is computed, before the first report and while damping, at once.
   void set_gains(const Gains& gains);
   /// Leave damping, forget the body reference, latch the pose anew with the next report. Not in the
   /// tick.

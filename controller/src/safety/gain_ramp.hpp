@@ -21,6 +21,7 @@ class GainRamp {
     left_ = kTime;
   }
   bool moving() const noexcept { return left_ > 0.0; }
+  const Gains& target() const noexcept { return to_; }
 
   /// Go on by dt [s] and return the gains of now; the last are exactly those asked for.
   const Gains& step(double dt) noexcept {

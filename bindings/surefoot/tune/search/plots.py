@@ -88,7 +88,8 @@ def draw_front(drawn: Drawn) -> Figure:
     front = np.array(sorted(tuple(trial.values) for trial in result.front))
     ax.plot(costs[:, 0], costs[:, 1], ".", color=GREY, label="trial")
     ax.plot(front[:, 0], front[:, 1], ".-", color=BLUE, label="front")
-    ax.plot(*result.start.searched, "s", color=RED, label="start")
+    if result.start.searched:
+        ax.plot(*result.start.searched, "s", color=RED, label="start")
     ax.plot(*result.best.searched, "o", color=BLUE, label="best")
     ax.set_xscale("log")
     ax.set_yscale("log")
@@ -99,7 +100,10 @@ def draw_front(drawn: Drawn) -> Figure:
 
 
 HISTORY = Plot(
-    "history.png", "How costs fell", "Every trial, in the order in which they ended.", draw_history
+    "history.png",
+    "How costs fell",
+    "Every trial, in the order in which they were begun.",
+    draw_history,
 )
 IMPORTANCE = Plot(
     "importance.png",

@@ -10,7 +10,7 @@ from typing import Any
 from PIL import Image
 
 from surefoot._core import Gains, StandController
-from surefoot.gain_files import gains_text
+from surefoot.gain_files import save_gains
 from surefoot.report_axes import draw_plots
 from surefoot.report_page import page_html, pictures_html, tiles_html
 from surefoot.sim.render import Renderer
@@ -38,19 +38,19 @@ def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, co
     text = json.dumps(summary, indent=2, allow_nan=False)
     (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
     name = summary["robot"] if isinstance(summary["robot"], str) else None
-    gains = gains_text(result.best.gains, name, origin(summary, command))
-    (folder / GAINS).write_text(gains, encoding="utf-8")
+    save_gains(folder / GAINS, result.best.gains, name, origin(summary, command))
     episode = result.settings.held_out_episodes[0]
-    traces, films = {}, []
+    traces, films, troubles = {}, [], []
     for who, candidate in (("start", result.start), ("own", result.own), ("best", result.best)):
         filmed = folder / f"{who}.webp" if who != "own" else None
         traces[who], trouble = _play(episode, candidate.gains, filmed)
         if filmed is not None and trouble is None:
             films.append((who, filmed.name))
-    plots = plots_of(result)
-    draw_plots(plots, Drawn(result, traces), folder)
+        elif trouble is not None:
+            troubles.append(f"No film of {who}: {trouble}")
+    draw_plots(plots_of(result), Drawn(result, traces), folder)
     page = folder / "index.html"
-    page.write_text(_page(result, summary, command, films, plots), encoding="utf-8")
+    page.write_text(_page(result, summary, command, films, troubles), encoding="utf-8")
     return page
 
 
@@ -72,7 +72,7 @@ def _play(episode: Episode, gains: Gains, film: Path | None) -> tuple[Trace, str
                 pictures.append(Image.fromarray(renderer.frame()))
             except Exception as problem:  # graphics fail in as many ways as there are drivers
                 trouble = f"{type(problem).__name__}: {problem}"
-        if trace.fell and k > 0 and film is None:
+        if trace.fell and film is None:
             break
     if renderer is not None:
         renderer.close()
@@ -90,7 +90,7 @@ def _page(
     summary: dict[str, Any],
     command: str,
     films: list[tuple[str, str]],
-    plots: list[Any],
+    troubles: list[str],
 ) -> str:
     held = "_on_held_seeds"
     shown = {who: summary[who + held] for who in ("start", "own", "best")}
@@ -108,7 +108,8 @@ def _page(
 <pre>{escape(summary_text(summary))}</pre>
 <div class="tiles" style="margin-top: 20px">{tiles_html(tiles)}</div>
 <div class="tiles" style="margin-top: 20px">{pictures}</div>
-{pictures_html(plots)}
+{"".join(f"<p>{escape(trouble)}</p>" for trouble in troubles)}
+{pictures_html(plots_of(result))}
 <section class="card"><h2>What the best costs on other seeds, term by term</h2>{terms}</section>
 <section class="card"><h2>Gains</h2><p><a href="{GAINS}">{GAINS}</a>, for --gains;
 numbers in <a href="summary.json">summary.json</a>.</p></section>"""

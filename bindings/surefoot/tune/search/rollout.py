@@ -7,13 +7,13 @@ import threading
 import time
 from dataclasses import dataclass, field
 
-from surefoot._core import Error, Gains, StandController, set_gain
+from surefoot._core import Error, Gains, StandController, gain_table, get_gain, set_gain
 from surefoot.sim import Plant
 from surefoot.tune.cost import FALL, Cost, cost
 from surefoot.tune.search.episodes import LENGTH, Episode
 from surefoot.tune.trace import Trace
 
-BROKEN = 3.0 * FALL  # cost of gains with which nothing can be computed
+BROKEN = 4.0 * FALL  # cost of gains with which nothing can be computed
 
 
 @dataclass(frozen=True)
@@ -38,11 +38,12 @@ class Outcome:
     """What comes back.
 
     Attributes:
-        costs: Mean over the episodes that were run, per objective.
-        terms: Mean of every term, the same.
+        costs: Mean over the episodes per objective; what a stopped trial did not run cost nothing.
+        terms: Mean of every term over what was run.
         episodes: How many were run.
         falls: In how many of them the robot fell.
         stopped: Whether the rest was hopeless.
+        broken: Whether it could not be run at all.
         simulated: Time that was simulated [s].
         seconds: CPU time that it took [s].
         ticks: Of the controller.
@@ -54,6 +55,7 @@ class Outcome:
     episodes: int = 0
     falls: int = 0
     stopped: bool = False
+    broken: bool = False
     simulated: float = 0.0
     seconds: float = 0.0
     ticks: int = 0
@@ -63,12 +65,19 @@ class Outcome:
 def evaluate(job: Job) -> Outcome:
     """Run a trial; never raises for what its gains do: that is a cost.
 
-    A trial whose costs, should all that is left be free, exceed `hopeless` is stopped: its mean is
-    that of what was run, which is finite and at least as bad.
+    A trial whose costs, should all that is left be free, exceed `hopeless` is stopped, and has just
+    that cost: no more than it would have come to, and more than what makes it hopeless.
+
+    Raises:
+        Error: An episode that cannot be run whatever the gains.
     """
     gains, outcome = Gains(), Outcome()
-    for name, value in job.gains.items():
-        set_gain(gains, name, value)
+    try:
+        for name, value in job.gains.items():
+            set_gain(gains, name, value)
+        gains.validate()
+    except Error:
+        return broken(job)
     begin = time.process_time()
     sums: list[list[Cost]] = []
     for episode in job.episodes:
@@ -78,7 +87,8 @@ def evaluate(job: Job) -> Outcome:
             break
     outcome.episodes = len(sums)
     outcome.costs = tuple(
-        sum(costs[k].value for costs in sums) / len(sums) for k in range(len(job.objectives))
+        sum(costs[k].value for costs in sums) / len(job.episodes)
+        for k in range(len(job.objectives))
     )
     terms = sums[0][0].terms
     outcome.terms = {name: sum(c[0].terms[name] for c in sums) / len(sums) for name in terms}
@@ -118,9 +128,16 @@ _ALONE = threading.Lock()  # plants are kept and shared: one trial at a time in 
 
 
 def judged(job: Job) -> Outcome:
-    """Return evaluate(), with what cannot be run at all as a finite cost."""
-    try:
-        with _ALONE:
-            return evaluate(job)
-    except Error:
-        return Outcome(costs=(BROKEN,) * len(job.objectives), episodes=0)
+    """Return evaluate(), one at a time in a process; raises Error."""
+    with _ALONE:
+        return evaluate(job)
+
+
+def broken(job: Job) -> Outcome:
+    """Return the outcome of a job whose gains cannot be tried."""
+    return Outcome(costs=(BROKEN,) * len(job.objectives), broken=True)
+
+
+def named(gains: Gains) -> dict[str, float]:
+    """Return every gain by name."""
+    return {info.name: get_gain(gains, info.name) for info in gain_table()}

@@ -5,22 +5,21 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import optuna
-from optuna.samplers import BaseSampler, CmaEsSampler, NSGAIISampler, RandomSampler, TPESampler
-from optuna.trial import FrozenTrial, TrialState
+from optuna.trial import FrozenTrial, Trial, TrialState
 
-from surefoot._core import Gains, gain_table, get_gain
-from surefoot.tune.search.episodes import Episode
-from surefoot.tune.search.rollout import Job, Outcome
+from surefoot._core import Error, Gains
+from surefoot.tune.search.held_out import judge
+from surefoot.tune.search.queue import Queue
+from surefoot.tune.search.rollout import Job, Outcome, broken, named
+from surefoot.tune.search.sampling import best_of, importance, make_sampler
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply
-from surefoot.tune.search.store import open_store, open_study, reclaim
-from surefoot.tune.search.workers import Queue, Workers, workers
+from surefoot.tune.search.store import START, open_store, open_study, reclaim
+from surefoot.tune.search.workers import Workers, workers
 
 HOPELESS = 3.0  # times the best: what is worse is not run to its end
-SIGMA = 0.25  # of the logarithmic range: the first step of CMA-ES
 
 Progress = Callable[[int, int, float], None]
 """Called with how many trials are done, how many there will be, and the best cost so far."""
@@ -47,7 +46,7 @@ class SearchResult:
 
     Attributes:
         settings: What was asked.
-        trials: Every finished trial, in order.
+        trials: Every finished trial, in the order in which they were begun.
         start, own, best: The start, the robot's own gains, the best trial.
         front: Trials of the Pareto front, with two objectives.
         importance: Share of each parameter in what trials cost, if there were enough of them.
@@ -75,30 +74,32 @@ def run_search(
         progress: Told how far it is.
 
     Raises:
-        Error: A store, cluster or setting that does not do.
+        Error: A store, cluster or setting that does not do, an episode that cannot be run.
         OSError: The store cannot be written; the trials in it are safe.
     """
-    path = settings.store
-    with open_store(path) as storage, workers(settings.jobs, settings.cluster) as crew:
-        sampler = _sampler(settings)
-        study = open_study(storage, sampler, len(settings.objectives), settings.described(), path)
+    with open_store(settings.store) as storage, workers(settings.jobs, settings.cluster) as crew:
+        study = open_study(storage, settings)
         reclaim(study)
         if not study.get_trials(deepcopy=False):
-            study.enqueue_trial({p.name: p.get(settings.start) for p in settings.space})
+            values = {p.name: p.get(settings.start) for p in settings.space}
+            study.enqueue_trial(values, user_attrs={START: True})
+        study.sampler = make_sampler(settings, len(study.get_trials(deepcopy=False)))
         search = _Search(settings, study, crew, progress)
         search.run()
         trials = study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,))
-        best = _best(trials, len(settings.objectives))
+        first = next((t for t in trials if t.user_attrs.get(START)), None)
+        started = tuple(first.values) if first is not None else ()
+        best = best_of(trials, started or tuple(trials[0].values))
         chosen = [settings.start, own, apply(best.params, settings.start)]
-        held = _judge(settings, crew, chosen)
+        held = judge(settings, crew, chosen)
         return SearchResult(
             settings,
             trials,
-            Candidate(chosen[0], held[0], tuple(trials[0].values)),
+            Candidate(chosen[0], held[0], started),
             Candidate(chosen[1], held[1]),
             Candidate(chosen[2], held[2], tuple(best.values)),
             list(study.best_trials) if len(settings.objectives) == 2 else [],
-            _importance(study, trials),
+            importance(study, trials),
             search.speed(),
         )
 
@@ -121,35 +122,40 @@ class _Search:
             for p in settings.space
         }
         done = study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,))
+        self._asked: dict[int, Trial] = {}
         self._done = len(done)
         self._best = min((trial.values[0] for trial in done), default=float("inf"))
-        self._totals = Outcome()
-        self._wall = 0.0
+        self._totals, self._wall = Outcome(), 0.0
 
     def run(self) -> None:
         """Have trials run until there are enough."""
-        settings, queue = self._settings, Queue(self._crew)
-        begin = time.monotonic()
-        while self._done < settings.trials:
-            while len(queue) < min(self._crew.count, settings.trials - self._done):
-                trial = self._study.ask(self._distributions)
-                queue.put(trial.number, self._job(trial.params))
-            for number, outcome in queue.take():
-                self._tell(number, outcome)
+        queue, begin = Queue(self._crew), time.monotonic()
+        while self._done < self._settings.trials:
+            while len(queue) < min(self._crew.count, self._settings.trials - self._done):
+                self._ask(queue)
+            if len(queue):
+                for number, outcome in queue.take():
+                    self._tell(number, outcome)
         self._wall = time.monotonic() - begin
 
-    def _job(self, values: dict[str, Any]) -> Job:
+    def _ask(self, queue: Queue) -> None:
+        trial = self._study.ask(self._distributions)
+        self._asked[trial.number] = trial
+        objectives = self._settings.objectives
         # With two objectives a trial that is bad at one may be good at the other.
-        alone = len(self._settings.objectives) == 1
-        hopeless = HOPELESS * self._best if alone else float("inf")
-        gains = apply(values, self._settings.start)
-        return Job(named(gains), self._episodes, self._settings.objectives, hopeless)
+        hopeless = HOPELESS * self._best if len(objectives) == 1 else float("inf")
+        try:
+            gains = apply(trial.params, self._settings.start)
+        except Error:  # numbers that are each in range and do not go together
+            self._tell(trial.number, broken(Job({}, (), objectives)))
+            return
+        queue.put(trial.number, Job(named(gains), self._episodes, objectives, hopeless))
 
     def _tell(self, number: int, outcome: Outcome) -> None:
-        trial_id = self._study.get_trials(deepcopy=False)[number]._trial_id
-        for name in ("falls", "stopped", "episodes", "terms"):
-            self._study._storage.set_trial_user_attr(trial_id, name, getattr(outcome, name))
-        self._study.tell(number, list(outcome.costs))
+        trial = self._asked.pop(number)
+        for name in ("falls", "stopped", "broken", "episodes", "terms"):
+            trial.set_user_attr(name, getattr(outcome, name))
+        self._study.tell(trial, list(outcome.costs))
         self._done += 1
         self._best = min(self._best, outcome.costs[0])
         for name in ("simulated", "seconds", "ticks", "steps"):
@@ -172,61 +178,3 @@ class _Search:
             "real_time_factor_per_core": totals.simulated / seconds,
             "real_time_factor": totals.simulated / wall,
         }
-
-
-def named(gains: Gains) -> dict[str, float]:
-    """Return every gain by name."""
-    return {info.name: get_gain(gains, info.name) for info in gain_table()}
-
-
-def _sampler(settings: SearchSettings) -> BaseSampler:
-    kind = settings.sampler or ("cmaes" if len(settings.objectives) == 1 else "nsga2")
-    if kind == "cmaes":
-        x0 = {p.name: p.get(settings.start) for p in settings.space}
-        return CmaEsSampler(x0=x0, sigma0=SIGMA, seed=settings.seed)
-    if kind == "tpe":
-        return TPESampler(seed=settings.seed, multivariate=True, constant_liar=True)
-    if kind == "nsga2":
-        return NSGAIISampler(population_size=20, seed=settings.seed)
-    return RandomSampler(seed=settings.seed)
-
-
-def _best(trials: list[FrozenTrial], objectives: int) -> FrozenTrial:
-    """Return the cheapest; of two objectives that of the least sum, each relative to the start."""
-    start = [max(value, 1e-9) for value in trials[0].values]
-    return min(trials, key=lambda t: sum(t.values[k] / start[k] for k in range(objectives)))
-
-
-def _importance(study: optuna.Study, trials: list[FrozenTrial]) -> dict[str, float]:
-    if len(trials) < 20:
-        return {}
-    evaluator = optuna.importance.PedAnovaImportanceEvaluator()
-    found = optuna.importance.get_param_importances(
-        study, evaluator=evaluator, target=lambda trial: trial.values[0]
-    )
-    return {name: float(share) for name, share in found.items()}
-
-
-def _judge(settings: SearchSettings, crew: Workers, chosen: list[Gains]) -> list[Outcome]:
-    """Run gains on the held-out episodes, each on its own for the workers to share them."""
-    queue, outcomes = Queue(crew), dict[int, Outcome]()
-    episodes: list[Episode] = list(settings.held_out_episodes)
-    for k, gains in enumerate(chosen):
-        for j, episode in enumerate(episodes):
-            queue.put(k * len(episodes) + j, Job(named(gains), (episode,), settings.objectives))
-    while len(queue):
-        outcomes.update(queue.take())
-    return [
-        _merged([outcomes[k * len(episodes) + j] for j in range(len(episodes))])
-        for k in range(len(chosen))
-    ]
-
-
-def _merged(outcomes: list[Outcome]) -> Outcome:
-    count, first = len(outcomes), outcomes[0]
-    return Outcome(
-        costs=tuple(sum(o.costs[k] for o in outcomes) / count for k in range(len(first.costs))),
-        terms={n: sum(o.terms.get(n, 0.0) for o in outcomes) / count for n in first.terms},
-        episodes=count,
-        falls=sum(o.falls for o in outcomes),
-    )

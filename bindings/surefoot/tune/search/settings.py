@@ -9,7 +9,7 @@ from surefoot._core import Error, Gains, gain_table, get_gain
 from surefoot.sim import PlantSettings
 from surefoot.tune.cost import weights_of
 from surefoot.tune.search.episodes import HELD_OUT, Episode
-from surefoot.tune.search.space import Parameter, default_space
+from surefoot.tune.search.space import Parameter, default_space, pair_of, widened
 
 SAMPLERS = ("cmaes", "tpe", "nsga2", "random")
 MOST_JOBS = 256
@@ -64,9 +64,18 @@ class SearchSettings:
             raise Error(f"sampler: got '{self.sampler}', expected one of {', '.join(SAMPLERS)}")
         if len(self.objectives) == 2 and self.sampler == "cmaes":
             raise Error("sampler: got 'cmaes' for two objectives, expected nsga2, tpe or random")
+        self._check_space()
+
+    def _check_space(self) -> None:
         names = [parameter.name for parameter in self.space]
         if not names or len(set(names)) < len(names):
             raise Error(f"gain: got {', '.join(names) or 'none'}, expected some, each once")
+        for name in names:
+            both = [gain for gain in pair_of(name) or () if gain in names]
+            if both:
+                raise Error(f"gain: got {name} and {both[0]}, expected one: the first sets both")
+        space = tuple(widened(parameter, self.start) for parameter in self.space)
+        object.__setattr__(self, "space", space)
 
     @property
     def search_episodes(self) -> tuple[Episode, ...]:

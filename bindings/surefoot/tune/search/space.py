@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
 from surefoot.robot_table import suggest
@@ -41,7 +41,7 @@ class Parameter:
 
     def get(self, gains: Gains) -> float:
         """Return the value that gains have, brought into the range."""
-        pair = PAIRS.get(self.name.rsplit("_", 1)[0])
+        pair = pair_of(self.name)
         if pair is None:
             value = get_gain(gains, self.name)
         else:
@@ -49,6 +49,27 @@ class Parameter:
             rate = math.sqrt(max(kp, 1e-9))
             value = rate / TWO_PI if self.name.endswith("_frequency") else kd / (2.0 * rate)
         return min(max(value, self.low), self.high)
+
+
+def pair_of(name: str) -> tuple[str, str] | None:
+    """Return the stiffness and damping that a task's number stands for; None for a gain."""
+    task, _, what = name.rpartition("_")
+    return PAIRS.get(task) if what in ("frequency", "damping") else None
+
+
+def widened(parameter: Parameter, start: Gains) -> Parameter:
+    """Return a parameter whose range has the start in it.
+
+    Raises:
+        Error: The start is 0, which no logarithmic scale has.
+    """
+    value = replace(parameter, low=0.0, high=math.inf).get(start)
+    if not value > 1e-4:
+        raise Error(
+            f"gain: the start's {parameter.name} is {value:g}, expected above 0: it is searched on "
+            "a logarithmic scale; start from another value, or search another gain"
+        )
+    return replace(parameter, low=min(parameter.low, value), high=max(parameter.high, value))
 
 
 def default_space() -> list[Parameter]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import json
 import logging
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,9 +17,11 @@ from optuna.storages.journal import JournalFileBackend, JournalFileOpenLock
 from optuna.trial import TrialState
 
 from surefoot._core import Error
+from surefoot.tune.search.settings import SearchSettings
 
 STUDY = "surefoot"
-SEARCH = "search"  # user attribute: what is searched
+SEARCH = "search"  # user attribute of the study: what is searched
+START = "start"  # user attribute of the trial that is the start
 
 
 @contextmanager
@@ -32,86 +35,95 @@ def open_store(path: str | None) -> Iterator[BaseStorage]:
     if path is None:
         yield InMemoryStorage()
         return
-    lock = Path(f"{path}.in-use")
-    with lock.open("w") as handle:
+    with Path(path).open("ab") as handle:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
+        except BlockingIOError:
             raise Error(f"store '{path}': another search is at work in it") from None
-        try:
-            yield _journal(path)
-        finally:
-            lock.unlink(missing_ok=True)
+        yield _journal(path)
 
 
-def _journal(path: str) -> JournalStorage:
-    _check_lines(Path(path))
-    backend = JournalFileBackend(path, lock_obj=JournalFileOpenLock(path))
+def _journal(path: str) -> BaseStorage:
+    _mend_end(Path(path))
     Path(f"{path}.lock").unlink(missing_ok=True)  # of a search that was killed while it wrote
     try:
-        return JournalStorage(backend)
-    except (KeyError, TypeError, ValueError) as problem:
+        storage = JournalStorage(JournalFileBackend(path, lock_obj=JournalFileOpenLock(path)))
+    except (AssertionError, KeyError, TypeError, ValueError) as problem:
         raise Error(f"store '{path}': is no journal of trials ({problem})") from None
+    return storage
 
 
-def _check_lines(path: Path) -> None:
-    """Raise Error at the first line that is no entry; cut off a last one that was not finished."""
-    if not path.exists():
-        return
+def _mend_end(path: Path) -> None:
+    """Finish or cut off a last line that a killed search left; raise Error at one that is none."""
     content = path.read_bytes()
-    whole = content.rpartition(b"\n")[0] + b"\n" if b"\n" in content else b""
+    whole, _, end = content.rpartition(b"\n")
     for number, line in enumerate(whole.splitlines(), 1):
-        try:
-            entry = json.loads(line)
-        except ValueError:
-            entry = None
-        if not isinstance(entry, dict) or "op_code" not in entry:
+        if not _is_entry(line):
             raise Error(f"store '{path}': line {number} is no journal entry; is the file corrupt?")
-    if whole != content:
-        if not whole:
-            raise Error(f"store '{path}': line 1 is no journal entry; is the file corrupt?")
-        with path.open("r+b") as handle:
-            handle.truncate(len(whole))
+    if not end:
+        return
+    if not whole and not _is_entry(end):
+        raise Error(f"store '{path}': line 1 is no journal entry; is the file corrupt?")
+    with path.open("r+b") as handle:
+        if _is_entry(end):
+            handle.seek(0, 2)
+            handle.write(b"\n")
+        else:
+            handle.truncate(len(whole) + 1)
 
 
-def open_study(
-    storage: BaseStorage, sampler: Any, objectives: int, search: dict[str, Any], path: str | None
-) -> optuna.Study:
+def _is_entry(line: bytes) -> bool:
+    try:
+        entry = json.loads(line)
+    except ValueError:
+        return False
+    return isinstance(entry, dict) and "op_code" in entry
+
+
+def open_study(storage: BaseStorage, settings: SearchSettings) -> optuna.Study:
     """Open the study of a store, or begin it.
 
-    Args:
-        storage: The store.
-        sampler: Optuna's.
-        objectives: How many, all to be minimised.
-        search: What is searched, plain data; a store of another search is refused.
-        path: Of the store, for the message.
-
     Raises:
-        Error: The store holds another search.
+        Error: The store holds something else, or another search.
     """
-    study = optuna.create_study(
-        storage=storage,
-        sampler=sampler,
-        study_name=STUDY,
-        directions=["minimize"] * objectives,
-        load_if_exists=True,
-    )
-    there = study.user_attrs.get(SEARCH)
-    if there is None:
+    path, search = settings.store, settings.described()
+    there = storage.get_all_studies()
+    if not there:
+        _check_empty(path)
+        directions = [optuna.study.StudyDirection.MINIMIZE] * len(settings.objectives)
+        study = optuna.create_study(storage=storage, study_name=STUDY, directions=directions)
         study.set_user_attr(SEARCH, search)
-    elif there != search:
+        return study
+    if [one.study_name for one in there] != [STUDY] or SEARCH not in there[0].user_attrs:
+        names = ", ".join(one.study_name for one in there)
+        raise Error(f"store '{path}': holds {names}, expected a search of surefoot tune search")
+    _check_same(path, there[0].user_attrs[SEARCH], search)
+    study = optuna.load_study(study_name=STUDY, storage=storage)
+    for trial in study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,)):
+        values = trial.values or [math.nan]
+        if not all(isinstance(v, float | int) and math.isfinite(v) for v in values):
+            raise Error(f"store '{path}': trial {trial.number} costs {values}, expected numbers")
+    return study
+
+
+def _check_empty(path: str | None) -> None:
+    if path is not None and Path(path).stat().st_size > 0:
+        raise Error(f"store '{path}': its beginning is missing; is the file corrupt?")
+
+
+def _check_same(path: str | None, there: dict[str, Any], search: dict[str, Any]) -> None:
+    if there != search:
         names = [name for name in search if there.get(name) != search[name]]
         raise Error(
             f"store '{path}': holds another search, which differs in {', '.join(names) or 'all'}; "
             "name another file, or ask for what it was begun with"
         )
-    return study
 
 
-def reclaim(study: optuna.Study) -> int:
-    """Give trials up that a killed search left under way, and queue them anew; return how many."""
-    left = study.get_trials(deepcopy=False, states=(TrialState.RUNNING,))
-    for trial in left:
-        study.enqueue_trial(trial.params)
+def reclaim(study: optuna.Study) -> None:
+    """Give trials up that a killed search left under way, and queue them anew."""
+    for trial in study.get_trials(deepcopy=False, states=(TrialState.RUNNING,)):
+        # Those of the start were asked for before they were written one by one.
+        values = trial.system_attrs.get("fixed_params", trial.params)
+        study.enqueue_trial(values, user_attrs=trial.user_attrs)
         study.tell(trial.number, state=TrialState.FAIL)
-    return len(left)

@@ -8,7 +8,8 @@ from optuna.trial import FrozenTrial
 
 from surefoot.plain import plain
 from surefoot.tune.cost import TERMS
-from surefoot.tune.search.run import Candidate, SearchResult, named
+from surefoot.tune.search.rollout import named
+from surefoot.tune.search.run import Candidate, SearchResult
 from surefoot.tune.search.space import apply
 
 
@@ -22,7 +23,7 @@ def summarise(result: SearchResult) -> dict[str, Any]:
         "robot": settings.robot if isinstance(settings.robot, str) else list(settings.robot),
         "objective": list(settings.objectives),
         "trials": len(trials),
-        "failures": sum(1 for trial in trials if trial.user_attrs.get("falls")),
+        "failures": sum(1 for trial in trials if _failed(trial)),
         "stopped_early": sum(1 for trial in trials if trial.user_attrs.get("stopped")),
         "start": _costs(result.start.searched),
         "best": _costs(result.best.searched),
@@ -50,7 +51,7 @@ def summarise(result: SearchResult) -> dict[str, Any]:
 def summary_text(s: dict[str, Any]) -> str:
     """Return a summary for people."""
     lines = [
-        f"{s['robot']}: {s['trials']} trials, {s['failures']} with a fall, "
+        f"{s['robot']}: {s['trials']} trials, {s['failures']} with a fall or worse, "
         f"{s['stopped_early']} stopped early",
         f"{'cost (lower is better)':<26}{'searched':>16}{s['held_seeds']:>10} other seeds",
     ]
@@ -81,14 +82,23 @@ def origin(s: dict[str, Any], command: str) -> str:
 
 def term_lines(candidate: Candidate) -> list[str]:
     """Return a candidate's terms on held-out seeds, one a line."""
-    return [f"{name} {candidate.held.terms[name]:.2f}: {text}" for name, text in TERMS.items()]
+    terms = candidate.held.terms
+    return [f"{name} {terms[name]:.2f}: {text}" for name, text in TERMS.items() if name in terms]
 
 
-def _costs(costs: tuple[float, ...]) -> float | list[float]:
+def _failed(trial: FrozenTrial) -> bool:
+    return bool(trial.user_attrs.get("falls") or trial.user_attrs.get("broken"))
+
+
+def _costs(costs: tuple[float, ...]) -> float | list[float] | None:
+    if not costs:
+        return None
     return costs[0] if len(costs) == 1 else list(costs)
 
 
-def _shown(cost: float | list[float]) -> str:
+def _shown(cost: float | list[float] | None) -> str:
+    if cost is None:
+        return "-"
     costs = cost if isinstance(cost, list) else [cost]
     return " / ".join(f"{value:.2f}" for value in costs)
 

@@ -1,0 +1,94 @@
+"""Trials under way: what came of them, and what becomes of those whose worker died."""
+
+from __future__ import annotations
+
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
+
+from surefoot._core import Error
+from surefoot.tune.search.rollout import Job, Outcome, broken
+from surefoot.tune.search.workers import Workers
+
+ATTEMPTS = 3  # a trial that has killed as many workers, alone, is broken
+LOOK = 2.0  # [s] between looks whether anybody is there at all
+
+
+class Queue:
+    """Jobs under way.
+
+    A worker that dies takes with it what its pool was at, and nothing else: those jobs are run
+    again, one at a time, so that one that kills every worker is known for what it is.
+
+    Args:
+        crew: Who runs them.
+    """
+
+    def __init__(self, crew: Workers) -> None:
+        self._crew = crew
+        self._pending: dict[Future[Outcome], tuple[int, Job]] = {}
+
+    def __len__(self) -> int:
+        """Jobs under way."""
+        return len(self._pending)
+
+    def put(self, number: int, job: Job) -> None:
+        """Hand a trial's job over."""
+        try:
+            future = self._crew.submit(job)
+        except self._crew.deaths:  # since the last look; what was under way will say so, too
+            self._crew.renew()
+            future = self._crew.submit(job)
+        self._pending[future] = number, job
+
+    def take(self) -> list[tuple[int, Outcome]]:
+        """Wait until at least one trial is done, and return those that are.
+
+        Raises:
+            Error: Nobody is left to answer, or a worker cannot run what it is given.
+        """
+        done: list[tuple[int, Outcome]] = []
+        while not done:
+            finished, _ = wait(self._pending, timeout=LOOK, return_when=FIRST_COMPLETED)
+            self._crew.check()
+            suspects = []
+            for future in finished:
+                number, job = self._pending.pop(future)
+                outcome = self._result(future)
+                if outcome is None:
+                    suspects.append((number, job))
+                else:
+                    done.append((number, outcome))
+            if suspects:
+                done += self._one_by_one(suspects)
+        return done
+
+    def _result(self, future: Future[Outcome]) -> Outcome | None:
+        """Return what a job came to, or None if its worker died."""
+        try:
+            return future.result()
+        except self._crew.deaths:
+            return None
+        except CancelledError:
+            return None
+        except Error:
+            raise
+        except Exception as problem:
+            kind = type(problem).__name__
+            raise Error(f"a worker cannot run trials: {kind}: {problem}") from problem
+
+    def _one_by_one(self, suspects: list[tuple[int, Job]]) -> list[tuple[int, Outcome]]:
+        # A pool that has broken fails everything that was under way in it.
+        suspects += self._pending.values()
+        self._pending.clear()
+        self._crew.renew()
+        return [(number, self._alone(job)) for number, job in suspects]
+
+    def _alone(self, job: Job) -> Outcome:
+        for _ in range(ATTEMPTS):
+            future = self._crew.submit(job)
+            while not wait([future], timeout=LOOK).done:
+                self._crew.check()
+            outcome = self._result(future)
+            if outcome is not None:
+                return outcome
+            self._crew.renew()
+        return broken(job)

@@ -1,0 +1,50 @@
+"""Optuna's part: which sampler, which trial is best, what mattered."""
+
+from __future__ import annotations
+
+import optuna
+from optuna.samplers import BaseSampler, CmaEsSampler, NSGAIISampler, RandomSampler, TPESampler
+from optuna.trial import FrozenTrial
+
+from surefoot.tune.search.settings import SearchSettings
+
+SIGMA = 0.25  # of the logarithmic range: the first step of CMA-ES
+POPULATION = 20  # of NSGA-II
+LEAST_TRIALS = 20  # for saying what mattered
+
+
+def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
+    """Return the sampler of a search.
+
+    Args:
+        settings: What is searched.
+        done: Trials that there are; a search that goes on must not draw the same numbers again.
+    """
+    kind = settings.sampler or ("cmaes" if len(settings.objectives) == 1 else "nsga2")
+    seed = settings.seed + done
+    if kind == "cmaes":
+        x0 = {p.name: p.get(settings.start) for p in settings.space}
+        return CmaEsSampler(x0=x0, sigma0=SIGMA, seed=seed)
+    if kind == "tpe":
+        return TPESampler(seed=seed, multivariate=True, constant_liar=True)
+    if kind == "nsga2":
+        return NSGAIISampler(population_size=POPULATION, seed=seed)
+    return RandomSampler(seed=seed)
+
+
+def best_of(trials: list[FrozenTrial], start: tuple[float, ...]) -> FrozenTrial:
+    """Return the cheapest; of two objectives that of the least sum, each relative to the start."""
+    scale = [max(value, 1e-9) for value in start]
+    return min(trials, key=lambda t: sum(t.values[k] / s for k, s in enumerate(scale)))
+
+
+def importance(study: optuna.Study, trials: list[FrozenTrial]) -> dict[str, float]:
+    """Return each parameter's share in what good trials have in common; {} of too few."""
+    if len(trials) < LEAST_TRIALS:
+        return {}
+    found = optuna.importance.get_param_importances(
+        study,
+        evaluator=optuna.importance.PedAnovaImportanceEvaluator(),
+        target=lambda trial: trial.values[0],
+    )
+    return {name: float(share) for name, share in found.items()}
