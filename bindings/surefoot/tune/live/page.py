@@ -61,6 +61,8 @@ class Page:
         if isinstance(session, Simulation):
             with tabs.add_tab("World"):
                 add_world_panel(server.gui, session, self.loop.post)
+        with tabs.add_tab("View"):
+            self._add_view_controls()
         self._plots = self._add_plots()
 
     def start(self) -> None:
@@ -85,6 +87,11 @@ class Page:
         add_time_panel(gui, self.loop, session)
         with gui.add_folder("Push"):
             return PushPanel(gui, session, post, self.notifier)
+
+    def _add_view_controls(self) -> None:
+        hint = "no shadows and reflections, for a computer without a graphics card"
+        plain = self._server.gui.add_checkbox("plain light", False, hint=hint)
+        plain.on_update(lambda _: self._scene.set_plain(plain.value))
 
     def _add_plots(self) -> Plots:
         gui = self._server.gui

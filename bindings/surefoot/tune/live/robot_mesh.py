@@ -11,7 +11,9 @@ from surefoot.sim.collada import Faces
 from surefoot.sim.rotations import Array
 from surefoot.sim.visuals import HIDDEN_GROUP, merge_vertices
 
-DETAIL = 250  # cells along a mesh's diagonal: a few thousand triangles a part, not tens of thousands
+DETAIL = (
+    250  # cells along a mesh's diagonal: a few thousand triangles a part, not tens of thousands
+)
 Colour = tuple[int, int, int]
 
 

@@ -18,6 +18,7 @@ from surefoot.tune.live.view import View
 
 FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
 _MOVED, _TURNED = 2e-5, 1e-5  # [m] and of a quaternion's numbers: less than a pixel
+_PLAIN = 3.0  # intensity of the light that is everywhere, where nothing is reflected
 _LEAST_FORCE = 1.0  # [N] that has an arrow
 
 
@@ -40,6 +41,7 @@ class Scene:
         self._surroundings = Surroundings(server, self._base_name, self._size)
         self._support = Support(server, self._size)
         self._arrows: viser.ArrowsHandle | None = None
+        self._lamp = server.scene.add_light_ambient("/lamp", intensity=_PLAIN, visible=False)
         self._aim_camera()
 
     def show(self, view: View) -> None:
@@ -56,6 +58,12 @@ class Scene:
             self._surroundings.show(view)
             self._support.show(view)
             self._show_forces(view)
+
+    def set_plain(self, plain: bool) -> None:
+        """Leave out shadows and reflections: without a graphics card they take most of the time."""
+        self._server.scene.configure_default_lights(True, cast_shadow=not plain)
+        self._server.scene.configure_environment_map(None if plain else "warehouse")
+        self._lamp.visible = plain
 
     @property
     def _base_name(self) -> str:
