@@ -52,7 +52,7 @@ def run(arguments: argparse.Namespace) -> None:
     try:
         from surefoot.tune.live.gain_folder import GainFolder
         from surefoot.tune.live.page import Page
-        from surefoot.tune.live.server import open_server
+        from surefoot.tune.live.server import close_server, open_server
     except ModuleNotFoundError as problem:
         raise Error(
             f"module '{problem.name}' not found: surefoot tune live needs the extras 'tune' and "
@@ -67,7 +67,7 @@ def run(arguments: argparse.Namespace) -> None:
     try:
         page = Page(server, _open_session(arguments, description, gains), files)
     except BaseException:
-        server.stop()
+        close_server(server)
         raise
     page.start()
     url = f"http://{arguments.bind}:{server.get_port()}"

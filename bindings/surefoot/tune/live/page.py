@@ -17,6 +17,7 @@ from surefoot.tune.live.plots import Plots
 from surefoot.tune.live.push_panel import PushPanel
 from surefoot.tune.live.reference_panel import add_reference_panel
 from surefoot.tune.live.scene import Scene
+from surefoot.tune.live.server import close_server
 from surefoot.tune.live.session import Session
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.time_panel import add_time_panel
@@ -76,7 +77,7 @@ class Page:
         self._drawing.join()
         self.loop.stop()
         self._session.close()
-        self._server.stop()
+        close_server(self._server)
 
     def _add_robot_controls(self) -> PushPanel | None:
         gui, session, post = self._server.gui, self._session, self.loop.post

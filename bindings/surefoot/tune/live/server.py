@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import functools
 import io
 import socket
+from collections.abc import Iterator
 
 import viser
+import websockets.asyncio.server
 
 from surefoot._core import Error
 
@@ -26,12 +29,38 @@ def open_server(host: str, port: int, title: str) -> viser.ViserServer:
     """
     port = _check_address(host, port)
     # viser says on stdout where it listens, in a frame of its own; the command says it in a line.
-    with contextlib.redirect_stdout(io.StringIO()):
+    with contextlib.redirect_stdout(io.StringIO()), _own_pages_only(host, port):
         server = viser.ViserServer(host=host, port=port, label=title, verbose=False)
     if server.get_port() != port:  # taken in between: viser moves on to the next one
-        server.stop()
+        close_server(server)
         raise OSError(f"cannot listen on {host}:{port}: it is in use; give another --port")
     return server
+
+
+def close_server(server: viser.ViserServer) -> None:
+    """Stop serving, without viser's own words about it."""
+    with contextlib.redirect_stdout(io.StringIO()):
+        server.stop()
+
+
+@contextlib.contextmanager
+def _own_pages_only(host: str, port: int) -> Iterator[None]:
+    """While a server opens on a loopback address: let no other site's pages connect to it.
+
+    A browser lets any page open a socket to this machine, and viser takes whoever comes; a site
+    that happens to be open must not move a robot's gains.
+    """
+    serve = websockets.asyncio.server.serve
+    if not host.startswith("127."):  # by what name others reach this machine is not known here
+        yield
+        return
+    # A program that is no browser says no origin.
+    origins = [None, f"http://{host}:{port}", f"http://localhost:{port}"]
+    websockets.asyncio.server.serve = functools.partial(serve, origins=origins)
+    try:
+        yield
+    finally:
+        websockets.asyncio.server.serve = serve
 
 
 def _check_address(host: str, port: int) -> int:
