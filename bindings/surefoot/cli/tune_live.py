@@ -38,6 +38,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add("--port", type=int, default=8080, metavar="N", help="of the page; 0: a free one (8080)")
     add("--bind", default="127.0.0.1", metavar="ADDRESS", help="to serve on (127.0.0.1)")
     add("--open", action="store_true", help="open a browser")
+    add("--plain", action="store_true", help="no shadows: for a computer without a graphics card")
     group = parser.add_argument_group("a robot on UDP instead of a simulated one")
     add = group.add_argument
     text = f"of the robot, see surefoot run (port {ROBOT_PORT}); gains then move in guarded ranges"
@@ -65,7 +66,8 @@ def run(arguments: argparse.Namespace) -> None:
     files = GainFolder(arguments.folder, own)
     server = open_server(arguments.bind, arguments.port, f"surefoot tune live: {own.name}")
     try:
-        page = Page(server, _open_session(arguments, description, gains), files)
+        session = _open_session(arguments, description, gains)
+        page = Page(server, session, files, arguments.plain)
     except BaseException:
         close_server(server)
         raise

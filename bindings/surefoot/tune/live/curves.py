@@ -50,5 +50,5 @@ class Curves:
 
     def arrays(self) -> tuple[Array, ...]:
         """Return time [s] and each number of Sample, (n,) each."""
-        rows = np.array(list(self._rows)) if self._rows else np.ones((1, 1 + len(Sample._fields)))
+        rows = np.array(list(self._rows)) if self._rows else np.zeros((1, 1 + len(Sample._fields)))
         return tuple(rows.T)

@@ -35,13 +35,20 @@ class Page:
         server: An empty server.
         session: The robot; its time passes in a thread of the page's.
         files: Where gains are saved and loaded.
+        plain: Without shadows and reflections, for browsers without a graphics card.
 
     Attributes:
         loop: The thread that ticks the session.
         frames_per_second: Pictures sent in the last second.
     """
 
-    def __init__(self, server: viser.ViserServer, session: Session, files: GainFolder) -> None:
+    def __init__(
+        self,
+        server: viser.ViserServer,
+        session: Session,
+        files: GainFolder,
+        plain: bool = False,
+    ) -> None:
         self._server, self._session = server, session
         self.notifier = Notifier(server)
         self.loop = Loop(session, self.notifier.complain)
@@ -63,7 +70,7 @@ class Page:
             with tabs.add_tab("World"):
                 add_world_panel(server.gui, session, self.loop.post)
         with tabs.add_tab("View"):
-            self._add_view_controls()
+            self._add_view_controls(plain)
         self._plots = self._add_plots()
 
     def start(self) -> None:
@@ -89,10 +96,11 @@ class Page:
         with gui.add_folder("Push"):
             return PushPanel(gui, session, post, self.notifier)
 
-    def _add_view_controls(self) -> None:
+    def _add_view_controls(self, plain: bool) -> None:
         hint = "no shadows and reflections, for a computer without a graphics card"
-        plain = self._server.gui.add_checkbox("plain light", False, hint=hint)
-        plain.on_update(lambda _: self._scene.set_plain(plain.value))
+        box = self._server.gui.add_checkbox("plain light", plain, hint=hint)
+        box.on_update(lambda _: self._scene.set_plain(box.value))
+        self._scene.set_plain(plain)
 
     def _add_plots(self) -> Plots:
         gui = self._server.gui

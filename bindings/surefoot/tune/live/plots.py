@@ -9,21 +9,20 @@ from viser import uplot
 
 from surefoot.tune.live.curves import Curves, Sample
 
-_HEIGHT = 165  # [pixels] of a plot
+_HEIGHT = 140  # [pixels] of a plot
 _BLUE, _ORANGE = "#2563eb", "#ea580c"
 
 
 class _Plot(NamedTuple):
     title: str
     curves: dict[str, str]  # fields of Sample, and what the legend calls them
-    logarithmic: bool = False  # for what is greater than zero
 
 
 _PLOTS = (
     _Plot("Pose error", {"position_error": "mm", "angle_error": "deg"}),
     _Plot("Greatest torque / its limit", {"torque_ratio": "1"}),
     _Plot("Power of the command", {"power": "W"}),
-    _Plot("Tick: LowState to LowCmd", {"tick_us": "us"}, logarithmic=True),
+    _Plot("Tick: LowState to LowCmd", {"tick_us": "us"}),
 )
 
 
@@ -43,7 +42,7 @@ class Plots:
                 (arrays["time"], *(arrays[name] for name in plot.curves)),
                 _series(plot),
                 title=plot.title,
-                scales=_scales(plot),
+                scales={"x": uplot.Scale(time=False)},  # else uPlot takes seconds for a date
                 axes=_axes(plot),
                 legend=uplot.Legend(show=len(plot.curves) > 1),
                 cursor=uplot.Cursor(show=False),
@@ -69,12 +68,6 @@ def _series(plot: _Plot) -> tuple[uplot.Series, ...]:
     return (uplot.Series(label="s"), *lines)
 
 
-def _scales(plot: _Plot) -> dict[str, uplot.Scale]:
-    # Without this uPlot takes seconds for a date.
-    upright = uplot.Scale(auto=True, distr=3) if plot.logarithmic else uplot.Scale(auto=True)
-    return {"x": uplot.Scale(time=False, auto=True), "y": upright}
-
-
 def _axes(plot: _Plot) -> tuple[uplot.Axis, ...]:
     unit = ", ".join(plot.curves.values())
-    return uplot.Axis(size=30), uplot.Axis(label=unit, labelSize=18, size=46)
+    return uplot.Axis(size=26), uplot.Axis(label=unit, labelSize=18, size=46)

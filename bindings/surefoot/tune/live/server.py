@@ -8,6 +8,7 @@ import functools
 import io
 import socket
 from collections.abc import Iterator
+from typing import Any
 
 import viser
 import websockets.asyncio.server
@@ -50,17 +51,18 @@ def _own_pages_only(host: str, port: int) -> Iterator[None]:
     A browser lets any page open a socket to this machine, and viser takes whoever comes; a site
     that happens to be open must not move a robot's gains.
     """
-    serve = websockets.asyncio.server.serve
+    module: Any = websockets.asyncio.server
+    serve = module.serve
     if not host.startswith("127."):  # by what name others reach this machine is not known here
         yield
         return
     # A program that is no browser says no origin.
     origins = [None, f"http://{host}:{port}", f"http://localhost:{port}"]
-    websockets.asyncio.server.serve = functools.partial(serve, origins=origins)
+    module.serve = functools.partial(serve, origins=origins)
     try:
         yield
     finally:
-        websockets.asyncio.server.serve = serve
+        module.serve = serve
 
 
 def _check_address(host: str, port: int) -> int:
