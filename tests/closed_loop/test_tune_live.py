@@ -116,6 +116,7 @@ def test_a_push_beyond_what_can_be_survived_is_a_fall_that_reset_ends() -> None:
     run(session, 0.5)
     session.push(90.0, 300.0)
     run(session, 3.2)
+    session.look()
     assert not session.healthy and "fallen" in session.status
     assert session.score.last is not None and session.score.last.terms["fall"] > 0.0
     session.editor.set(KP, 90.0)
@@ -255,6 +256,21 @@ def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None
         wait_until(lambda: "damping: asked" in robot.status)
         loop.post(robot.rearm)
         wait_until(lambda: robot.healthy)
+    finally:
+        loop.stop()
+        robot.close()
+        process.send_signal(signal.SIGTERM)
+        process.wait(timeout=20)
+
+
+def test_a_robot_of_another_generation_is_not_taken(tmp_path: Path) -> None:
+    process, port = start("--robot", "a1")
+    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", port, "go1-v3.8"))
+    loop = Loop(robot, lambda _: None)
+    loop.start()
+    try:
+        wait_until(lambda: "waiting: " in robot.status)
+        assert not robot.healthy
     finally:
         loop.stop()
         robot.close()

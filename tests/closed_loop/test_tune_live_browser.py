@@ -42,25 +42,34 @@ class Live(NamedTuple):
     folder: Path
 
 
-@pytest.fixture
-def live(tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Live]:
-    browser = next((path for name in BROWSERS if (path := shutil.which(name))), None)
-    if browser is None:
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[sync_api.Browser]:
+    path = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    if path is None:
         pytest.skip(f"no browser: none of {', '.join(BROWSERS)} is on the PATH")
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def live(
+    tmp_path: Path, chromium: sync_api.Browser, request: pytest.FixtureRequest
+) -> Iterator[Live]:
     session = Simulation(describe_robot("go1"))
     server = open_server("127.0.0.1", 0, "surefoot tune live: go1")
     plain = getattr(request, "param", True)  # a processor draws light and shadow for seconds
     page = Page(server, session, GainFolder(tmp_path, session.robot), plain)
     page.start()
-    with sync_api.sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=browser, args=FLAGS)
-        tab = chromium.new_page(viewport={"width": 1280, "height": 800})
-        tab.set_default_timeout(PATIENCE)
-        tab.goto(f"http://127.0.0.1:{server.get_port()}")
-        tab.get_by_role("button", name="Push").wait_for()
-        yield Live(session, page, tab, tmp_path)
-        page.stop()
-        chromium.close()
+    tab = chromium.new_page(viewport={"width": 1280, "height": 800})
+    tab.set_default_timeout(PATIENCE)
+    tab.goto(f"http://127.0.0.1:{server.get_port()}")
+    tab.get_by_role("button", name="Push").wait_for()
+    yield Live(session, page, tab, tmp_path)
+    tab.goto("about:blank")  # pictures that are still to be drawn would hold up the end
+    tab.close()
+    page.stop()
 
 
 def wait_until(condition: Callable[[], bool]) -> None:

@@ -73,7 +73,7 @@ class GainSliders:
         value = self._editor.get(info.name)
         place = self._range(info, value)
         own = get_gain(self._editor.own, info.name)
-        unit = "" if info.unit == "1" else f" [{_unbroken(info.unit)}]"
+        unit = "" if info.unit == "1" else f" [{info.unit.replace('^2', '²')}]"
         slider = self._gui.add_slider(
             f"{info.name}{unit}",
             min=place.low,
@@ -105,11 +105,6 @@ class GainSliders:
         if self._guard is not None:
             return fitted(*self._guard.limits(info.name), value)
         return slider_range(info, get_gain(self._editor.own, info.name), value, self._zoom)
-
-
-def _unbroken(unit: str) -> str:
-    """Return a unit as the narrow column of names shows it: on one line."""
-    return unit.replace("^2", "²").replace("/", "/\u2060")  # a word joiner
 
 
 def _move(slider: Any, value: float) -> None:

@@ -67,8 +67,9 @@ class LinkedRobot:
         report = self.report
         if not self._process.is_alive():
             return f"{self._place}: the control process has ended"
-        why = f": {report.reason}; Re-arm stands it up" if report.reason else ""
-        return f"{self._place}: {report.phase}{why}"
+        why = f": {report.reason}" if report.reason else ""
+        how = "; Re-arm stands it up" if report.phase == "damping" else ""
+        return f"{self._place}: {report.phase}{why}{how}"
 
     @property
     def healthy(self) -> bool:

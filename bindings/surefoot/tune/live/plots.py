@@ -9,7 +9,7 @@ from viser import uplot
 
 from surefoot.tune.live.curves import Curves, Sample
 
-_HEIGHT = 140  # [pixels] of a plot
+_HEIGHT = 122  # [pixels] of a plot
 _BLUE, _ORANGE = "#2563eb", "#ea580c"
 
 

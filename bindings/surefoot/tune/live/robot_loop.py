@@ -57,7 +57,7 @@ class Report:
 
     Attributes:
         phase: "waiting", "standing" or "damping".
-        reason: Of the damping.
+        reason: Of the damping; while waiting, why what has come was not taken.
         q: (nq,) Pinocchio's, estimated; None before the robot has spoken.
         forces: (3, 4) that the program asks of the feet, world axes [N].
         contact: (4,) feet that are believed to bear.
@@ -130,9 +130,10 @@ class RobotLoop:
         """Return how it is, and begin anew with the greatest numbers."""
         greatest, self._greatest = self._greatest, np.zeros(len(Sample._fields))
         known, controller = self._link.known, self.controller
+        unheard = self._link.counts.received > 0 and not known
         return Report(
             self._phase,
-            self._reason,
+            self._link.last_reject if unheard else self._reason,
             np.array(controller.state.q) if known else None,
             np.array(controller.solution.forces) if known else np.zeros((3, 4)),
             np.array(controller.state.contact) if known else np.zeros(4, dtype=bool),

@@ -65,7 +65,7 @@ class Simulation:
     @property
     def status(self) -> str:
         """How the robot is, in a few words."""
-        if self.plant.truth.fell:
+        if self.view.fell:
             return "fallen: Reset stands it up"
         reach = self.controller.reach
         limit = "" if reach.limit.name == "NONE" else f", reach limited: {reach.limit.name.lower()}"
@@ -74,7 +74,7 @@ class Simulation:
     @property
     def healthy(self) -> bool:
         """Whether the robot stands and its controller has it under control."""
-        return is_usable(self.controller.status) and not self.plant.truth.fell
+        return is_usable(self.controller.status) and not self.view.fell
 
     def tick(self) -> None:
         """Advance one control period: LowState to LowCmd to plant."""
@@ -103,6 +103,7 @@ class Simulation:
             contact=truth.contact,
             com=truth.com,
             ground=plant.model.geom_quat[plant.handles.ground_geom],
+            fell=truth.fell,
             payload_kg=self.world.payload_kg,
             push=(force.copy(), point.copy()) if np.any(force) else None,
         )

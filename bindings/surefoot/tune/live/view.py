@@ -21,6 +21,7 @@ class View:
         contact: (4,) which feet bear.
         com: (3,) centre of mass [m].
         ground: (4,) attitude of the ground, w x y z, ground to world.
+        fell: Whether the robot has fallen.
         payload_kg: Mass on the trunk that is to be seen [kg].
         push: Force (3,) [N] and where it acts (3,) [m], or None.
     """
@@ -31,5 +32,6 @@ class View:
     contact: npt.NDArray[np.bool_]
     com: Array
     ground: Array
+    fell: bool = False
     payload_kg: float = 0.0
     push: tuple[Array, Array] | None = None
