@@ -63,5 +63,10 @@ class Motors(_plant.Motors):
         scale = np.ones(MOTORS)
         if scale_rng is not None:
             scale = scale_rng.uniform(1 - torque_error, 1 + torque_error, MOTORS)
-        limits = config.tau_max, config.corner_speed, config.no_load_speed
-        super().__init__(*(np.array(limit) for limit in limits), share, scale)
+        super().__init__(
+            np.array(config.tau_max),
+            np.array(config.corner_speed),
+            np.array(config.no_load_speed),
+            share,
+            scale,
+        )

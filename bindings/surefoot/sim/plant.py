@@ -192,7 +192,8 @@ class Plant:
 
     def read(self) -> LowState:
         """Return the LowState of this instant; every reading moves its tick on by one period."""
-        return self._sensors.read(self._motors)
+        state: LowState = self._sensors.read(self._motors)
+        return state
 
     def pull(self, torque: Array | None) -> None:
         """Let hands turn the joints with torques (12,) [N.m] from now on; None lets go."""

@@ -19,7 +19,7 @@ def mujoco_state(data: mujoco.MjData, handles: Handles) -> _plant.State:
     """Return views of MuJoCo's memory: they follow it."""
     return _plant.State(
         *(data.qpos, data.qvel, data.qacc, data.qfrc_applied, data.sensordata),
-        *(handles.motor_q, handles.motor_v),
+        *(handles.motor_q.astype(np.int32), handles.motor_v.astype(np.int32)),
     )
 
 
@@ -66,7 +66,7 @@ class Sensors(_plant.Sensors):
                 1.0 / settings.control_rate,
                 foot_rng if settings.real else None,
             ),
-            handles.foot_forces.ravel(),
+            handles.foot_forces.ravel().astype(np.int32),
             handles.ground_normal,
             resting_state(),
             tick0,

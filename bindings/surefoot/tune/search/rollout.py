@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import threading
 import time
 from dataclasses import dataclass, field
 
@@ -113,9 +114,13 @@ def plant_of(episode: Episode) -> Plant:
     return episode.plant()
 
 
+_ALONE = threading.Lock()  # plants are kept and shared: one trial at a time in a process
+
+
 def judged(job: Job) -> Outcome:
     """Return evaluate(), with what cannot be run at all as a finite cost."""
     try:
-        return evaluate(job)
+        with _ALONE:
+            return evaluate(job)
     except Error:
         return Outcome(costs=(BROKEN,) * len(job.objectives), episodes=0)

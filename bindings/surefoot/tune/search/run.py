@@ -116,7 +116,7 @@ class _Search:
         self._settings, self._study, self._crew = settings, study, crew
         self._progress = progress
         self._episodes = settings.search_episodes
-        self._distributions = {
+        self._distributions: dict[str, optuna.distributions.BaseDistribution] = {
             p.name: optuna.distributions.FloatDistribution(p.low, p.high, log=True)
             for p in settings.space
         }
@@ -209,7 +209,7 @@ def _importance(study: optuna.Study, trials: list[FrozenTrial]) -> dict[str, flo
 
 def _judge(settings: SearchSettings, crew: Workers, chosen: list[Gains]) -> list[Outcome]:
     """Run gains on the held-out episodes, each on its own for the workers to share them."""
-    queue, outcomes = Queue(crew), {}
+    queue, outcomes = Queue(crew), dict[int, Outcome]()
     episodes: list[Episode] = list(settings.held_out_episodes)
     for k, gains in enumerate(chosen):
         for j, episode in enumerate(episodes):

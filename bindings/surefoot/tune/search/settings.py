@@ -52,7 +52,7 @@ class SearchSettings:
     def __post_init__(self) -> None:
         for objective in self.objectives:
             weights_of(objective)
-        if len(set(self.objectives)) not in (1, 2) or len(self.objectives) > 2:
+        if len(set(self.objectives)) != len(self.objectives) or len(self.objectives) not in (1, 2):
             got = ",".join(self.objectives)
             raise Error(f"objective: got '{got}', expected one, or two that differ")
         whole = (("trials", 1, 1_000_000), ("jobs", 1, MOST_JOBS), ("episodes", 1, 1000))

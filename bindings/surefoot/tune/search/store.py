@@ -38,8 +38,10 @@ def open_store(path: str | None) -> Iterator[BaseStorage]:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             raise Error(f"store '{path}': another search is at work in it") from None
-        yield _journal(path)
-    lock.unlink(missing_ok=True)
+        try:
+            yield _journal(path)
+        finally:
+            lock.unlink(missing_ok=True)
 
 
 def _journal(path: str) -> JournalStorage:

@@ -75,14 +75,16 @@ class Cluster:
 
     def __init__(self, address: str) -> None:
         try:
-            import distributed
+            import distributed  # untyped
         except ImportError:
             raise Error("cluster: pip install 'surefoot[cluster]' first") from None
         try:
-            self._client: Any = distributed.Client(address, timeout=CLUSTER_TIMEOUT)
+            connect: Any = distributed.Client
+            self._client: Any = connect(address, timeout=CLUSTER_TIMEOUT)
         except (OSError, ValueError) as problem:
             raise Error(f"cluster '{address}': no scheduler there ({problem})") from None
-        self.count = sum(self._client.nthreads().values())
+        # A worker runs one trial at a time, whatever its threads: see rollout.judged().
+        self.count = len(self._client.nthreads())
         if self.count == 0:
             self.close()
             raise Error(f"cluster '{address}': got a scheduler without workers, expected some")
