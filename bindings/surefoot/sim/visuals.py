@@ -89,16 +89,10 @@ def load_mesh(path: Path) -> tuple[Array, Faces]:
     return merge_vertices(*read_collada(path))
 
 
-def merge_vertices(vertices: Array, faces: Faces, detail: int = DETAIL) -> tuple[Array, Faces]:
-    """Replace all vertices in a cell of a fine grid by their mean, and drop flattened faces.
-
-    Args:
-        vertices: (n, 3).
-        faces: (k, 3).
-        detail: Cells along the diagonal of the box around the mesh.
-    """
+def merge_vertices(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
+    """Replace all vertices in a cell of a fine grid by their mean, and drop flattened faces."""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
-    cell = max(float(np.linalg.norm(high - low)) / detail, 1e-9)
+    cell = max(float(np.linalg.norm(high - low)) / DETAIL, 1e-9)
     keys = np.round((vertices - low) / cell).astype(np.int64)
     _, new_index, count = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
     new_index = new_index.ravel()

@@ -46,7 +46,7 @@ class Plots:
                 axes=_axes(plot),
                 legend=uplot.Legend(show=len(plot.curves) > 1),
                 cursor=uplot.Cursor(show=False),
-                height=_HEIGHT + (24 if len(plot.curves) > 1 else 0),
+                height=_HEIGHT + (40 if len(plot.curves) > 1 else 0),
                 padding=(4, 12, 0, 0),
             )
             for plot in _PLOTS

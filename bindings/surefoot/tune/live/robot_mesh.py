@@ -9,11 +9,8 @@ import numpy as np
 
 from surefoot.sim.collada import Faces
 from surefoot.sim.rotations import Array
-from surefoot.sim.visuals import HIDDEN_GROUP, merge_vertices
+from surefoot.sim.visuals import HIDDEN_GROUP
 
-DETAIL = (
-    250  # cells along a mesh's diagonal: a few thousand triangles a part, not tens of thousands
-)
 Colour = tuple[int, int, int]
 
 
@@ -65,7 +62,7 @@ def _shape(model: mujoco.MjModel, geom: int) -> tuple[Array, Faces]:
         start, faces = int(model.mesh_faceadr[mesh]), int(model.mesh_facenum[mesh])
         vertices = np.array(model.mesh_vert[first : first + count], dtype=float)
         triangles = np.array(model.mesh_face[start : start + faces], dtype=np.int64)
-        return merge_vertices(vertices, triangles, DETAIL)
+        return vertices, triangles
     if kind == mujoco.mjtGeom.mjGEOM_SPHERE:
         return _ball(float(size[0]))
     return _box(size)

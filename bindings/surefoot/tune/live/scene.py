@@ -19,7 +19,7 @@ from surefoot.tune.live.view import View
 FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
 _MOVED, _TURNED = 2e-5, 1e-5  # [m] and of a quaternion's numbers: less than a pixel
 _REFLECTED = 0.4  # intensity of the surroundings that the robot reflects
-_PLAIN = 3.0  # intensity of the light that is everywhere, where nothing is reflected
+_PLAIN = 1.2  # intensity of the light that is everywhere, where nothing is reflected
 _LEAST_FORCE = 1.0  # [N] that has an arrow
 
 
