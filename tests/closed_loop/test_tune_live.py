@@ -25,6 +25,7 @@ from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.guard import Guard
 from surefoot.tune.live.linked_robot import LinkedRobot
 from surefoot.tune.live.loop import Loop
+from surefoot.tune.live.page import Page
 from surefoot.tune.live.robot_loop import Place
 from surefoot.tune.live.robot_mesh import robot_parts
 from surefoot.tune.live.server import close_server, open_server
@@ -241,8 +242,10 @@ def test_guarded_gains_stay_near_the_robots_own_and_move_slowly() -> None:
 def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None:
     process, port = start()
     robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", port, "go1-v3.8"))
-    loop = Loop(robot, lambda _: None)
-    loop.start()
+    server = open_server("127.0.0.1", 0, "test")
+    page = Page(server, robot, GainFolder(tmp_path, robot.robot))
+    loop = page.loop
+    page.start()
     try:
         wait_until(lambda: robot.healthy)
         loop.post(lambda: robot.editor.set(KP, 90.0))
@@ -251,14 +254,15 @@ def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None
         loop.post(lambda: robot.set_reference({"height": -0.03}))
         height = robot.view.qpos[2]
         wait_until(lambda: robot.view.qpos[2] < height - 0.02)
-        assert robot.healthy and robot.view.contact.all()
+        assert robot.healthy and robot.view.contact.sum() == 4
         loop.post(robot.damp)
         wait_until(lambda: "damping: asked" in robot.status)
         loop.post(robot.rearm)
         wait_until(lambda: robot.healthy)
+        time.sleep(1.5)
+        assert page.frames_per_second > 5.0  # it has drawn all that, to the end
     finally:
-        loop.stop()
-        robot.close()
+        page.stop()
         process.send_signal(signal.SIGTERM)
         process.wait(timeout=20)
 

@@ -131,7 +131,8 @@ class Page:
         self._gains.refresh()
         if self._push is not None:
             self._push.refresh()
-        pace = "paused" if self.loop.paused else f"{self.loop.factor:.2f} x real time"
-        text = f"**{self._session.status}** · {pace} · {self.frames_per_second:.0f} frames/s"
+        text = f"**{self._session.status}** · {self.frames_per_second:.0f} frames/s"
+        if isinstance(self._session, Simulation):
+            text += " · paused" if self.loop.paused else f" · {self.loop.factor:.2f} x real time"
         if text != self._status.content:
             self._status.content = text

@@ -136,7 +136,7 @@ class RobotLoop:
             self._link.last_reject if unheard else self._reason,
             np.array(controller.state.q) if known else None,
             np.array(controller.solution.forces) if known else np.zeros((3, 4)),
-            np.array(controller.state.contact) if known else np.zeros(4, dtype=bool),
+            np.array(controller.state.contact, dtype=bool) if known else np.zeros(4, dtype=bool),
             Sample(*greatest.tolist()),
         )
 
