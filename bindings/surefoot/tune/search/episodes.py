@@ -14,7 +14,9 @@ FIRST, EVERY, COUNT = 0.6, 2.0, 3  # [s] pushes: when, how often, how many
 SHARE = 0.35, 0.8  # of the pendulum's limit
 PAYLOAD = 0.2  # of the robot's mass, at most
 FRICTION = 0.5, 1.0
-DELAY_STEPS = 3  # extra physics steps of delay, fewer than
+DELAY_STEPS = 4  # extra physics steps of delay, at most
+MOTOR_LAG = 0.001, 0.004  # [s]
+JOINT_FRICTION = 0.5, 2.0  # times the model's
 PHYSICS_DT = 0.001  # [s]
 HELD_OUT = 10_000  # seeds from here on are never searched with
 
@@ -54,7 +56,9 @@ class Episode:
             payload_kg=float(PAYLOAD * mass * rng.uniform()),
             payload_position=(x, y, 0.05),
             friction=float(rng.uniform(*FRICTION)),
-            extra_delay=PHYSICS_DT * int(rng.integers(DELAY_STEPS)),
+            extra_delay=PHYSICS_DT * int(rng.integers(DELAY_STEPS + 1)),
+            motor_lag=float(rng.uniform(*MOTOR_LAG)),
+            joint_friction_scale=float(rng.uniform(*JOINT_FRICTION)),
         )
 
 
