@@ -35,7 +35,7 @@ from surefoot.tune.live.world import World
 from virtual_robot_helpers import start
 
 OWN = surefoot.load_robot("go1").config.gains
-KP, KD = "com_kp_horizontal", "com_kd_horizontal"
+KP = "com_kp_horizontal"
 
 
 def simulation(**world: object) -> Simulation:

@@ -50,11 +50,6 @@ class GainEditor:
         """The gains that are wanted, a copy."""
         return self._gains.__copy__()
 
-    @property
-    def can_undo(self) -> bool:
-        """Whether there is a change to undo."""
-        return bool(self._past)
-
     def get(self, name: str) -> float:
         """Return a gain's value."""
         return get_gain(self._gains, name)

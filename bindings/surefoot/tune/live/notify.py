@@ -12,14 +12,10 @@ class Notifier:
 
     Args:
         server: The server.
-
-    Attributes:
-        last: The last line that was shown.
     """
 
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
-        self.last = ""
 
     def complain(self, text: str) -> None:
         """Say what was wrong."""
@@ -30,6 +26,6 @@ class Notifier:
         self._show("Done", text, "green")
 
     def _show(self, title: str, text: str, colour: Literal["red", "green"]) -> None:
-        self.last = " ".join(text.split())
+        line = " ".join(text.split())
         for client in self._server.get_clients().values():
-            client.add_notification(title, self.last, color=colour, auto_close_seconds=8.0)
+            client.add_notification(title, line, color=colour, auto_close_seconds=8.0)
