@@ -71,12 +71,14 @@ def run(arguments: argparse.Namespace) -> None:
     except BaseException:
         close_server(server)
         raise
+    ended = _heed_signals()
     page.start()
     url = f"http://{arguments.bind}:{server.get_port()}"
     Speaker(sys.stdout)(f"serving {url} ({own.name}); Ctrl-C ends")
     if arguments.open:
         webbrowser.open(url)
-    _wait_for_end()
+    while not ended.wait(0.5):  # a wait without an end would not let signals through
+        pass
     page.stop()
 
 
@@ -102,10 +104,9 @@ def _open_session(
     return LinkedRobot(description, place, gains)
 
 
-def _wait_for_end() -> None:
-    """Wait for Ctrl-C or SIGTERM, which end a server as they should."""
+def _heed_signals() -> threading.Event:
+    """Return what Ctrl-C and SIGTERM set from now on: they end a server as they should."""
     ended = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: ended.set())
-    while not ended.wait(0.5):  # a wait without an end would not let signals through
-        pass
+    return ended
