@@ -33,7 +33,17 @@ stand: install
 	$(BIN)/surefoot stand --robot go1 --duration 10 --sensors real \
 	  --push lateral:50%:0.1@2.0 --push forward:50%:0.1@6.0 --report out/stand
 
-test: install
+# For the test of the live page, where apt and its rights are there; that test is skipped without.
+.venv/.browser: .venv/.installed
+	@if [ -z "$$(command -v chromium-headless-shell chromium google-chrome)" ] \
+	  && command -v apt-get > /dev/null && [ "$$(id -u)" = 0 ]; then \
+	  (apt-get -qq update && apt-get -qq install -y --no-install-recommends chromium-headless-shell \
+	    || apt-get -qq install -y --no-install-recommends chromium) > build/browser.log 2>&1 \
+	    || echo "no browser installed (build/browser.log): the live page is not tested in one"; \
+	fi
+	@touch $@
+
+test: install .venv/.browser
 	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
 	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz
 	cd $(BUILD) && ctest --output-on-failure

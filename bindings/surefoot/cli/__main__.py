@@ -4,4 +4,5 @@ import sys
 
 from surefoot.cli import main
 
-sys.exit(main())
+if __name__ == "__main__":  # a process that Python starts beside it imports this file as well
+    sys.exit(main())

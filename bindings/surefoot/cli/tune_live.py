@@ -3,12 +3,110 @@
 from __future__ import annotations
 
 import argparse
+import signal
+import sys
+import threading
+import webbrowser
+from typing import TYPE_CHECKING
+
+from surefoot._core import Error, Gains
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.cli.simulation import choose_graphics
+from surefoot.gain_files import load_gains
+from surefoot.protocol import default_generation
+from surefoot.robot_files import RobotDescription
+from surefoot.robots import build_robot
+from surefoot.terminal import Speaker
+
+if TYPE_CHECKING:
+    from surefoot.tune.live.session import Session
+
+ROBOT_PORT = 8007
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot tune live."""
+    add_robot_options(parser, "go1")
+    parser.epilog = (
+        "exit status: 0 the end, by Ctrl-C or SIGTERM; 1 the page's port is taken or not "
+        "permitted; 2 a wrong argument. Whoever reaches the page may use it: leave --bind at "
+        "loopback unless the network is your own"
+    )
+    add = parser.add_argument
+    add("--gains", metavar="FILE.toml", help="gains to begin with (the robot's own)")
+    add("--folder", default=".", metavar="DIR", help="where the page saves and loads gains (.)")
+    add("--port", type=int, default=8080, metavar="N", help="of the page; 0: a free one (8080)")
+    add("--bind", default="127.0.0.1", metavar="ADDRESS", help="to serve on (127.0.0.1)")
+    add("--open", action="store_true", help="open a browser")
+    add("--plain", action="store_true", help="no shadows: for a computer without a graphics card")
+    group = parser.add_argument_group("a robot on UDP instead of a simulated one")
+    add = group.add_argument
+    text = f"of the robot, see surefoot run (port {ROBOT_PORT}); gains then move in guarded ranges"
+    add("--host", metavar="ADDRESS[:PORT]", help=text)
+    add("--sdk", metavar="GENERATION", help="of its frames (the robot's newest)")
+    add("--power-level", type=int, default=1, metavar="N", help="N x 100 W: 1 .. 10; 0: off (1)")
 
 
-def run(arguments: argparse.Namespace) -> int | None:
-    """Run it; raises Error."""
-    raise NotImplementedError
+def run(arguments: argparse.Namespace) -> None:
+    """Serve the page until Ctrl-C or SIGTERM; raises Error, OSError."""
+    choose_graphics()
+    try:
+        from surefoot.tune.live.gain_folder import GainFolder
+        from surefoot.tune.live.page import Page
+        from surefoot.tune.live.server import close_server, open_server
+    except ModuleNotFoundError as problem:
+        raise Error(
+            f"module '{problem.name}' not found: surefoot tune live needs the extras 'tune' and "
+            "'sim'; run: pip install 'surefoot[tune,sim]'"
+        ) from None
+    description = chosen_robot(arguments, default="go1")
+    assert description is not None  # there is a default
+    own = build_robot(description)
+    gains = None if arguments.gains is None else load_gains(arguments.gains, own.config.gains)
+    files = GainFolder(arguments.folder, own)
+    server = open_server(arguments.bind, arguments.port, f"surefoot tune live: {own.name}")
+    try:
+        session = _open_session(arguments, description, gains)
+        page = Page(server, session, files, arguments.plain)
+    except BaseException:
+        close_server(server)
+        raise
+    ended = _heed_signals()
+    page.start()
+    url = f"http://{arguments.bind}:{server.get_port()}"
+    Speaker(sys.stdout)(f"serving {url} ({own.name}); Ctrl-C ends")
+    if arguments.open:
+        webbrowser.open(url)
+    while not ended.wait(0.5):  # a wait without an end would not let signals through
+        pass
+    page.stop()
+
+
+def _open_session(
+    arguments: argparse.Namespace, description: RobotDescription, gains: Gains | None
+) -> Session:
+    if arguments.host is None:
+        from surefoot.tune.live.simulation import Simulation
+
+        return Simulation(description, gains)
+    from surefoot.tune.live.linked_robot import LinkedRobot
+    from surefoot.tune.live.robot_loop import Place
+
+    host, _, port = arguments.host.partition(":")
+    if not port:
+        port = str(ROBOT_PORT)
+    if not port.isdecimal() or not host:
+        raise Error(f"--host: got '{arguments.host}', expected ADDRESS or ADDRESS:PORT")
+    if not 0 <= arguments.power_level <= 10:
+        raise Error(f"--power-level: got {arguments.power_level}, expected 0 to 10")
+    generation = arguments.sdk or default_generation(description.name)
+    place = Place(host, int(port), generation, arguments.power_level)
+    return LinkedRobot(description, place, gains)
+
+
+def _heed_signals() -> threading.Event:
+    """Return what Ctrl-C and SIGTERM set from now on: they end a server as they should."""
+    ended = threading.Event()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: ended.set())
+    return ended

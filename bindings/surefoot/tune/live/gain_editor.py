@@ -1,0 +1,122 @@
+"""The gains that are wanted, what they were before, and two sets of them to compare."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from surefoot._core import Gains, gain_table, get_gain, set_gain
+
+_ONE_MOVE = 1.0  # [s]; changes of one gain that follow each other faster are undone at once
+_MOST = 200  # sets of gains that are remembered
+
+SLOTS = ("A", "B")
+
+
+class GainEditor:
+    """Holds gains and their history; nothing here reaches a controller by itself.
+
+    Args:
+        own: The robot's own gains, to which "own" goes back.
+        start: The gains to begin with; None for the robot's own.
+        check: Raises Error where gains must not go; None allows all that is valid.
+        now: The clock [s].
+
+    Attributes:
+        own: The robot's own gains.
+        version: Counts every change.
+        revision: Counts changes that a slider has not made, for sliders to follow.
+        slots: Gains that were stored as A and as B.
+    """
+
+    def __init__(
+        self,
+        own: Gains,
+        start: Gains | None = None,
+        check: Callable[[Gains], None] | None = None,
+        now: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.own = own.__copy__()
+        self._gains = (own if start is None else start).__copy__()
+        self._check, self._now = check, now
+        self._past: list[Gains] = []
+        self._last: tuple[str, float] = ("", 0.0)
+        self.version = self.revision = 0
+        self.slots: dict[str, Gains] = {}
+        self._accept(self._gains)
+
+    @property
+    def gains(self) -> Gains:
+        """The gains that are wanted, a copy."""
+        return self._gains.__copy__()
+
+    def get(self, name: str) -> float:
+        """Return a gain's value."""
+        return get_gain(self._gains, name)
+
+    def set(self, name: str, value: float) -> None:
+        """Change one gain; a slider's whole way counts as one change; raises Error."""
+        gains = self.gains
+        try:
+            set_gain(gains, name, value)
+            self._accept(gains)
+        except Exception:
+            self.revision += 1  # whatever shows the value has to go back
+            raise
+        if gains == self._gains:
+            return
+        former, then = self._last
+        if name != former or self._now() - then > _ONE_MOVE:
+            self._remember()
+        self._last = (name, self._now())
+        self._gains = gains
+        self.version += 1
+
+    def replace(self, gains: Gains) -> None:
+        """Change all gains at once; raises Error and changes nothing if one may not be."""
+        self._accept(gains)
+        self._remember()
+        self._put(gains.__copy__())
+
+    def undo(self) -> bool:
+        """Go back by one change; return whether there was one."""
+        if not self._past:
+            return False
+        self._put(self._past.pop())
+        return True
+
+    def store(self, slot: str) -> None:
+        """Keep the gains as A or B."""
+        self.slots = {**self.slots, slot: self.gains}
+
+    def use(self, slot: str) -> bool:
+        """Take the gains kept as A or B; return whether there are any; raises Error."""
+        if slot not in self.slots:
+            return False
+        self.replace(self.slots[slot])
+        return True
+
+    def changed(self) -> dict[str, tuple[float, float]]:
+        """Return gains that differ from the robot's own: own value and present value by name."""
+        return differences(self.own, self._gains)
+
+    def _accept(self, gains: Gains) -> None:
+        gains.validate()
+        if self._check is not None:
+            self._check(gains)
+
+    def _remember(self) -> None:
+        self._past = [*self._past[-_MOST:], self._gains]
+
+    def _put(self, gains: Gains) -> None:
+        self._gains, self._last = gains, ("", 0.0)
+        self.version += 1
+        self.revision += 1
+
+
+def differences(first: Gains, second: Gains) -> dict[str, tuple[float, float]]:
+    """Return the gains whose values differ: first's and second's value by name."""
+    pairs = {
+        row.name: (get_gain(first, row.name), get_gain(second, row.name)) for row in gain_table()
+    }
+    return {name: pair for name, pair in pairs.items() if pair[0] != pair[1]}

@@ -1,0 +1,138 @@
+"""The whole page: scene, plots and panels over a session, and the thread that refreshes them."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import viser
+
+from surefoot.tune.live.gain_folder import GainFolder
+from surefoot.tune.live.gain_panel import GainPanel
+from surefoot.tune.live.link_panel import add_link_panel
+from surefoot.tune.live.linked_robot import LinkedRobot
+from surefoot.tune.live.loop import Loop
+from surefoot.tune.live.notify import Notifier
+from surefoot.tune.live.plots import Plots
+from surefoot.tune.live.push_panel import PushPanel
+from surefoot.tune.live.reference_panel import add_reference_panel
+from surefoot.tune.live.scene import Scene
+from surefoot.tune.live.server import close_server
+from surefoot.tune.live.session import Session
+from surefoot.tune.live.simulation import Simulation
+from surefoot.tune.live.time_panel import add_time_panel
+from surefoot.tune.live.world_panel import add_world_panel
+
+FRAME = 1.0 / 30.0  # [s] between pictures
+_PLOT_EVERY, _TEXT_EVERY = 3, 8  # frames
+_PLOT_WIDTH, _PANEL_WIDTH = 330, 400  # [pixels]
+
+
+class Page:
+    """Serves a session.
+
+    Args:
+        server: An empty server.
+        session: The robot; its time passes in a thread of the page's.
+        files: Where gains are saved and loaded.
+        plain: Without shadows and reflections, for browsers without a graphics card.
+
+    Attributes:
+        loop: The thread that ticks the session.
+        frames_per_second: Pictures sent in the last second.
+    """
+
+    def __init__(
+        self,
+        server: viser.ViserServer,
+        session: Session,
+        files: GainFolder,
+        plain: bool = False,
+    ) -> None:
+        self._server, self._session = server, session
+        self.notifier = Notifier(server)
+        self.loop = Loop(session, self.notifier.complain)
+        self.frames_per_second = 0.0
+        self._ending = threading.Event()
+        self._drawing = threading.Thread(target=self._draw, name="surefoot page", daemon=True)
+        server.gui.configure_theme(show_logo=False, show_share_button=False)
+        self._scene = Scene(server, session.description)
+        self._status = server.gui.add_markdown("")
+        self._push = self._add_robot_controls()
+        tabs = server.gui.add_tab_group()
+        with tabs.add_tab("Gains"):
+            self._gains = GainPanel(
+                server.gui, session.editor, files, self.loop.post, self.notifier, session.guard
+            )
+        with tabs.add_tab("Body"):
+            add_reference_panel(server.gui, session, self.loop.post)
+        if isinstance(session, Simulation):
+            with tabs.add_tab("World"):
+                add_world_panel(server.gui, session, self.loop.post)
+        with tabs.add_tab("View"):
+            self._add_view_controls(plain)
+        self._plots = self._add_plots()
+
+    def start(self) -> None:
+        """Let time pass and draw."""
+        self.loop.start()
+        self._drawing.start()
+
+    def stop(self) -> None:
+        """End both threads, let go of the robot and close the server."""
+        self._ending.set()
+        self._drawing.join()
+        self.loop.stop()
+        self._session.close()
+        close_server(self._server)
+
+    def _add_robot_controls(self) -> PushPanel | None:
+        gui, session, post = self._server.gui, self._session, self.loop.post
+        if isinstance(session, LinkedRobot):
+            add_link_panel(gui, session, post)
+        if not isinstance(session, Simulation):
+            return None
+        add_time_panel(gui, self.loop, session)
+        with gui.add_folder("Push"):
+            return PushPanel(gui, session, post, self.notifier)
+
+    def _add_view_controls(self, plain: bool) -> None:
+        hint = "no shadows and reflections, for a computer without a graphics card"
+        box = self._server.gui.add_checkbox("plain light", plain, hint=hint)
+        box.on_update(lambda _: self._scene.set_plain(box.value))
+        self._scene.set_plain(plain)
+
+    def _add_plots(self) -> Plots:
+        gui = self._server.gui
+        panel = gui.add_panel()
+        with panel.add_tab("The last 10 s"):
+            plots = Plots(gui, self._session.curves)
+        panel.dock_left()
+        panel.set_width(_PLOT_WIDTH)
+        gui.main_panel.dock_right()
+        gui.main_panel.set_width(_PANEL_WIDTH)
+        return plots
+
+    def _draw(self) -> None:
+        count, rated, counted = 0, time.monotonic(), 0
+        while not self._ending.wait(max(0.0, rated + (counted + 1) * FRAME - time.monotonic())):
+            self._scene.show(self._session.view)
+            count, counted = count + 1, counted + 1
+            if count % _PLOT_EVERY == 0:
+                self._plots.refresh()
+            if count % _TEXT_EVERY == 0:
+                self._refresh_texts()
+            now = time.monotonic()
+            if now - rated > 1.0:
+                self.frames_per_second = counted / (now - rated)
+                rated, counted = now, 0
+
+    def _refresh_texts(self) -> None:
+        self._gains.refresh()
+        if self._push is not None:
+            self._push.refresh()
+        text = f"**{self._session.status}** · {self.frames_per_second:.0f} frames/s"
+        if isinstance(self._session, Simulation):
+            text += " · paused" if self.loop.paused else f" · {self.loop.factor:.2f} x real time"
+        if text != self._status.content:
+            self._status.content = text

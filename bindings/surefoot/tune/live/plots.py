@@ -1,0 +1,73 @@
+"""The last seconds in four plots."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import viser
+from viser import uplot
+
+from surefoot.tune.live.curves import Curves, Sample
+
+_HEIGHT = 122  # [pixels] of a plot
+_BLUE, _ORANGE = "#2563eb", "#ea580c"
+
+
+class _Plot(NamedTuple):
+    title: str
+    curves: dict[str, str]  # fields of Sample, and what the legend calls them
+
+
+_PLOTS = (
+    _Plot("Pose error", {"position_error": "mm", "angle_error": "deg"}),
+    _Plot("Greatest torque / its limit", {"torque_ratio": "1"}),
+    _Plot("Power of the command", {"power": "W"}),
+    _Plot("Tick: LowState to LowCmd", {"tick_us": "us"}),
+)
+
+
+class Plots:
+    """Draws Curves.
+
+    Args:
+        gui: Where to add the plots.
+        curves: What to draw.
+    """
+
+    def __init__(self, gui: viser.GuiApi, curves: Curves) -> None:
+        self._curves = curves
+        arrays = dict(zip(("time", *Sample._fields), curves.arrays(), strict=True))
+        self._handles = [
+            gui.add_uplot(
+                (arrays["time"], *(arrays[name] for name in plot.curves)),
+                _series(plot),
+                title=plot.title,
+                scales={"x": uplot.Scale(time=False)},  # else uPlot takes seconds for a date
+                axes=_axes(plot),
+                legend=uplot.Legend(show=len(plot.curves) > 1),
+                cursor=uplot.Cursor(show=False),
+                height=_HEIGHT + (40 if len(plot.curves) > 1 else 0),
+                padding=(4, 12, 0, 0),
+            )
+            for plot in _PLOTS
+        ]
+
+    def refresh(self) -> None:
+        """Draw what is new."""
+        arrays = dict(zip(("time", *Sample._fields), self._curves.arrays(), strict=True))
+        for plot, handle in zip(_PLOTS, self._handles, strict=True):
+            handle.data = (arrays["time"], *(arrays[name] for name in plot.curves))
+
+
+def _series(plot: _Plot) -> tuple[uplot.Series, ...]:
+    colours = (_BLUE, _ORANGE)
+    lines = (
+        uplot.Series(label=label, stroke=colour, width=1.5)
+        for label, colour in zip(plot.curves.values(), colours, strict=False)
+    )
+    return (uplot.Series(label="s"), *lines)
+
+
+def _axes(plot: _Plot) -> tuple[uplot.Axis, ...]:
+    unit = ", ".join(plot.curves.values())
+    return uplot.Axis(size=26), uplot.Axis(label=unit, labelSize=18, size=46)

@@ -1,0 +1,99 @@
+"""Pushes and what they cost: one on the robot that is shown, or one on each of A and B."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+from surefoot._core import Error
+from surefoot.tune.cost import Cost
+from surefoot.tune.live.comparison import judge
+from surefoot.tune.live.gain_editor import SLOTS
+from surefoot.tune.live.notify import Notifier
+from surefoot.tune.live.simulation import Simulation
+
+_SIDES = ((-180, "back"), (-90, "right"), (0, "ahead"), (90, "left"), (180, ""))
+
+
+class PushPanel:
+    """The part of the page that pushes.
+
+    Args:
+        gui: Where to add it.
+        simulation: Whose robot is pushed.
+        post: Has an action done by the thread that the simulation belongs to.
+        notifier: Is told what cannot be done.
+    """
+
+    def __init__(
+        self,
+        gui: viser.GuiApi,
+        simulation: Simulation,
+        post: Callable[[Callable[[], Any]], None],
+        notifier: Notifier,
+    ) -> None:
+        self._simulation, self._post, self._notifier = simulation, post, notifier
+        self._impulse, self._compared = "", ""
+        hint = "from forward towards left"
+        self._direction = gui.add_slider(
+            "direction [deg]", -180.0, 180.0, 5.0, 90.0, marks=_SIDES, hint=hint
+        )
+        hint = "of what a linear inverted pendulum survives with its feet where they are"
+        self._strength = gui.add_slider("strength [%]", 0.0, 150.0, 5.0, 50.0, hint=hint)
+        push = gui.add_button("Push", color="red", icon=viser.Icon.HAND_STOP)
+        push.on_click(lambda _: post(self._push))
+        compare = gui.add_button("Compare A and B", hint="this push on either, from a fresh stand")
+        compare.on_click(lambda _: self._compare())
+        self._text = gui.add_markdown("")
+
+    def refresh(self) -> None:
+        """Show the score of the last push."""
+        score, lines = self._simulation.score, [self._impulse]
+        if score.seconds_left > 0.0:
+            lines.append(f"Score in {score.seconds_left:.0f} s.")
+        elif score.last is not None:
+            lines.append(
+                f"**Score {score.last.value:.2f}** (lower is better): {_terms(score.last)}"
+            )
+        text = "\n\n".join(line for line in (*lines, self._compared) if line)
+        if text != self._text.content:
+            self._text.content = text
+
+    def _push(self) -> None:
+        impulse = self._simulation.push(self._direction.value, self._strength.value)
+        self._impulse = f"Last push: {impulse:.1f} N.s in 0.1 s."
+
+    def _compare(self) -> None:
+        simulation, slots = self._simulation, self._simulation.editor.slots
+        missing = [slot for slot in SLOTS if slot not in slots]
+        if missing:
+            self._notifier.complain(f"nothing was kept as {' and '.join(missing)} yet")
+            return
+        push = self._direction.value, self._strength.value
+        self._compared = "Comparing A and B ..."
+        try:
+            costs = {
+                slot: judge(simulation.description, simulation.world, slots[slot], *push)
+                for slot in SLOTS
+            }
+        except Error as problem:
+            self._compared = ""
+            self._notifier.complain(str(problem))
+            return
+        self._compared = comparison_text(costs)
+
+
+def comparison_text(costs: dict[str, Cost]) -> str:
+    """Return scores and their terms side by side, as a Markdown table."""
+    names = next(iter(costs.values())).terms
+    rows = [("score", [cost.value for cost in costs.values()])]
+    rows += [(name, [cost.terms[name] for cost in costs.values()]) for name in names]
+    lines = [f"| | {' | '.join(costs)} |", "|---" * (1 + len(costs)) + "|"]
+    lines += [f"| {name} | {' | '.join(f'{v:.2f}' for v in values)} |" for name, values in rows]
+    return "\n".join(lines)
+
+
+def _terms(cost: Cost) -> str:
+    return ", ".join(f"{name} {value:.2f}" for name, value in cost.terms.items() if value > 0.0)

@@ -1,0 +1,41 @@
+"""Where the body is asked to be: six sliders."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+from surefoot.tune.live.session import AXES, Session
+
+_STEPS = {"m": 0.005, "deg": 0.5}
+
+
+def add_reference_panel(
+    gui: viser.GuiApi, session: Session, post: Callable[[Callable[[], Any]], None]
+) -> None:
+    """Add a slider for every axis of the body reference, and a button that zeroes them.
+
+    Args:
+        gui: Where to.
+        session: Whose body moves.
+        post: Has an action done by the thread that the session belongs to.
+    """
+    hint = "from the pose that was latched; limited where gain reach_... says"
+    sliders: dict[str, Any] = {
+        axis: gui.add_slider(f"{axis} [{unit}]", low, high, _STEPS[unit], 0.0, hint=hint)
+        for axis, (unit, low, high) in AXES.items()
+    }
+
+    def ask(_: Any) -> None:
+        values = {axis: float(slider.value) for axis, slider in sliders.items()}
+        post(lambda: session.set_reference(values))
+
+    for slider in sliders.values():
+        slider.on_update(ask)
+
+    @gui.add_button("Back to the latched pose").on_click
+    def _(_: Any) -> None:
+        for slider in sliders.values():
+            slider.value = 0.0

@@ -1,0 +1,116 @@
+"""The robot in 3D: its bodies, the forces under its feet, the support polygon, pushes."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import viser
+
+from surefoot.robot_files import RobotDescription
+from surefoot.robots import build_robot
+from surefoot.sim.model import build_model
+from surefoot.sim.rotations import Array
+from surefoot.sim.settings import PlantSettings
+from surefoot.tune.live.robot_mesh import robot_parts
+from surefoot.tune.live.support import Support
+from surefoot.tune.live.surroundings import Surroundings
+from surefoot.tune.live.view import View
+
+FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
+_MOVED, _TURNED = 2e-5, 1e-5  # [m] and of a quaternion's numbers: less than a pixel
+_REFLECTED = 0.4  # intensity of the surroundings that the robot reflects
+_PLAIN = 1.2  # intensity of the light that is everywhere, where nothing is reflected
+_LEAST_FORCE = 1.0  # [N] that has an arrow
+
+
+class Scene:
+    """Draws Views of one robot in a viser server.
+
+    Args:
+        server: The server.
+        description: The robot's files.
+    """
+
+    def __init__(self, server: viser.ViserServer, description: RobotDescription) -> None:
+        self._server = server
+        robot = build_robot(description)
+        self._model = build_model(robot, description, PlantSettings(), visuals=True)
+        self._data = mujoco.MjData(self._model)
+        self._weight = 9.81 * float(np.sum(self._model.body_mass))
+        self._size = (self._weight / 9.81) ** (1 / 3) / 8.0  # [m]; all that is drawn scales with it
+        self._frames = self._add_robot()
+        self._surroundings = Surroundings(server, self._base_name, self._size)
+        self._support = Support(server, self._size)
+        self._arrows: viser.ArrowsHandle | None = None
+        self._lamp = server.scene.add_light_ambient("/lamp", intensity=_PLAIN, visible=False)
+        self._aim_camera()
+
+    def show(self, view: View) -> None:
+        """Draw an instant; only what has moved is sent."""
+        self._data.qpos[:] = view.qpos
+        mujoco.mj_kinematics(self._model, self._data)
+        with self._server.atomic():
+            for body, frame in self._frames.items():
+                position, wxyz = self._data.xpos[body], self._data.xquat[body]
+                if np.abs(position - frame.position).max() > _MOVED:
+                    frame.position = position
+                if np.abs(wxyz - frame.wxyz).max() > _TURNED:
+                    frame.wxyz = wxyz
+            self._surroundings.show(view)
+            self._support.show(view)
+            self._show_forces(view)
+
+    def set_plain(self, plain: bool) -> None:
+        """Leave out shadows and reflections: without a graphics card they take most of the time."""
+        self._server.scene.configure_default_lights(True, cast_shadow=not plain)
+        self._server.scene.configure_environment_map(
+            None if plain else "warehouse", environment_intensity=_REFLECTED
+        )
+        self._lamp.visible = plain
+
+    @property
+    def _base_name(self) -> str:
+        return f"/robot/{self._model.body(1).name}"
+
+    def _add_robot(self) -> dict[int, viser.FrameHandle]:
+        scene, frames = self._server.scene, {}
+        for k, part in enumerate(robot_parts(self._model)):
+            name = f"/robot/{self._model.body(part.body).name}"
+            if part.body not in frames:
+                frames[part.body] = scene.add_frame(name, show_axes=False)
+            scene.add_mesh_simple(
+                f"{name}/{k}", part.vertices, part.faces, color=part.colour, side="double"
+            )
+        return frames
+
+    def _show_forces(self, view: View) -> None:
+        metres = 2.0 * self._size / self._weight  # a newton's length
+        loaded = np.linalg.norm(view.forces, axis=1) > _LEAST_FORCE
+        starts, colours = view.contact_points[loaded], [FORCE_GREEN] * int(loaded.sum())
+        ends = starts + metres * view.forces[loaded]
+        if view.push is not None:
+            # The arrow's tip is where the force acts, moved out of the trunk.
+            force, point = view.push
+            tip = point - 0.3 * self._size * force / np.linalg.norm(force)
+            starts, ends = np.vstack([starts, tip - metres * force]), np.vstack([ends, tip])
+            colours.append(PUSH_RED)
+        self._draw_arrows(np.stack([starts, ends], axis=1), colours)
+
+    def _draw_arrows(self, points: Array, colours: list[tuple[int, int, int]]) -> None:
+        if self._arrows is not None and len(colours) == len(self._arrows.points):
+            if np.abs(points - self._arrows.points).max(initial=0.0) > 1e-3 * self._size:
+                self._arrows.points = points.astype(np.float32)
+            return
+        self._arrows = self._server.scene.add_arrows(
+            "/forces",
+            points,
+            np.array(colours, dtype=np.uint8).reshape(-1, 3),
+            shaft_radius=0.016 * self._size,
+            head_radius=0.04 * self._size,
+            head_length=0.09 * self._size,
+        )
+
+    def _aim_camera(self) -> None:
+        camera = self._server.initial_camera
+        camera.position = (1.5 * self._size, -2.3 * self._size, 1.5 * self._size)
+        camera.look_at = (0.0, 0.0, 0.55 * self._size)

@@ -1,0 +1,40 @@
+"""Run, pause, step, reset and speed of a simulation."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import viser
+
+from surefoot.tune.live.loop import Loop
+from surefoot.tune.live.simulation import Simulation
+
+SPEEDS = {"x 1": 1.0, "x 1/2": 0.5, "x 1/5": 0.2, "x 1/20": 0.05, "x 2": 2.0}
+
+
+def add_time_panel(gui: viser.GuiApi, loop: Loop, simulation: Simulation) -> None:
+    """Add the controls of a loop's time.
+
+    Args:
+        gui: Where to.
+        loop: Whose time it is.
+        simulation: What Reset stands up anew.
+    """
+    hint = "Step: one control period of 2 ms"
+    buttons = gui.add_button_group("time", ("Run", "Pause", "Step", "Reset"), hint=hint)
+
+    @buttons.on_click
+    def _(_: Any) -> None:
+        if buttons.value == "Reset":
+            loop.post(simulation.reset)
+        elif buttons.value == "Step":
+            loop.paused = True
+            loop.step()
+        else:
+            loop.paused = buttons.value == "Pause"
+
+    speed = gui.add_dropdown("speed", tuple(SPEEDS), initial_value="x 1")
+
+    @speed.on_update
+    def _(_: Any) -> None:
+        loop.speed = SPEEDS[speed.value]

@@ -1,0 +1,59 @@
+"""Friction, payload, latency and sensors of the simulated world."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import viser
+
+from surefoot.tune.live.simulation import Simulation
+from surefoot.tune.live.world import World
+
+_SENSORS = ("real", "ideal")
+_FOOT_FORCE = ("robot", "est", "raw", "dead")
+
+
+def add_world_panel(
+    gui: viser.GuiApi, simulation: Simulation, post: Callable[[Callable[[], Any]], None]
+) -> None:
+    """Add what the world is like, and a button that stands the robot up in it.
+
+    Args:
+        gui: Where to.
+        simulation: Whose world it is.
+        post: Has an action done by the thread that the simulation belongs to.
+    """
+    world, mass = simulation.world, simulation.robot.mass
+    friction = gui.add_slider(
+        "friction [1]", 0.1, 1.5, 0.05, world.friction, hint="the controller assumes 0.6"
+    )
+    hint = "on the trunk; the controller does not know of it"
+    payload = gui.add_slider("payload [kg]", 0.0, float(round(1.5 * mass)), 0.5, 0.0, hint=hint)
+    hint = "of commands, beyond the sensors' own 2 ms each way"
+    delay = gui.add_slider("latency [ms]", 0.0, 20.0, 1.0, world.delay_ms, hint=hint)
+    hint = "latency that the controller predicts across"
+    predicted = gui.add_slider("predicted [ms]", 0.0, 20.0, 1.0, world.predicted_ms, hint=hint)
+    slope = gui.add_slider("slope [deg]", -15.0, 15.0, 1.0, 0.0, hint="uphill forward")
+    sensors = gui.add_dropdown("sensors", _SENSORS, initial_value=world.sensors)
+    hint = "robot: as the real one's are; est: newtons and counts; raw: counts; dead: zeros"
+    feet = gui.add_dropdown("foot force", _FOOT_FORCE, initial_value=world.foot_force, hint=hint)
+    seed = gui.add_number("seed", world.seed, min=0, step=1, hint="of sensor and motor errors")
+    gui.add_markdown("_A change stands the robot up anew, on the same gains._")
+
+    def change(_: Any) -> None:
+        asked = World(
+            friction=float(friction.value),
+            payload_kg=float(payload.value),
+            delay_ms=float(delay.value),
+            predicted_ms=float(predicted.value),
+            sensors=sensors.value,
+            foot_force=feet.value,
+            slope_deg=float(slope.value),
+            seed=int(seed.value),
+        )
+        simulation.wanted_world = asked
+        post(simulation.enter_wanted_world)
+
+    for handle in (friction, payload, delay, predicted, slope, sensors, feet, seed):
+        handle.on_update(change)

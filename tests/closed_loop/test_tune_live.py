@@ -1,0 +1,363 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The live page without a browser: gains, pushes, files, guarded ranges, addresses."""
+
+from __future__ import annotations
+
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import surefoot
+import viser
+from surefoot.cli import main
+from surefoot.robot_files import describe_robot
+from surefoot.tune.live.comparison import judge
+from surefoot.tune.live.curves import BUCKET, Curves, Sample
+from surefoot.tune.live.gain_editor import GainEditor
+from surefoot.tune.live.gain_folder import GainFolder
+from surefoot.tune.live.guard import Guard
+from surefoot.tune.live.linked_robot import LinkedRobot
+from surefoot.tune.live.loop import Loop
+from surefoot.tune.live.page import Page
+from surefoot.tune.live.robot_loop import Place
+from surefoot.tune.live.robot_mesh import robot_parts
+from surefoot.tune.live.server import close_server, open_server
+from surefoot.tune.live.simulation import Simulation
+from surefoot.tune.live.slider_range import slider_range
+from surefoot.tune.live.world import World
+from virtual_robot_helpers import start
+
+OWN = surefoot.load_robot("go1").config.gains
+KP = "com_kp_horizontal"
+
+
+def simulation(**world: object) -> Simulation:
+    return Simulation(describe_robot("go1"), world=World(**world))
+
+
+def run(session: Simulation, seconds: float) -> None:
+    for _ in range(round(seconds / session.period)):
+        session.tick()
+
+
+def wait_until(condition: Callable[[], bool], seconds: float = 20.0) -> None:
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.02)
+
+
+def editor_with_clock() -> tuple[GainEditor, list[float]]:
+    clock = [0.0]
+    return GainEditor(OWN, now=lambda: clock[0]), clock
+
+
+def test_a_sliders_whole_way_is_undone_at_once() -> None:
+    editor, clock = editor_with_clock()
+    for value in (61.0, 62.0, 63.0):
+        clock[0] += 0.1
+        editor.set(KP, value)
+    clock[0] += 5.0
+    editor.set(KP, 70.0)
+    assert editor.undo() and editor.get(KP) == 63.0
+    assert editor.undo() and editor.gains == OWN
+    assert not editor.undo()
+
+
+def test_gains_out_of_range_change_nothing_but_tell_the_slider_to_go_back() -> None:
+    editor, _ = editor_with_clock()
+    with pytest.raises(surefoot.Error, match=KP):
+        editor.set(KP, 1e6)
+    with pytest.raises(surefoot.Error, match="contact_force_on"):
+        editor.set("contact_force_off", 0.3)
+    assert editor.gains == OWN and editor.version == 0 and editor.revision == 2
+
+
+def test_a_and_b_keep_gains_and_give_them_back() -> None:
+    editor, _ = editor_with_clock()
+    editor.store("A")
+    editor.set(KP, 80.0)
+    editor.store("B")
+    assert editor.use("A") and editor.gains == OWN
+    assert editor.use("B") and editor.get(KP) == 80.0
+    assert editor.changed() == {KP: (60.0, 80.0)}
+
+
+def test_the_controller_gets_a_gain_that_is_changed() -> None:
+    session = simulation()
+    session.editor.set(KP, 90.0)
+    run(session, 0.01)
+    assert surefoot.get_gain(session.controller.gains, KP) == 90.0
+
+
+@pytest.mark.parametrize("degrees", [0.0, 90.0])
+def test_a_pushed_robot_recovers_and_gets_a_score(degrees: float) -> None:
+    session = simulation()
+    run(session, 0.5)
+    assert session.push(degrees, 50.0) > 3.0
+    run(session, 0.05)
+    session.look()
+    assert session.view.push is not None and session.score.seconds_left > 2.9
+    run(session, 3.0)
+    session.look()
+    assert session.healthy and session.view.push is None and session.view.contact.all()
+    assert session.score.last is not None and 0.1 < session.score.last.value < 10.0
+    assert session.curves.arrays()[1].max() > 2.0  # [mm]
+
+
+def test_a_push_beyond_what_can_be_survived_is_a_fall_that_reset_ends() -> None:
+    session = simulation()
+    run(session, 0.5)
+    session.push(90.0, 300.0)
+    run(session, 3.2)
+    session.look()
+    assert not session.healthy and "fallen" in session.status
+    assert session.score.last is not None and session.score.last.terms["fall"] > 0.0
+    session.editor.set(KP, 90.0)
+    session.reset()
+    run(session, 0.5)
+    assert session.healthy and surefoot.get_gain(session.controller.gains, KP) == 90.0
+
+
+def test_another_world_is_a_new_stand_and_one_that_cannot_be_stood_on_is_refused() -> None:
+    session = simulation()
+    session.wanted_world = World(payload_kg=3.0, friction=0.5, delay_ms=2.0, sensors="ideal")
+    session.enter_wanted_world()
+    run(session, 0.5)
+    assert session.healthy and session.plant.settings.payload_kg == 3.0
+    with pytest.raises(surefoot.Error, match="fell"):
+        session.set_world(World(payload_kg=200.0))
+    run(session, 0.1)
+    assert session.healthy and session.world.payload_kg == 3.0
+
+
+def test_the_body_goes_where_its_sliders_say() -> None:
+    session = simulation()
+    run(session, 0.5)
+    before = session.plant.truth.q[2]
+    session.set_reference({"height": -0.03, "roll": 5.0})
+    run(session, 2.0)
+    assert session.plant.truth.q[2] - before == pytest.approx(-0.03, abs=0.003)
+
+
+def test_what_is_worse_costs_more_when_it_is_compared() -> None:
+    loose = OWN.__copy__()
+    for name in (KP, "base_kp_tilt", "weight_base_tilt"):
+        surefoot.set_gain(loose, name, 0.1 * surefoot.get_gain(OWN, name))
+    costs = [judge(describe_robot("go1"), World(), gains, 90.0, 50.0) for gains in (OWN, loose)]
+    assert costs[0].value < costs[1].value
+
+
+def test_gains_that_are_saved_load_to_the_same(tmp_path: Path) -> None:
+    robot = surefoot.load_robot("go1")
+    files = GainFolder(tmp_path, robot)
+    gains = OWN.__copy__()
+    surefoot.set_gain(gains, KP, 71.25)
+    path = files.save("my.toml", gains, "a comment")
+    assert files.load("my.toml") == gains == surefoot.load_gains(path)
+    for name in ("../my.toml", "/tmp/my.toml", "my.txt", ".toml", ""):
+        with pytest.raises(surefoot.Error, match="file"):
+            files.save(name, gains)
+    (tmp_path / "wrong.toml").write_text("[gains]\ncom_kp_horizontl = 3\n")
+    with pytest.raises(surefoot.Error, match="com_kp_horizontal"):
+        files.load("wrong.toml")
+    (tmp_path / "folder.toml").mkdir()
+    with pytest.raises(OSError):
+        files.save("folder.toml", gains)
+
+
+def test_plots_keep_every_peak() -> None:
+    curves = Curves()
+    for k in range(1000):
+        curves.add(0.002 * (k + 1), Sample(50.0 if k == 333 else 1.0, 0.0, 0.0, 0.0, 0.0))
+    time_, error, *_ = curves.arrays()
+    assert error.max() == 50.0 and len(time_) <= 2.0 / BUCKET + 1
+    assert np.all(np.diff(time_) > 0.0)
+
+
+def test_every_slider_shows_its_gain_and_reaches_past_it() -> None:
+    for info in surefoot.gain_table():
+        own = surefoot.get_gain(OWN, info.name)
+        place = slider_range(info, own, own, 4.0)
+        assert info.minimum <= place.low <= own <= place.high <= info.maximum
+        assert (place.high - place.low) / place.step >= 50
+
+
+@pytest.mark.parametrize("name", ["a1", "go1", "go2", "b1"])
+def test_a_robots_picture_has_few_nodes_and_is_as_large_as_the_robot(name: str) -> None:
+    session = Simulation(describe_robot(name))
+    from surefoot.sim.model import build_model
+
+    model = build_model(session.robot, session.description, session.plant.settings, visuals=True)
+    parts = robot_parts(model)
+    assert len({part.body for part in parts}) == 13 and len(parts) < 25
+    assert all(np.isfinite(part.vertices).all() for part in parts)
+    reach = max(np.abs(part.vertices).max() for part in parts)
+    assert 0.2 < reach < 1.0  # [m]
+
+
+def test_time_passes_as_fast_as_the_clock_and_stands_still_when_paused() -> None:
+    session, complaints = simulation(), list[str]()
+    loop = Loop(session, complaints.append)
+    loop.start()
+    wait_until(lambda: session.ticks > 500)
+    begin, ticks = time.monotonic(), session.ticks
+    time.sleep(1.0)
+    factor = (session.ticks - ticks) * session.period / (time.monotonic() - begin)
+    loop.paused = True
+    time.sleep(0.1)
+    still = session.ticks
+    loop.step(3)
+    wait_until(lambda: session.ticks != still)
+    time.sleep(0.1)
+    loop.post(lambda: session.editor.set(KP, -1.0))
+    wait_until(lambda: bool(complaints))
+    loop.stop()
+    assert session.ticks == still + 3 and 0.5 < factor < 1.2
+    assert KP in complaints[0]
+
+
+def test_guarded_gains_stay_near_the_robots_own_and_move_slowly() -> None:
+    guard = Guard(OWN)
+    editor = GainEditor(OWN, check=guard.check)
+    with pytest.raises(surefoot.Error, match=f"'{KP}': got 121, expected 30 to 120"):
+        editor.set(KP, 121.0)
+    editor.set(KP, 120.0)
+    editor.set("contact_force_on", 0.14)
+    present = OWN
+    for seconds in range(1, 11):
+        present = guard.approach(present, editor.gains, 0.1)
+        present.validate()
+        assert surefoot.get_gain(present, KP) == pytest.approx(60.0 * 2.0 ** (0.1 * seconds))
+    assert guard.approach(present, editor.gains, 0.1) == editor.gains
+
+
+def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None:
+    process, port = start()
+    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", port, "go1-v3.8"))
+    server = open_server("127.0.0.1", 0, "test")
+    page = Page(server, robot, GainFolder(tmp_path, robot.robot))
+    loop = page.loop
+    page.start()
+    try:
+        wait_until(lambda: robot.healthy)
+        loop.post(lambda: robot.editor.set(KP, 90.0))
+        wait_until(lambda: 60.0 < surefoot.get_gain(robot.present, KP) < 90.0)
+        wait_until(lambda: robot.present == robot.editor.gains)
+        loop.post(lambda: robot.set_reference({"height": -0.03}))
+        height = robot.view.qpos[2]
+        wait_until(lambda: robot.view.qpos[2] < height - 0.02)
+        assert robot.healthy and robot.view.contact.sum() == 4
+        loop.post(robot.damp)
+        wait_until(lambda: "damping: asked" in robot.status)
+        loop.post(robot.rearm)
+        wait_until(lambda: robot.healthy)
+        time.sleep(1.5)
+        assert page.frames_per_second > 5.0  # it has drawn all that, to the end
+    finally:
+        page.stop()
+        process.send_signal(signal.SIGTERM)
+        process.wait(timeout=20)
+
+
+def test_a_robot_of_another_generation_is_not_taken(tmp_path: Path) -> None:
+    process, port = start("--robot", "a1")
+    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", port, "go1-v3.8"))
+    loop = Loop(robot, lambda _: None)
+    loop.start()
+    try:
+        wait_until(lambda: "waiting: " in robot.status)
+        assert not robot.healthy
+    finally:
+        loop.stop()
+        robot.close()
+        process.send_signal(signal.SIGTERM)
+        process.wait(timeout=20)
+
+
+def test_a_link_that_cannot_be_opened_is_one_clear_error() -> None:
+    with pytest.raises(surefoot.Error, match="generation"):
+        LinkedRobot(describe_robot("go1"), Place("127.0.0.1", 8007, "go1-v9"))
+
+
+def test_pages_of_other_sites_are_not_let_in() -> None:
+    from websockets.exceptions import InvalidStatus
+    from websockets.sync.client import connect
+
+    server = open_server("127.0.0.1", 0, "test")
+    try:
+        url = f"ws://127.0.0.1:{server.get_port()}"
+        own = f"http://127.0.0.1:{server.get_port()}"
+        protocol = [f"viser-v{viser.__version__}"]
+        connect(url, origin=own, subprotocols=protocol).close()
+        with pytest.raises(InvalidStatus, match="403"):
+            connect(url, origin="http://elsewhere.example", subprotocols=protocol)
+    finally:
+        close_server(server)
+
+
+def test_only_this_machine_is_served_and_a_port_in_use_is_said() -> None:
+    server = open_server("127.0.0.1", 0, "test")
+    try:
+        port = server.get_port()
+        assert server.get_host() == "127.0.0.1"
+        with socket.create_connection(("127.0.0.1", port), timeout=5.0):
+            pass
+        with pytest.raises(OSError, match="in use"):
+            open_server("127.0.0.1", port, "test")
+    finally:
+        close_server(server)
+    with pytest.raises(surefoot.Error, match="no address of this machine"):
+        open_server("192.0.2.1", 0, "test")
+    with pytest.raises(surefoot.Error, match="65535"):
+        open_server("127.0.0.1", 70000, "test")
+
+
+@pytest.mark.parametrize(
+    ("words", "status", "text"),
+    [
+        (("--gains", "nowhere.toml"), 2, "nowhere.toml"),
+        (("--folder", "nowhere"), 2, "--folder: got 'nowhere'"),
+        (("--robot", "go9"), 2, "go9"),
+        (("--host", "127.0.0.1:x"), 2, "--host: got '127.0.0.1:x'"),
+        (("--host", "127.0.0.1", "--power-level", "11"), 2, "--power-level: got 11"),
+        (("--port", "-1"), 2, "--port: got -1"),
+        (("--bind", "192.0.2.1"), 2, "no address of this machine"),
+    ],
+)
+def test_bad_input_is_one_line(
+    words: tuple[str, ...], status: int, text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    port = () if "--port" in words else ("--port", "0")
+    assert main(["tune", "live", *port, *words]) == status
+    error = capsys.readouterr().err
+    assert error.startswith("surefoot: error:") and text in error and error.count("\n") == 1
+
+
+def test_a_port_in_use_ends_the_command_with_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        assert main(["tune", "live", "--port", str(port)]) == 1
+    assert f"cannot listen on 127.0.0.1:{port}: it is in use" in capsys.readouterr().err
+
+
+def test_the_command_says_where_it_serves_and_ends_by_ctrl_c(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "surefoot.cli", "tune", "live", "--port", "0"]
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=tmp_path
+    )
+    assert process.stdout is not None
+    line = process.stdout.readline()
+    assert re.fullmatch(r"serving http://127\.0\.0\.1:\d+ \(go1\); Ctrl-C ends\n", line)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=30)
+    assert (process.returncode, out, err) == (0, "", "")

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The live page in a real browser, out/tune-live.png is what it looked like."""
+
+from __future__ import annotations
+
+import shutil
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+import surefoot
+from PIL import Image
+from surefoot.robot_files import describe_robot
+from surefoot.tune.live.gain_folder import GainFolder
+from surefoot.tune.live.page import Page
+from surefoot.tune.live.server import open_server
+from surefoot.tune.live.simulation import Simulation
+
+sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+
+BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
+FLAGS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-dev-shm-usage",
+]
+PATIENCE = 60_000.0  # [ms]; without a graphics card a picture takes a while
+PICTURE = Path(__file__).parents[2] / "out" / "tune-live.png"
+KP = "com_kp_horizontal"
+
+
+class Live(NamedTuple):
+    """A page that is served, and the same page in a browser."""
+
+    session: Simulation
+    page: Page
+    tab: sync_api.Page
+    folder: Path
+
+
+@pytest.fixture(scope="module")
+def chromium() -> Iterator[sync_api.Browser]:
+    path = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    if path is None:
+        pytest.skip(f"no browser: none of {', '.join(BROWSERS)} is on the PATH")
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def live(tmp_path: Path, chromium: sync_api.Browser) -> Iterator[Live]:
+    session = Simulation(describe_robot("go1"))
+    server = open_server("127.0.0.1", 0, "surefoot tune live: go1")
+    # Without a graphics card shadows take the processor a second a picture.
+    page = Page(server, session, GainFolder(tmp_path, session.robot), plain=True)
+    page.start()
+    tab = chromium.new_page(viewport={"width": 1280, "height": 800})
+    tab.set_default_timeout(PATIENCE)
+    tab.goto(f"http://127.0.0.1:{server.get_port()}")
+    tab.get_by_role("button", name="Push").wait_for()
+    yield Live(session, page, tab, tmp_path)
+    tab.goto("about:blank")  # pictures that are still to be drawn would hold up the end
+    tab.close()
+    page.stop()
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + PATIENCE / 1000.0
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.05)
+
+
+def controller_gain(live: Live, name: str) -> float:
+    return surefoot.get_gain(live.session.controller.gains, name)
+
+
+def move_slider(live: Live, name: str, presses: int) -> None:
+    """Focus the slider below a name and press an arrow key."""
+    slider = live.tab.get_by_text(name).first.locator("xpath=following::*[@role='slider'][1]")
+    slider.focus()
+    for _ in range(presses):
+        slider.press("ArrowRight")
+
+
+def test_a_gain_a_push_and_a_file_from_a_browser(live: Live) -> None:
+    tab, session = live.tab, live.session
+    own = controller_gain(live, KP)
+
+    move_slider(live, KP, 10)
+    wait_until(lambda: controller_gain(live, KP) == own + 10.0)
+    tab.get_by_text(f"{own:g} → {own + 10:g}").wait_for()
+
+    tab.get_by_role("button", name="Push").click()
+    wait_until(lambda: session.score.seconds_left > 0.0)
+    tab.get_by_text("Last push: ").wait_for()
+    tab.get_by_text("lower is better").wait_for()
+    assert session.healthy and session.curves.arrays()[1].max() > 2.0  # [mm]
+    assert session.score.last is not None and session.score.last.terms["fall"] == 0.0
+
+    tab.get_by_role("button", name="Save").click()
+    wait_until(lambda: (live.folder / "gains.toml").is_file())
+    saved = surefoot.load_gains(live.folder / "gains.toml")
+    assert saved == session.editor.gains and surefoot.get_gain(saved, KP) == own + 10.0
+
+    tab.get_by_role("button", name="Undo").click()
+    wait_until(lambda: controller_gain(live, KP) == own)
+    tab.get_by_role("button", name="Load").click()
+    wait_until(lambda: session.editor.gains == saved)
+
+
+def test_what_is_wrong_is_said_on_the_page(live: Live) -> None:
+    tab = live.tab
+    (live.folder / "gains.toml").write_text("[gains]\ncom_kp_horizontl = 3\n")
+    tab.get_by_role("button", name="Load").click()
+    tab.get_by_text("com_kp_horizontl").wait_for()
+    (live.folder / "gains.toml").unlink()
+    (live.folder / "gains.toml").mkdir()
+    tab.get_by_role("button", name="Save").click()
+    tab.get_by_text("Is a directory").first.wait_for()
+    tab.get_by_role("button", name="Compare A and B").click()
+    tab.get_by_text("nothing was kept as A and B yet").wait_for()
+    assert live.session.editor.changed() == {}
+
+
+def test_the_page_looks_like_a_robot_between_plots_and_sliders(live: Live) -> None:
+    tab = live.tab
+    tab.get_by_role("button", name="Push").click()
+    tab.get_by_text("lower is better").wait_for()
+    notice = tab.get_by_text("Software WebGL rendering detected")
+    if notice.count():
+        notice.locator("xpath=following::button[1]").click()
+        notice.wait_for(state="detached")
+    # Half a push later time stands still, for the picture to show its arrow.
+    live.page.loop.speed = 0.02
+    tab.get_by_role("button", name="Push").click()
+    wait_until(lambda: live.session.view.push is not None)
+    live.page.loop.paused = True
+    tab.get_by_text("paused").wait_for()
+    tab.get_by_role("tab", name="View").click()
+    tab.get_by_role("checkbox").uncheck()
+    tab.get_by_role("tab", name="Gains").click()
+    time.sleep(4.0)
+    PICTURE.parent.mkdir(exist_ok=True)
+    tab.screenshot(path=PICTURE, timeout=PATIENCE)
+    pixels = np.asarray(Image.open(PICTURE).convert("RGB"), dtype=int)
+    red, green, blue = np.moveaxis(pixels[:, 340:860], -1, 0)
+    assert np.count_nonzero((red < 90) & (green < 90) & (blue < 90)) > 3000  # legs
+    assert np.count_nonzero((green > red + 30) & (green > blue + 15)) > 100  # forces
+    assert np.count_nonzero((blue > red + 60) & (blue > 150)) > 100  # the support polygon's edge
+    assert np.count_nonzero((red > green + 60) & (red > blue + 60)) > 100  # the push
