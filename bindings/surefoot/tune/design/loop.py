@@ -1,0 +1,234 @@
+"""One direction's sampled closed loop as a CasADi function of one tick.
+
+Sensors, observers, command line, motors and body in the order and with the steps of the simulated
+robot. Small motion is linear; beyond it there are the push observer's dead band, dry friction, and
+what the whole-body program can give.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import Error, Gains
+from surefoot.tune.design.axes import Direction
+
+Array = npt.NDArray[np.float64]
+
+_STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
+_FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
+# MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
+# at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
+_STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
+# State: position, speed, motor; speed and acceleration at the last two samples; push and payload
+# observers; then the commands on their way, the newest first.
+_STATES = ("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2", "push", "payload", "force")
+
+
+@dataclass(frozen=True)
+class Timing:
+    """When what is measured acts.
+
+    Attributes:
+        rate: LowStates and LowCmds per second [Hz]; each takes one period on its way.
+        delay: Further delay of commands [s].
+        motor_lag: Time constant of the motors' torque [s].
+    """
+
+    rate: float = 500.0
+    delay: float = 0.0
+    motor_lag: float = 0.002
+
+    def __post_init__(self) -> None:
+        for name, value, low, high in (
+            ("rate", self.rate, 10.0, 10_000.0),
+            ("delay", self.delay, 0.0, 0.2),
+            ("motor_lag", self.motor_lag, 0.0, 0.1),
+        ):
+            if not low <= value <= high:
+                raise Error(f"{name}: got {value:g}, expected {low:g} .. {high:g}")
+
+    @property
+    def period(self) -> float:
+        """Between commands [s]."""
+        return 1.0 / self.rate
+
+
+@dataclass(frozen=True)
+class Observers:
+    """What the estimator lays to an outside force; see docs/estimation.md.
+
+    Attributes:
+        payload_time: Of the payload observer [s].
+        push_time: Of the push observer's smoothing [s].
+        push_dead_band: Acceleration that is no push [m/s^2].
+        push_max: Most that is believed [m/s^2].
+        push_resist: Share of a push that is leant against.
+    """
+
+    payload_time: float
+    push_time: float
+    push_dead_band: float
+    push_max: float
+    push_resist: float
+
+    @staticmethod
+    def of(gains: Gains) -> Observers:
+        """Return those of gains."""
+        return Observers(
+            gains.payload_time,
+            gains.push_time,
+            gains.push_dead_band,
+            gains.push_max,
+            gains.push_resist,
+        )
+
+
+class ClosedLoop:
+    """The loop of one direction; kp and kd stay open.
+
+    Args:
+        direction: Of the body.
+        timing: Rate, delay, lag.
+        observers: The estimator's.
+
+    Raises:
+        Error: CasADi is missing.
+    """
+
+    def __init__(self, direction: Direction, timing: Timing, observers: Observers) -> None:
+        self.direction, self.timing, self.observers = direction, timing, observers
+        self._casadi = load_casadi()
+        # The command of this tick acts one period and the delay later: so many are on their way.
+        self._latency = timing.period + timing.delay
+        self._line = math.ceil(self._latency / timing.period - 1e-9)
+        self._jacobian: Any = None
+        self._ticks: dict[int, Any] = {}
+
+    @property
+    def states(self) -> int:
+        """Number of states."""
+        return len(_STATES) + self._line
+
+    def matrix(self, kp: float, kd: float) -> Array:
+        """Return A of state+ = A state at rest, shape (states, states).
+
+        Without dry friction, the program's limits, and the push observer, which sleeps.
+        """
+        if self._jacobian is None:
+            state, gains, after = self._tick(linear=True)
+            jacobian = self._casadi.jacobian(after, state)
+            self._jacobian = self._casadi.Function("matrix", [state, gains], [jacobian])
+        return np.asarray(self._jacobian(np.zeros(self.states), [kp, kd]))
+
+    def run(self, kp: float, kd: float, duration: float) -> Array:
+        """Return the body's acceleration at every tick after the direction's kick.
+
+        Args:
+            kp: Stiffness [1/s^2].
+            kd: Damping [1/s].
+            duration: [s].
+
+        Returns:
+            Shape (ticks,) [m/s^2 or rad/s^2].
+        """
+        ticks = max(1, math.ceil(duration * self.timing.rate))
+        if ticks not in self._ticks:
+            tick = self._casadi.Function("tick", *self._inputs_outputs())
+            self._ticks[ticks] = tick.mapaccum("run", ticks)
+        start = np.zeros(self.states)
+        start[_STATES.index("v")] = self.direction.kick
+        gains = np.tile([[kp], [kd]], ticks)
+        states: Array = np.asarray(self._ticks[ticks](start, gains))
+        return states[_STATES.index("a")]
+
+    def _inputs_outputs(self) -> tuple[list[Any], list[Any]]:
+        state, gains, after = self._tick(linear=False)
+        return [state, gains], [after]
+
+    def _tick(self, linear: bool) -> tuple[Any, Any, Any]:
+        """Return the symbols of state and gains, and the next state."""
+        ca, period = self._casadi, self.timing.period
+        state, gains = ca.SX.sym("state", self.states), ca.SX.sym("gains", 2)
+        s = {name: state[k] for k, name in enumerate(_STATES)}
+        sent = [state[len(_STATES) + k] for k in range(self._line)]
+        # The gyroscope's rate is the mean over the tick; the velocity has no lag, for the
+        # accelerometer carries it.
+        speed = 0.5 * (s["v1"] + s["v2"]) if self.direction.rotates else s["v1"]
+        push, outside = self._push(s, sent[0], linear)
+        wanted = -gains[0] * s["x1"] - gains[1] * speed - outside - s["payload"]
+        command = wanted if linear else self._given(wanted)
+        x, v, motor, a = self._move(s, [command, *sent], linear)
+        force = s["force"] + period / (period + _FORCE_TIME) * (s["motor"] - s["force"])
+        unexplained = (s["v"] - s["v1"]) / period - force - s["payload"]
+        payload = s["payload"] + period / self.observers.payload_time * unexplained
+        moved = (x, v, motor, a, s["x"], s["v"], s["a"], s["v1"], s["a1"], push, payload, force)
+        return state, gains, ca.vertcat(*moved, command, *sent[:-1])
+
+    def _push(self, s: dict[str, Any], planned: Any, linear: bool) -> tuple[Any, Any]:
+        """Return the push observer's state, and the acceleration that is leant against."""
+        if linear or self.direction.rotates:
+            return 0.0, 0.0
+        period, o, share = self.timing.period, self.observers, self.direction.base_share
+        felt = 0.5 * (s["a1"] + s["a2"])
+        # Measured less planned is of the base's origin, and the plan had the old push in it.
+        seen = share * (felt - planned) - (share - 1.0) * self._believed(s["push"])
+        push = s["push"] + period / (period + o.push_time) * (seen - s["push"])
+        return push, o.push_resist * self._believed(push)
+
+    def _believed(self, push: Any) -> Any:
+        ca, o = self._casadi, self.observers
+        size = ca.fmin(ca.fmax(ca.fabs(push) - o.push_dead_band, 0.0), o.push_max)
+        return ca.sign(push) * size
+
+    def _given(self, wanted: Any) -> Any:
+        """Return what the whole-body program gives: straight lines between what was measured."""
+        ca, limits = self._casadi, self.direction.limits
+        given = limits[0, 1]
+        for (low, start), (high, end) in itertools.pairwise(limits):
+            part = ca.fmin(ca.fmax(wanted - low, 0.0), high - low)
+            given = given + (end - start) / (high - low) * part
+        return given
+
+    def _move(self, s: dict[str, Any], commands: list[Any], linear: bool) -> tuple[Any, ...]:
+        """Return position, speed, motor and acceleration one period later."""
+        ca, lag, d = self._casadi, self.timing.motor_lag, self.direction
+        steps = math.ceil(self.timing.period / _STEP - 1e-9)
+        dt = self.timing.period / steps
+        share = -math.expm1(-dt / lag) if lag > 0.0 else 1.0
+        x, v, motor, a = s["x"], s["v"], s["motor"], s["a"]
+        for k in range(steps):
+            motor = motor + share * (self._acting(commands, k * dt, dt) - motor)
+            a = motor - d.viscous * v
+            if not linear:
+                stuck = _STICK_SHARE * (a + _STICK_RATE * v)
+                a = a - ca.fmin(ca.fmax(stuck, -d.friction), d.friction)
+            v = v + dt * a
+            x = x + dt * v
+        return x, v, motor, a
+
+    def _acting(self, commands: list[Any], time: float, dt: float) -> Any:
+        """Return the mean of the commands that act from `time` on for `dt`, newest first."""
+        period = self.timing.period
+        age = math.ceil((self._latency - time) / period - 1e-9)
+        until = self._latency - (age - 1) * period - time
+        part = min(until / dt, 1.0)
+        if part > 1.0 - 1e-9:
+            return commands[age]
+        return part * commands[age] + (1.0 - part) * commands[age - 1]
+
+
+def load_casadi() -> Any:
+    """Import CasADi; raises Error without it."""
+    try:
+        import casadi
+    except ImportError:
+        raise Error(
+            "surefoot tune design needs CasADi, which is missing: pip install surefoot[tune]"
+        ) from None
+    return casadi
