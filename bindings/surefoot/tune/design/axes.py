@@ -41,6 +41,8 @@ class Direction:
             it does not help (docs/tuning-design.md).
         viscous: Deceleration by viscous friction, per speed [1/s].
         base_share: How much further the base's origin moves than the centre of mass.
+        outside_share: What an outside acceleration that is counted with, but is not there, takes
+            from the one that is planned: base_share times mass by inertia; 1 for rotations.
         limits: (n, 2) accelerations asked of the whole-body program, and those that it gives,
             rising [m/s^2 or rad/s^2].
         kick: Speed that half of the pendulum's limit gives it [m/s or rad/s].
@@ -52,6 +54,7 @@ class Direction:
     friction: float
     viscous: float
     base_share: float
+    outside_share: float
     limits: Array
     kick: float
 
@@ -106,6 +109,7 @@ def measure_body(description: RobotDescription, joint_friction_scale: float = 1.
             for torque in (friction * np.sign(dq), viscous * dq)
         ]
         rotates = k >= 3
+        share = 1.0 if rotates else float(motions[k, k])
         directions[name] = Direction(
             name=name,
             rotates=rotates,
@@ -113,7 +117,8 @@ def measure_body(description: RobotDescription, joint_friction_scale: float = 1.
             # Sideways the hips stick and the body rolls about them: little is slowed.
             friction=0.0 if name == "y" else slowed[0],
             viscous=slowed[1],
-            base_share=1.0 if rotates else float(motions[k, k]),
+            base_share=share,
+            outside_share=1.0 if rotates else share * robot.mass / float(inertia[k, k]),
             limits=given[k],
             kick=speed / height if rotates else speed,
         )

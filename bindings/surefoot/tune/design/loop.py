@@ -25,9 +25,12 @@ _FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
 # MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
 # at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
 _STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
-# State: position, speed, motor; speed and acceleration at the last two samples; push and payload
-# observers; then the commands on their way, the newest first.
-_STATES = ("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2", "push", "payload", "force")
+# State: position, speed, motor, acceleration; the same at the last two samples; what was planned,
+# push and payload observers; then the commands on their way, the newest first.
+_STATES = (
+    *("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2"),
+    *("planned", "push", "payload", "force"),
+)
 
 
 @dataclass(frozen=True)
@@ -107,6 +110,7 @@ class ClosedLoop:
         # The command of this tick acts one period and the delay later: so many are on their way.
         self._latency = timing.period + timing.delay
         self._line = math.ceil(self._latency / timing.period - 1e-9)
+        self._share = direction.outside_share
         self._jacobian: Any = None
         self._ticks: dict[int, Any] = {}
 
@@ -144,8 +148,8 @@ class ClosedLoop:
         start = np.zeros(self.states)
         start[_STATES.index("v")] = self.direction.kick
         gains = np.tile([[kp], [kd]], ticks)
-        states: Array = np.asarray(self._ticks[ticks](start, gains))
-        return states[_STATES.index("a")]
+        accelerations: Array = np.asarray(self._ticks[ticks](start, gains))[_STATES.index("a")]
+        return accelerations
 
     def _inputs_outputs(self) -> tuple[list[Any], list[Any]]:
         state, gains, after = self._tick(linear=False)
@@ -160,26 +164,31 @@ class ClosedLoop:
         # The gyroscope's rate is the mean over the tick; the velocity has no lag, for the
         # accelerometer carries it.
         speed = 0.5 * (s["v1"] + s["v2"]) if self.direction.rotates else s["v1"]
-        push, outside = self._push(s, sent[0], linear)
-        wanted = -gains[0] * s["x1"] - gains[1] * speed - outside - s["payload"]
-        command = wanted if linear else self._given(wanted)
+        push, believed = self._push(s, linear)
+        outside = self.observers.push_resist * believed + s["payload"]
+        pulled = -gains[0] * s["x1"] - gains[1] * speed - outside
+        ground = pulled if linear else self._given(pulled)
+        planned = ground + believed + s["payload"]
+        # The plan has legs and rotors moved by the outside force too; without it, they are not.
+        command = planned - self._share * (believed + s["payload"])
         x, v, motor, a = self._move(s, [command, *sent], linear)
         force = s["force"] + period / (period + _FORCE_TIME) * (s["motor"] - s["force"])
-        unexplained = (s["v"] - s["v1"]) / period - force - s["payload"]
+        unexplained = ((s["v"] - s["v1"]) / period - force) / self._share - s["payload"]
         payload = s["payload"] + period / self.observers.payload_time * unexplained
-        moved = (x, v, motor, a, s["x"], s["v"], s["a"], s["v1"], s["a1"], push, payload, force)
-        return state, gains, ca.vertcat(*moved, command, *sent[:-1])
+        moved = (x, v, motor, a, s["x"], s["v"], s["a"], s["v1"], s["a1"])
+        after = ca.vertcat(*moved, planned, push, payload, force, command, *sent[:-1])
+        return state, gains, after
 
-    def _push(self, s: dict[str, Any], planned: Any, linear: bool) -> tuple[Any, Any]:
-        """Return the push observer's state, and the acceleration that is leant against."""
+    def _push(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any]:
+        """Return the push observer's state, and the outside acceleration that it believes in."""
         if linear or self.direction.rotates:
             return 0.0, 0.0
-        period, o, share = self.timing.period, self.observers, self.direction.base_share
+        period, o = self.timing.period, self.observers
         felt = 0.5 * (s["a1"] + s["a2"])
-        # Measured less planned is of the base's origin, and the plan had the old push in it.
-        seen = share * (felt - planned) - (share - 1.0) * self._believed(s["push"])
+        # Of the base's origin, which moves further; the plan counted with the old belief.
+        seen = self.direction.base_share * (felt - s["planned"]) + self._believed(s["push"])
         push = s["push"] + period / (period + o.push_time) * (seen - s["push"])
-        return push, o.push_resist * self._believed(push)
+        return push, self._believed(push)
 
     def _believed(self, push: Any) -> Any:
         ca, o = self._casadi, self.observers
