@@ -20,6 +20,7 @@ from surefoot.tune.design.axes import Direction
 
 Array = npt.NDArray[np.float64]
 
+_BLOCK = 200  # ticks that are computed in one call
 _STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
 _FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
 # MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
@@ -112,7 +113,7 @@ class ClosedLoop:
         self._line = math.ceil(self._latency / timing.period - 1e-9)
         self._share = direction.outside_share
         self._jacobian: Any = None
-        self._ticks: dict[int, Any] = {}
+        self._block: Any = None
 
     @property
     def states(self) -> int:
@@ -141,15 +142,18 @@ class ClosedLoop:
         Returns:
             Shape (ticks,) [m/s^2 or rad/s^2].
         """
+        if self._block is None:
+            self._block = self._casadi.Function("tick", *self._inputs_outputs()).mapaccum(_BLOCK)
+        state = np.zeros(self.states)
+        state[_STATES.index("v")] = self.direction.kick
+        gains = np.tile([[kp], [kd]], _BLOCK)
         ticks = max(1, math.ceil(duration * self.timing.rate))
-        if ticks not in self._ticks:
-            tick = self._casadi.Function("tick", *self._inputs_outputs())
-            self._ticks[ticks] = tick.mapaccum("run", ticks)
-        start = np.zeros(self.states)
-        start[_STATES.index("v")] = self.direction.kick
-        gains = np.tile([[kp], [kd]], ticks)
-        accelerations: Array = np.asarray(self._ticks[ticks](start, gains))[_STATES.index("a")]
-        return accelerations
+        rows: list[Array] = []
+        for _ in range(0, ticks, _BLOCK):
+            after: Array = np.asarray(self._block(state, gains))
+            rows.append(after[_STATES.index("a")])
+            state = after[:, -1]
+        return np.concatenate(rows)[:ticks]
 
     def _inputs_outputs(self) -> tuple[list[Any], list[Any]]:
         state, gains, after = self._tick(linear=False)

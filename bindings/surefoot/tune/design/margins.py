@@ -91,7 +91,7 @@ def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
     goal = goal_of(kp, kd)
     # A slow loop is given the time to settle: 8 of its time constants.
     settling = 8.0 / (min(goal.damping, 1.0) * 2.0 * math.pi * goal.frequency)
-    a = loop.run(kp, kd, math.ceil(max(_RUN, min(settling, 20.0))))
+    a = loop.run(kp, kd, max(_RUN, min(settling, 20.0)))
     if not np.isfinite(a).all():
         return True
     rate = loop.timing.rate
@@ -178,7 +178,7 @@ def _more_delay(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) -> flo
 def _first(unstable: Callable[[float], bool], low: float, high: float) -> float:
     """Return where a loop that is stable at `low` first is not, to 1 %; `high` if nowhere."""
     upper = low
-    while not unstable(upper := upper * 1.2):
+    while not unstable(upper := 1.3 * upper):
         low = upper
         if upper >= high:
             return high
