@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot import symbolic
-from surefoot._core import Robot, RobotState, WholeBodyController
+from surefoot._core import Error, Robot, RobotState, WholeBodyController
 from surefoot.robots import RobotDescription, build_robot, per_motor
 
 Array = npt.NDArray[np.float64]
@@ -87,9 +87,14 @@ def measure_body(description: RobotDescription, joint_friction_scale: float = 1.
         joint_friction_scale: Factor on friction and viscous friction of the joints.
 
     Raises:
-        Error: A robot that cannot be built; CasADi is missing.
+        Error: A robot that cannot be built or has not twelve joints; CasADi is missing.
     """
     robot = build_robot(description)
+    if robot.nv != 18:
+        raise Error(
+            f"robot '{robot.name}': got {robot.nv - 6} joints, expected the twelve of a "
+            "StandController: the gains are its"
+        )
     motions = _body_motions(robot)
     joints = np.array(robot.motor_to_v)
     q = robot.q_standing()

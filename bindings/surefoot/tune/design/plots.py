@@ -151,7 +151,7 @@ def _fill(ax: Axes, x: np.ndarray, columns: list[tuple[float, float]]) -> None:
     pushed, rest = (np.array(side) for side in zip(*columns, strict=True))
     rest = np.maximum(rest, pushed)
     ax.fill_between(x, 0.0, pushed, color=GREEN, alpha=0.25, lw=0, label="settles")
-    ax.fill_between(x, pushed, rest, color=ORANGE, alpha=0.25, lw=0, label="until pushed")
+    ax.fill_between(x, pushed, rest, color=ORANGE, alpha=0.25, lw=0, label="rests until pushed")
     ax.fill_between(x, rest, _MOST_FREQUENCY, color=RED, alpha=0.15, lw=0, label="oscillates")
     ax.plot(x, pushed, color=GREEN)
     ax.plot(x, rest, color=RED)
