@@ -24,8 +24,8 @@ def body_of(robot: str) -> Body:
 
 
 @functools.cache
-def plant_of(robot: str, delay: float) -> Plant:
-    return Plant(robot, PlantSettings(extra_delay=delay, seed=1))
+def plant_of(robot: str, delay: float, friction: float) -> Plant:
+    return Plant(robot, PlantSettings(extra_delay=delay, joint_friction_scale=friction, seed=1))
 
 
 def gains_of(robot: str, axis: str, factor: float) -> Gains:
@@ -38,9 +38,14 @@ def gains_of(robot: str, axis: str, factor: float) -> Gains:
     return gains
 
 
-def rests(robot: str, delay: float, gains: Gains, direction: Direction) -> bool:
-    """Whether all six accelerations are quiet in the end; a robot that fell is not."""
-    plant = plant_of(robot, delay)
+def rests(
+    robot: str, delay: float, gains: Gains, direction: Direction, friction: float = 1.0
+) -> bool:
+    """Whether all six accelerations are quiet in the end; a robot that fell is not.
+
+    friction is a factor on that of the joints.
+    """
+    plant = plant_of(robot, delay, friction)
     controller = StandController(plant.robot, gains)
     state = plant.reset()
     root = plant.handles.root

@@ -119,7 +119,7 @@ def read_settings(arguments: argparse.Namespace) -> DesignSettings:
     """Turn arguments into settings; raises Error."""
     from surefoot.tune.design.design import DesignSettings
     from surefoot.tune.design.goals import parse_goal
-    from surefoot.tune.design.loop import Timing
+    from surefoot.tune.design.timing import Timing
 
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default

@@ -9,12 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot import symbolic
-from surefoot._core import Error, Robot, RobotState, WholeBodyController
+from surefoot._core import Error, Robot
 from surefoot.robots import RobotDescription, build_robot, per_motor
+from surefoot.tune.design.program_limits import GRAVITY, program_limits
 
 Array = npt.NDArray[np.float64]
 
-GRAVITY = 9.81  # [m/s^2]
 DIRECTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
 # Axis, its gains, its directions.
 AXES: dict[str, tuple[str, str, tuple[str, ...]]] = {
@@ -23,9 +23,6 @@ AXES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "attitude": ("base_kp_tilt", "base_kd_tilt", ("roll", "pitch")),
     "yaw": ("base_kp_yaw", "base_kd_yaw", ("yaw",)),
 }
-# Asked of the program to see what it gives, in g and in g / height.
-_PULLS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0)
-_TURNS = (0.5, 1.0, 1.5, 2.0, 4.0, 8.0, 16.0)
 _KICK = 0.5  # of the speed that a linear inverted pendulum survives
 
 
@@ -105,7 +102,7 @@ def measure_body(description: RobotDescription, joint_friction_scale: float = 1.
     )
     height, reach = _size(robot)
     speed = _KICK * math.sqrt(GRAVITY / height) * reach
-    given = _program_limits(robot, height)
+    given = program_limits(robot, height)
     directions = {}
     for k, name in enumerate(DIRECTIONS):
         dq = motions[joints, k]
@@ -159,30 +156,3 @@ def _size(robot: Robot) -> tuple[float, float]:
     height = robot.config.foot_radius - float(feet[2].mean())
     reach = min(float(np.abs(feet[0]).mean()), float(np.abs(feet[1]).mean()))
     return height, reach
-
-
-def _program_limits(robot: Robot, height: float) -> list[Array]:
-    """Return for each direction what the whole-body program gives of what it is asked for."""
-    controller = WholeBodyController(robot)
-    state = RobotState(robot.nq, robot.nv)
-    state.q = robot.q_standing()
-    reference = controller.hold(state)
-    out = []
-    for k in range(6):
-        levels = GRAVITY * np.array(_PULLS) if k < 3 else GRAVITY / height * np.array(_TURNS)
-        sides = []
-        for sign in (-1.0, 1.0):
-            given = []
-            for level in levels:
-                asked = np.zeros(6)
-                asked[k] = sign * level
-                reference.a_com, reference.alpha_world_base = asked[:3], asked[3:]
-                controller.reset()
-                solution = controller.update(state, reference)
-                forces = np.asarray(solution.forces)
-                pull = forces[k].sum() / robot.mass - GRAVITY * (k == 2) if k < 3 else 0.0
-                given.append(sign * (pull if k < 3 else solution.accelerations[k]))
-            # What is given never falls when more is asked: it would only slide along a limit.
-            sides.append(np.column_stack([levels, np.maximum.accumulate(given)]))
-        out.append(np.vstack([-sides[0][::-1], np.zeros((1, 2)), sides[1]]))
-    return out

@@ -8,8 +8,9 @@ from surefoot._core import Error, Gains
 from surefoot.robot_files import RobotDescription
 from surefoot.tune.design.axes import AXES, Body, measure_body
 from surefoot.tune.design.goals import Goal, goal_of
-from surefoot.tune.design.loop import ClosedLoop, Observers, Timing
+from surefoot.tune.design.loop import ClosedLoop
 from surefoot.tune.design.margins import Margins, all_margins, greatest_frequency
+from surefoot.tune.design.timing import Observers, Timing
 
 THIN_GAIN = 2.0  # margins below are warned of
 THIN_PERIODS = 1.0

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from surefoot.tune.design.axes import Direction
 from surefoot.tune.design.goals import Goal, goal_of
-from surefoot.tune.design.loop import ClosedLoop, Observers, Timing
+from surefoot.tune.design.loop import ClosedLoop
+from surefoot.tune.design.search import first_unstable, more_delay
+from surefoot.tune.design.timing import Observers, Timing
 
 MOST_GAIN = 30.0  # times the gains: larger margins are not told apart
 LEAST_GAIN = 0.02
-MOST_DELAY = 0.1  # [s]
 _FREQUENCIES = (0.2, 40.0)  # [Hz] between which the greatest stable one is looked for
 _RUN, _END, _BEGIN = 2.4, 0.4, 0.2  # [s] of a run, and what is compared at its end and beginning
 _QUIET = 0.05  # share of the first acceleration that is no oscillation at the end
@@ -77,13 +77,13 @@ def gain_margins(loop: ClosedLoop, kp: float, kd: float) -> tuple[float, float]:
 
     if unstable(1.0):
         return 1.0, 1.0
-    down = 1.0 / _first(lambda k: unstable(1.0 / k), 1.0, 1.0 / LEAST_GAIN)
-    return (0.0 if down <= LEAST_GAIN else down), _first(unstable, 1.0, MOST_GAIN)
+    down = 1.0 / first_unstable(lambda k: unstable(1.0 / k), 1.0, 1.0 / LEAST_GAIN)
+    return (0.0 if down <= LEAST_GAIN else down), first_unstable(unstable, 1.0, MOST_GAIN)
 
 
 def delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
     """Return the delay that makes the loop at rest unstable, beyond what it has [s]."""
-    return _more_delay(loop, lambda later: spectral_radius(later, kp, kd) >= _STABLE)
+    return more_delay(loop, lambda later: spectral_radius(later, kp, kd) >= _STABLE)
 
 
 def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
@@ -110,16 +110,16 @@ def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
         return oscillates(loop, factor * kp, factor * kd)
 
     if not unstable(1.0):
-        return _first(unstable, 1.0, MOST_GAIN)
+        return first_unstable(unstable, 1.0, MOST_GAIN)
     lower = 1.0
     while lower > 0.05 and unstable(lower):
         lower /= 1.25
-    return 0.0 if lower <= 0.05 else _first(unstable, lower, 1.0)
+    return 0.0 if lower <= 0.05 else first_unstable(unstable, lower, 1.0)
 
 
 def push_delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
     """Return the further delay with which a push starts an oscillation that stays [s]."""
-    return _more_delay(loop, lambda later: oscillates(later, kp, kd))
+    return more_delay(loop, lambda later: oscillates(later, kp, kd))
 
 
 def greatest_frequency(
@@ -135,7 +135,7 @@ def greatest_frequency(
             return True
         return oscillates(loop, goal.kp, goal.kd)
 
-    return 0.0 if unstable(low) else _first(unstable, low, high)
+    return 0.0 if unstable(low) else first_unstable(unstable, low, high)
 
 
 def all_margins(loop: ClosedLoop, goal: Goal) -> Margins:
@@ -153,36 +153,3 @@ def all_margins(loop: ClosedLoop, goal: Goal) -> Margins:
         boundary=oscillation_boundary(loop, kp, kd),
         push_delay=push_delay_margin(loop, kp, kd),
     )
-
-
-def _more_delay(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) -> float:
-    def later(delay: float) -> ClosedLoop:
-        timing = replace(loop.timing, delay=loop.timing.delay + delay)
-        return ClosedLoop(loop.direction, timing, loop.observers)
-
-    if unstable(loop):
-        return 0.0
-    step = 0.001
-    # Upwards from nothing: with enough delay every loop is unstable, and may seem stable beyond.
-    while step < MOST_DELAY and not unstable(later(step)):
-        step *= 1.3
-    if step >= MOST_DELAY:
-        return MOST_DELAY
-    low = step / 1.3 if step > 0.001 else 0.0
-    while step - low > 0.0001:
-        middle = 0.5 * (low + step)
-        low, step = (low, middle) if unstable(later(middle)) else (middle, step)
-    return 0.5 * (low + step)
-
-
-def _first(unstable: Callable[[float], bool], low: float, high: float) -> float:
-    """Return where a loop that is stable at `low` first is not, to 1 %; `high` if nowhere."""
-    upper = low
-    while not unstable(upper := 1.3 * upper):
-        low = upper
-        if upper >= high:
-            return high
-    while upper > 1.01 * low:
-        middle = math.sqrt(low * upper)
-        low, upper = (low, middle) if unstable(middle) else (middle, upper)
-    return min(math.sqrt(low * upper), high)

@@ -11,8 +11,9 @@ from matplotlib.figure import Figure
 from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot, grid
 from surefoot.tune.design.design import AxisDesign, Design
 from surefoot.tune.design.goals import Goal
-from surefoot.tune.design.loop import ClosedLoop, Observers
+from surefoot.tune.design.loop import ClosedLoop
 from surefoot.tune.design.margins import greatest_frequency, spectral_radius
+from surefoot.tune.design.timing import Observers
 
 _DELAYS = np.linspace(0.0, 0.03, 11)  # [s] further than the robot's own
 _DAMPINGS = np.linspace(0.2, 1.6, 11)

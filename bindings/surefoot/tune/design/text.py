@@ -7,7 +7,8 @@ from typing import Any
 
 from surefoot.tune.design.axes import AXES
 from surefoot.tune.design.design import AxisDesign, Design
-from surefoot.tune.design.margins import MOST_DELAY, MOST_GAIN, Margins
+from surefoot.tune.design.margins import MOST_GAIN, Margins
+from surefoot.tune.design.search import MOST_DELAY
 
 _HEAD = f"{'':9} {'f':>6} {'zeta':>5} {'kp':>8} {'kd':>7}  {'pole':>12}"
 _MARGINS = f"{'gain':>7} {'delay':>9}   {'gain':>7} {'delay':>9}"
