@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from surefoot import LowState, Robot, StateEstimator
-from surefoot.sim.wire import LOW_STATE, MOTORS, StateFrame
+from surefoot.sim.wire import LOW_STATE, MOTORS, resting_state
 
 from estimation.log_rows import Array, Log
 from estimation.recording import rate_of
@@ -71,7 +71,7 @@ def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
 
 def frames_of(log: Log) -> Array:
     """Return the LowStates of a log as bytes (n, 937)."""
-    template = np.array(StateFrame().copy().raw)
+    template = np.array(resting_state().raw)
     rows = np.tile(template, (len(log["tick"]), 1))
     fields = rows.view(LOW_STATE)[:, 0]
     for name in ("accelerometer", "gyroscope", "quaternion", "footForce", "footForceEst", "tick"):

@@ -4,8 +4,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
+from surefoot.low_state_layout import LOW_STATE
 from surefoot.sim import Plant, PlantSettings
-from surefoot.sim.wire import StateFrame, Wire
+from surefoot.sim.wire import Wire, resting_state
 
 
 def test_commands_are_read_where_the_sdk_puts_them() -> None:
@@ -51,15 +52,16 @@ def test_the_wire_truncates_gains() -> None:
     assert (command.kp[1], command.kd[1]) == (0.0, 2 / 16)
 
 
-def test_a_state_is_written_where_the_sdk_puts_it() -> None:
-    frame = StateFrame()
+def test_the_layout_of_arrays_of_states_is_the_sdks() -> None:
+    raw = np.array(resting_state().raw)
+    frame = raw.view(LOW_STATE)
     for k, name in enumerate(("q", "dq", "ddq", "tauEst")):
-        frame.fields[f"motor_{name}"][:] = 10.0 * k + np.arange(12)
+        frame["motorState"][name][0, :12] = 10.0 * k + np.arange(12)
     for k, name in enumerate(("quaternion", "gyroscope", "accelerometer", "rpy")):
-        frame.fields[name][:] = 100.0 + k
-    frame.fields["footForce"][:], frame.fields["footForceEst"][:] = [1, 2, 3, 4], [5, 6, 7, 8]
-    frame.fields["tick"][0] = 2**32 - 1
-    state = frame.copy()
+        frame[name][:] = 100.0 + k
+    frame["footForce"][:], frame["footForceEst"][:] = [1, 2, 3, 4], [5, 6, 7, 8]
+    frame["tick"][0] = 2**32 - 1
+    state = surefoot.LowState.from_bytes(raw.tobytes())
     for i in range(12):
         motor = state.motorState[i]
         assert (motor.q, motor.dq, motor.ddq, motor.tauEst) == (i, 10 + i, 20 + i, 30 + i)

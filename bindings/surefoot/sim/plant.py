@@ -17,6 +17,7 @@ from surefoot.sim.hands import Hand, Lift
 from surefoot.sim.hanging import hang
 from surefoot.sim.model import build_model
 from surefoot.sim.motors import Law, Motors, command_law
+from surefoot.sim.physics import make_physics
 from surefoot.sim.pushes import PushSchedule
 from surefoot.sim.rotations import Array
 from surefoot.sim.sensors import Sensors
@@ -66,6 +67,7 @@ class Plant:
         if self.settings.hung:
             hang(self.model, self.handles)
         self._adapter = Adapter(self.model, load_pinocchio_model(self.description))
+        self._physics = make_physics(self.model, self.data, self.handles)
         self._wire = Wire(self.robot.name, self.settings.real)
         self._tick0 = tick0
         self._pushes = list(pushes)
@@ -100,7 +102,7 @@ class Plant:
     @property
     def imu_bias(self) -> Array:
         """True bias (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes."""
-        return self._sensors.imu.bias
+        return self._sensors.imu_bias
 
     @property
     def push_force(self) -> tuple[Array, Array]:
@@ -131,7 +133,7 @@ class Plant:
         self._sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
         self._commands: deque[tuple[int, Law]] = deque()
         self._schedule = PushSchedule(self.handles.root, settings.physics_dt, ())
-        self._hand: Array | None = None
+        self._physics.hand = np.zeros(12)
         self._hands: list[Hand] = []
         self._step = 0
         place(self.model, self.data, self.handles, self.robot, settings)
@@ -190,12 +192,17 @@ class Plant:
 
     def read(self) -> LowState:
         """Return the LowState of this instant; every reading moves its tick on by one period."""
-        return self._sensors.read(self._motors)
+        state: LowState = self._sensors.read(self._motors)
+        return state
 
     def pull(self, torque: Array | None) -> None:
         """Let hands turn the joints with torques (12,) [N.m] from now on; None lets go."""
-        self._hand = torque
-        self.data.qfrc_applied[self.handles.joint_v] = 0.0
+        torque = np.zeros(12) if torque is None else torque
+        # Hands hold the link; with play in the gears it is not where the motor's torque goes.
+        if self.settings.backlash_deg > 0.0:
+            self.data.qfrc_applied[self.handles.joint_v] = torque
+        else:
+            self._physics.hand = torque
 
     def lip_limit(self, direction: str | float, duration: float = 0.1) -> float:
         """Return the push that the linear inverted pendulum survives from here [N.s].
@@ -211,29 +218,21 @@ class Plant:
         return lip_limit(self.model, self.data, self.handles, self.robot, degrees, duration)
 
     def _advance(self, steps: int) -> None:
-        """Take physics steps; between them kinematics and velocities are up to date.
-
-        mj_step2 uses what mj_step1 has computed of the same instant, so torque laws see the
-        present state, and after the loop every position belongs to the present too.
-        """
-        model, data, handles, motors = self.model, self.data, self.handles, self._motors
-        qpos, qvel, applied = data.qpos, data.qvel, data.qfrc_applied
-        motor_q, motor_v = handles.motor_q, handles.motor_v
-        dq = qvel[motor_v]
-        for _ in range(steps):
+        """Take physics steps, as many at once as nothing outside the robot happens in."""
+        end = self._step + steps
+        while self._step < end:
             while self._commands and self._commands[0][0] <= self._step:
-                motors.law = self._commands.popleft()[1]
-            applied[motor_v] = motors.step(qpos[motor_q], dq)
-            if self._hand is not None:
-                self._apply_hand(self._hand)
+                self._motors.law = self._commands.popleft()[1]
             if self._hands:
                 self._lift()
-            self._schedule.apply(data, self.time)
-            mujoco.mj_step2(model, data)
-            mujoco.mj_step1(model, data)
-            dq = qvel[motor_v]
-            self._sensors.step(dq)
-            self._step += 1
+            count = min(end - self._step, self._schedule.idle_steps(self.time))
+            if count == 0:
+                self._schedule.apply(self.data, self.time)
+            if self._commands:
+                count = min(count, self._commands[0][0] - self._step)
+            count = 1 if self._hands else max(1, count)
+            self._physics.advance(count, self._motors, self._sensors)
+            self._step += count
 
     def _lift(self) -> None:
         # Pushes write the trunk's force anew as long as one is to come, and then leave it alone.
@@ -243,14 +242,6 @@ class Plant:
 
     def _hand_of(self, lift: Lift) -> Hand:
         return Hand(self.model, self.handles, self.robot, lift)
-
-    def _apply_hand(self, torque: Array) -> None:
-        # Hands hold the link; with play in the gears it is not where the motor's torque goes.
-        applied, joint_v = self.data.qfrc_applied, self.handles.joint_v
-        if self.settings.backlash_deg > 0.0:
-            applied[joint_v] = torque
-        else:
-            applied[joint_v] += torque
 
 
 def _resolve(settings: PlantSettings, description: RobotDescription) -> PlantSettings:

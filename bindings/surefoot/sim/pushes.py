@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Iterable
 
 import mujoco
@@ -40,7 +41,6 @@ class PushSchedule:
         self._body, self._dt = body, dt
         self._pushes: list[Push] = []
         self._direction: dict[int, Array] = {}
-        self._until = -math.inf
         self.force, self.point = np.zeros(3), np.zeros(3)
         for push in pushes:
             self.add(push)
@@ -48,12 +48,18 @@ class PushSchedule:
     def add(self, push: Push) -> None:
         """Add a push."""
         self._pushes.append(push)
-        self._until = max(self._until, push.time + push.duration + self._dt)
+
+    def idle_steps(self, time: float) -> int:
+        """Return for how many steps from `time` [s] on apply() need not be called."""
+        wait = math.inf
+        for push in self._pushes:
+            # A step on both sides: the force is taken back after the last.
+            if time <= push.time + push.duration + self._dt:
+                wait = min(wait, push.time - self._dt - time)
+        return sys.maxsize if wait == math.inf else max(0, math.floor(wait / self._dt))
 
     def apply(self, data: mujoco.MjData, time: float) -> None:
         """Write xfrc_applied for the step from `time` to `time` + dt [s]."""
-        if time > self._until:
-            return
         force, moment = np.zeros(3), np.zeros(3)
         for k, push in enumerate(self._pushes):
             overlap = min(time + self._dt, push.time + push.duration) - max(time, push.time)

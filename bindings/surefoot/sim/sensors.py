@@ -5,18 +5,25 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from surefoot._core import LowState, Robot
+from surefoot import _plant
+from surefoot._core import Robot
 from surefoot.sim.encoders import IdealEncoders, RealEncoders
 from surefoot.sim.foot_sensors import FootSensors
 from surefoot.sim.handles import Handles
-from surefoot.sim.imu import IdealImu, RealImu
-from surefoot.sim.motors import Motors
-from surefoot.sim.rotations import Array, rpy_from_wxyz
+from surefoot.sim.imu import draw_imu_flaws
 from surefoot.sim.settings import PlantSettings
-from surefoot.sim.wire import StateFrame, Wire
+from surefoot.sim.wire import Wire, resting_state
 
 
-class Sensors:
+def mujoco_state(data: mujoco.MjData, handles: Handles) -> _plant.State:
+    """Return views of MuJoCo's memory: they follow it."""
+    return _plant.State(
+        *(data.qpos, data.qvel, data.qacc, data.qfrc_applied, data.sensordata),
+        *(handles.motor_q.astype(np.int32), handles.motor_v.astype(np.int32)),
+    )
+
+
+class Sensors(_plant.Sensors):
     """Reads a MuJoCo state into LowStates.
 
     Args:
@@ -27,7 +34,7 @@ class Sensors:
         tick0: LowState.tick of the first reading [ms].
 
     Attributes:
-        imu: The IMU; its `bias` is the truth, for judging.
+        imu_bias: (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes; for judging.
     """
 
     def __init__(
@@ -38,53 +45,30 @@ class Sensors:
         settings: PlantSettings,
         tick0: int,
     ) -> None:
-        self._data, self._handles = data, handles
-        self._wire = Wire(robot.name, settings.real)
-        self._frame = StateFrame()
-        self._tick0, self._readings, self._rate = tick0, 0, settings.control_rate
-        self.imu: IdealImu | RealImu
-        self._encoders: IdealEncoders | RealEncoders
         # A stream of random numbers for each: one sensor's draws never shift another's.
         imu_rng, encoder_rng, foot_rng = (
             np.random.default_rng([settings.seed, k]) for k in range(3)
         )
-        kind, period = settings.foot_force or "dead", 1.0 / settings.control_rate
+        self.imu_bias, flaws = np.zeros(6), None
+        encoders: IdealEncoders | RealEncoders = IdealEncoders()
         if settings.real:
-            self.imu = RealImu(data, handles, settings.physics_dt, imu_rng, settings.flaws)
-            self._encoders = RealEncoders(settings.physics_dt, encoder_rng)
-            self._feet = FootSensors(kind, period, foot_rng)
-        else:
-            self.imu, self._encoders = IdealImu(data, handles), IdealEncoders()
-            self._feet = FootSensors(kind, period, None)
-
-    def start(self) -> None:
-        """Begin, with the robot at rest."""
-        self.imu.start()
-
-    def step(self, dq: Array) -> None:
-        """Advance one physics step; dq (12,) are the true velocities at the motors [rad/s]."""
-        self.imu.step()
-        self._encoders.step(dq)
-
-    def read(self, motors: Motors) -> LowState:
-        """Return the LowState of this instant; torques are what the drivers think they make."""
-        data, handles, fields = self._data, self._handles, self._frame.fields
-        quaternion = self.imu.quaternion
-        fields["quaternion"][:] = quaternion
-        fields["gyroscope"][:] = self.imu.gyro
-        fields["accelerometer"][:] = self.imu.accelerometer
-        fields["rpy"][:] = rpy_from_wxyz(quaternion)
-        fields["motor_q"][:], fields["motor_dq"][:] = self._encoders.read(
-            data.qpos[handles.motor_q], data.qvel[handles.motor_v]
+            flaws, self.imu_bias = draw_imu_flaws(settings.flaws, settings.physics_dt, imu_rng)
+            encoders = RealEncoders(settings.physics_dt, encoder_rng)
+        super().__init__(
+            mujoco_state(data, handles),
+            Wire(robot.name, settings.real),
+            (handles.gyro.start, handles.accelerometer.start, handles.quaternion.start),
+            flaws,
+            imu_rng,
+            encoders,
+            FootSensors(
+                settings.foot_force or "dead",
+                1.0 / settings.control_rate,
+                foot_rng if settings.real else None,
+            ),
+            handles.foot_forces.ravel().astype(np.int32),
+            handles.ground_normal,
+            resting_state(),
+            tick0,
+            settings.control_rate,
         )
-        fields["motor_ddq"][:] = np.trunc(data.qacc[handles.motor_v])  # whole rad/s^2 on the wire
-        fields["motor_tauEst"][:] = self._wire.torque(motors.believed)
-        fields["motor_mode"][:] = motors.law.mode
-        normal_forces = data.sensordata[handles.foot_forces] @ handles.ground_normal
-        fields["footForce"][:], fields["footForceEst"][:] = self._feet.read(normal_forces)
-        fields["tick"][0] = self._tick()
-        self._readings += 1
-        return self._frame.copy()
-
-    def _tick(self) -> int:
-        return (self._tick0 + round(1000.0 * self._readings / self._rate)) % 2**32

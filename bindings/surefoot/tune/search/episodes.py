@@ -1,0 +1,69 @@
+"""Disturbances: what a seed stands for, the same for every trial."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from surefoot.robots import RobotDescription, build_robot, describe_robot
+from surefoot.sim import Plant, PlantSettings, Push
+
+LENGTH = 6.6  # [s]
+FIRST, EVERY, COUNT = 0.6, 2.0, 3  # [s] pushes: when, how often, how many
+SHARE = 0.35, 0.8  # of the pendulum's limit
+PAYLOAD = 0.2  # of the robot's mass, at most
+FRICTION = 0.5, 1.0
+DELAY_STEPS = 4  # extra physics steps of delay, at most
+MOTOR_LAG = 0.001, 0.004  # [s]
+JOINT_FRICTION = 0.5, 2.0  # times the model's
+PHYSICS_DT = 0.001  # [s]
+HELD_OUT = 10_000  # seeds from here on are never searched with
+
+
+@dataclass(frozen=True)
+class Episode:
+    """One run that every trial is judged by.
+
+    Attributes:
+        robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
+        seed: Of sensors, motors, ground, payload and pushes.
+        settings: Of the plant besides; its seed is not used.
+    """
+
+    robot: str | tuple[str, str]
+    seed: int
+    settings: PlantSettings
+
+    def plant(self) -> Plant:
+        """Build the plant, pushes and all; raises Error."""
+        rng = np.random.default_rng([self.seed, 7])
+        description = describe(self.robot)
+        settings = self._drawn(rng, build_robot(description).mass)
+        plant = Plant(description, settings)
+        degrees, shares = rng.uniform(-180.0, 180.0, COUNT), rng.uniform(*SHARE, COUNT)
+        for k, (direction, share) in enumerate(zip(degrees.tolist(), shares, strict=True)):
+            impulse = float(share) * plant.lip_limit(direction)
+            plant.add_push(Push(direction, impulse, time=FIRST + k * EVERY))
+        return plant
+
+    def _drawn(self, rng: np.random.Generator, mass: float) -> PlantSettings:
+        x, y = (0.03 * rng.uniform(-1.0, 1.0, 2)).tolist()
+        return replace(
+            self.settings,
+            seed=self.seed,
+            physics_dt=PHYSICS_DT,
+            payload_kg=float(PAYLOAD * mass * rng.uniform()),
+            payload_position=(x, y, 0.05),
+            friction=float(rng.uniform(*FRICTION)),
+            extra_delay=PHYSICS_DT * int(rng.integers(DELAY_STEPS + 1)),
+            motor_lag=float(rng.uniform(*MOTOR_LAG)),
+            joint_friction_scale=float(rng.uniform(*JOINT_FRICTION)),
+        )
+
+
+def describe(robot: str | tuple[str, str]) -> RobotDescription:
+    """Return the files of a robot, by its name or by its URDF and TOML; raises Error."""
+    if isinstance(robot, str):
+        return describe_robot(robot)
+    return describe_robot(urdf=robot[0], config=robot[1])

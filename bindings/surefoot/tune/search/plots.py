@@ -1,0 +1,126 @@
+"""Pictures of a search: how costs fell, what mattered, how the robot stands before and after."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot, finish_time, grid
+from surefoot.stand.geometry import pose_from_feet, rotation_angle
+from surefoot.tune.search.run import SearchResult
+from surefoot.tune.trace import Trace
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """What pictures are made of.
+
+    Attributes:
+        result: The search.
+        traces: Of the first held-out episode, by name: start, own, best.
+    """
+
+    result: SearchResult
+    traces: dict[str, Trace]
+
+
+COLOURS = {"start": RED, "own": GREY, "best": BLUE}
+
+
+def draw_history(drawn: Drawn) -> Figure:
+    """Draw every trial's cost, and the best so far."""
+    result = drawn.result
+    figure, axes = grid(len(result.settings.objectives), 1, 3.2)
+    for k, (objective, (ax,)) in enumerate(zip(result.settings.objectives, axes, strict=True)):
+        costs = np.array([trial.values[k] for trial in result.trials])
+        stopped = np.array([bool(t.user_attrs.get("stopped")) for t in result.trials])
+        number = np.arange(len(costs))
+        ax.plot(number[~stopped], costs[~stopped], ".", color=GREY, label="trial")
+        ax.plot(number[stopped], costs[stopped], "x", color=ORANGE, ms=4, label="stopped early")
+        ax.plot(number, np.minimum.accumulate(costs), color=BLUE, label="best so far")
+        ax.set_yscale("log")
+        ax.set_ylabel(f"cost, {objective}")
+    axes[-1][0].set_xlabel("trial")
+    figure.legend(*axes[0][0].get_legend_handles_labels(), loc="outside upper right", ncols=3)
+    return figure
+
+
+def draw_importance(drawn: Drawn) -> Figure:
+    """Draw each parameter's share in what trials cost."""
+    items = sorted(drawn.result.importance.items(), key=lambda item: item[1])
+    figure = Figure(figsize=(9.2, 0.6 + 0.24 * max(len(items), 1)), layout="constrained")
+    ax = figure.subplots()
+    ax.barh([name for name, _ in items], [100.0 * share for _, share in items], color=GREEN)
+    ax.set_xlabel("share [%]")
+    return figure
+
+
+def draw_before_after(drawn: Drawn) -> Figure:
+    """Draw one episode with the start's gains, the robot's own and the best."""
+    figure, axes = grid(3, 1, 6.0)
+    end = 0.0
+    for name, trace in drawn.traces.items():
+        time = trace.rows("time")
+        q = trace.rows("base")[:, [0, 1, 2, 4, 5, 6, 3]]
+        pose = pose_from_feet(q, np.moveaxis(trace.rows("feet"), 1, 2))
+        way = 1000.0 * np.linalg.norm(pose.position - pose.position[0], axis=1)
+        angle = np.degrees(rotation_angle(pose.rotation[0].T @ pose.rotation))
+        power = np.abs(trace.rows("tau") * trace.rows("dq")).sum(axis=1)
+        for (ax,), rows in zip(axes, (way, angle, power), strict=True):
+            ax.plot(time, rows, color=COLOURS[name], label=name)
+        end = max(end, float(time[-1]))
+    for (ax,), text in zip(
+        axes, ("base moved [mm]", "base turned [deg]", "power [W]"), strict=True
+    ):
+        ax.set_ylabel(text)
+    finish_time(figure, axes, end)
+    return figure
+
+
+def draw_front(drawn: Drawn) -> Figure:
+    """Draw both objectives of every trial, and the Pareto front."""
+    result = drawn.result
+    figure = Figure(figsize=(9.2, 4.2), layout="constrained")
+    ax = figure.subplots()
+    costs = np.array([trial.values for trial in result.trials])
+    front = np.array(sorted(tuple(trial.values) for trial in result.front))
+    ax.plot(costs[:, 0], costs[:, 1], ".", color=GREY, label="trial")
+    ax.plot(front[:, 0], front[:, 1], ".-", color=BLUE, label="front")
+    ax.plot(*result.start.searched, "s", color=RED, label="start")
+    ax.plot(*result.best.searched, "o", color=BLUE, label="best")
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel(f"cost, {result.settings.objectives[0]}")
+    ax.set_ylabel(f"cost, {result.settings.objectives[1]}")
+    ax.legend()
+    return figure
+
+
+HISTORY = Plot(
+    "history.png", "How costs fell", "Every trial, in the order in which they ended.", draw_history
+)
+IMPORTANCE = Plot(
+    "importance.png",
+    "What mattered",
+    "Share of each parameter in how good trials differ from the rest (PED-ANOVA).",
+    draw_importance,
+)
+BEFORE_AFTER = Plot(
+    "before_after.png",
+    "Before and after",
+    "One episode that was not searched with: the same robot, ground and pushes.",
+    draw_before_after,
+)
+FRONT = Plot("front.png", "Pareto front", "No trial is better in both.", draw_front)
+
+
+def plots_of(result: SearchResult) -> list[Plot[Drawn]]:
+    """Return the plots that a search has something for."""
+    plots = [BEFORE_AFTER, HISTORY]
+    if result.importance:
+        plots.append(IMPORTANCE)
+    if result.front:
+        plots.append(FRONT)
+    return plots

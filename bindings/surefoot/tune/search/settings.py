@@ -1,0 +1,93 @@
+"""What a search is asked to be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from surefoot._core import Error, Gains, gain_table, get_gain
+from surefoot.sim import PlantSettings
+from surefoot.tune.cost import weights_of
+from surefoot.tune.search.episodes import HELD_OUT, Episode
+from surefoot.tune.search.space import Parameter, default_space
+
+SAMPLERS = ("cmaes", "tpe", "nsga2", "random")
+MOST_JOBS = 256
+
+
+@dataclass(frozen=True)
+class SearchSettings:
+    """Robot, start, what to change, what to judge by, how long.
+
+    Attributes:
+        robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
+        start: Gains to begin with.
+        trials: To be in the store at the end, those that are there already included.
+        jobs: Processes.
+        cluster: Address of a Dask scheduler instead.
+        objectives: One of cost.OBJECTIVES, or two for a Pareto front.
+        space: What may change.
+        episodes: Runs that every trial is judged by.
+        held_out: Runs, of other seeds, that the result is judged by.
+        sampler: One of SAMPLERS; None chooses cmaes for one objective, nsga2 for two.
+        seed: Of the sampler and the first episode.
+        plant: Ground, rates and sensors of the runs.
+        store: Journal file; None keeps the trials in memory.
+    """
+
+    robot: str | tuple[str, str]
+    start: Gains
+    trials: int = 200
+    jobs: int = 1
+    cluster: str | None = None
+    objectives: tuple[str, ...] = ("balance",)
+    space: tuple[Parameter, ...] = field(default_factory=lambda: tuple(default_space()))
+    episodes: int = 4
+    held_out: int = 10
+    sampler: str | None = None
+    seed: int = 0
+    plant: PlantSettings = field(default_factory=PlantSettings)
+    store: str | None = None
+
+    def __post_init__(self) -> None:
+        for objective in self.objectives:
+            weights_of(objective)
+        if len(set(self.objectives)) != len(self.objectives) or len(self.objectives) not in (1, 2):
+            got = ",".join(self.objectives)
+            raise Error(f"objective: got '{got}', expected one, or two that differ")
+        whole = (("trials", 1, 1_000_000), ("jobs", 1, MOST_JOBS), ("episodes", 1, 1000))
+        for name, low, high in (*whole, ("held_out", 1, 1000), ("seed", 0, HELD_OUT - 1000)):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+                raise Error(f"{name}: got {value!r}, expected a whole number {low} .. {high}")
+        if self.sampler is not None and self.sampler not in SAMPLERS:
+            raise Error(f"sampler: got '{self.sampler}', expected one of {', '.join(SAMPLERS)}")
+        if len(self.objectives) == 2 and self.sampler == "cmaes":
+            raise Error("sampler: got 'cmaes' for two objectives, expected nsga2, tpe or random")
+        names = [parameter.name for parameter in self.space]
+        if not names or len(set(names)) < len(names):
+            raise Error(f"gain: got {', '.join(names) or 'none'}, expected some, each once")
+
+    @property
+    def search_episodes(self) -> tuple[Episode, ...]:
+        """The runs of every trial."""
+        return tuple(Episode(self.robot, self.seed + k, self.plant) for k in range(self.episodes))
+
+    @property
+    def held_out_episodes(self) -> tuple[Episode, ...]:
+        """The runs that no trial has seen."""
+        first = HELD_OUT + self.seed
+        return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.held_out))
+
+    def described(self) -> dict[str, Any]:
+        """Return as plain data what makes two searches the same."""
+        start = {info.name: get_gain(self.start, info.name) for info in gain_table()}
+        return {
+            "robot": self.robot if isinstance(self.robot, str) else list(self.robot),
+            "start": start,
+            "objectives": list(self.objectives),
+            "space": [[p.name, p.low, p.high] for p in self.space],
+            "episodes": self.episodes,
+            "seed": self.seed,
+            "plant": repr(self.plant),
+        }

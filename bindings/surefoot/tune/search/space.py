@@ -1,0 +1,118 @@
+"""What is searched: frequencies and damping of the tasks, and gains by name."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
+from surefoot.robot_table import suggest
+
+TWO_PI = 2.0 * math.pi
+
+# Stiffness and damping as people understand them; kp and kd alone are a narrow curved valley.
+PAIRS = {
+    "sway": ("com_kp_horizontal", "com_kd_horizontal"),
+    "height": ("com_kp_vertical", "com_kd_vertical"),
+    "tilt": ("base_kp_tilt", "base_kd_tilt"),
+    "yaw": ("base_kp_yaw", "base_kd_yaw"),
+    "foot": ("foot_kp", "foot_kd"),
+}
+FREQUENCY = 0.3, 6.0  # [Hz] natural, of the body's tasks
+FOOT_FREQUENCY = 1.0, 11.0  # [Hz]
+DAMPING = 0.2, 2.5
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One number that the search may choose, on a logarithmic scale.
+
+    Attributes:
+        name: "sway_frequency", "sway_damping" ..., or the name of a gain.
+        low: Least value, > 0.
+        high: Greatest value.
+        unit: Of the value.
+    """
+
+    name: str
+    low: float
+    high: float
+    unit: str
+
+    def get(self, gains: Gains) -> float:
+        """Return the value that gains have, brought into the range."""
+        pair = PAIRS.get(self.name.rsplit("_", 1)[0])
+        if pair is None:
+            value = get_gain(gains, self.name)
+        else:
+            kp, kd = (get_gain(gains, name) for name in pair)
+            rate = math.sqrt(max(kp, 1e-9))
+            value = rate / TWO_PI if self.name.endswith("_frequency") else kd / (2.0 * rate)
+        return min(max(value, self.low), self.high)
+
+
+def default_space() -> list[Parameter]:
+    """Return frequency and damping of the five tasks that keep a robot standing."""
+    space = []
+    for task in PAIRS:
+        low, high = FOOT_FREQUENCY if task == "foot" else FREQUENCY
+        space.append(Parameter(f"{task}_frequency", low, high, "Hz"))
+        space.append(Parameter(f"{task}_damping", *DAMPING, "1"))
+    return space
+
+
+def parse_parameter(text: str) -> Parameter:
+    """Read NAME or NAME=LOW:HIGH, the name of a task's number or of a gain.
+
+    Raises:
+        Error: An unknown name, a range outside the gain's own or not above 0.
+    """
+    name, _, span = text.partition("=")
+    known = {parameter.name: parameter for parameter in default_space()}
+    infos = {info.name: info for info in gain_table()}
+    if name in known:
+        low, high, unit = known[name].low, known[name].high, known[name].unit
+    elif name in infos:
+        info = infos[name]
+        default = info.default or info.maximum
+        low, high = max(info.minimum, 0.1 * default), min(info.maximum, 10.0 * default)
+        unit = info.unit
+    else:
+        names = [*known, *infos]
+        raise Error(f"gain: got '{name}'{suggest(name, names)}; valid names: {', '.join(names)}")
+    if span:
+        low, high = _span(name, span, infos[name] if name in infos else known[name])
+    return Parameter(name, low, high, unit)
+
+
+def _span(name: str, span: str, limits: object) -> tuple[float, float]:
+    least = getattr(limits, "minimum", getattr(limits, "low", 0.0))
+    most = getattr(limits, "maximum", getattr(limits, "high", math.inf))
+    try:
+        low, high = (float(part) for part in span.split(":"))
+    except ValueError:
+        raise Error(f"gain: got '{name}={span}', expected {name}=LOW:HIGH") from None
+    if not (0.0 < low < high and least <= low and high <= most):
+        raise Error(
+            f"gain: got '{name}={span}', expected 0 < LOW < HIGH within {least:g} .. {most:g}"
+        )
+    return low, high
+
+
+def apply(values: dict[str, float], start: Gains) -> Gains:
+    """Return start with a trial's values in it; raises Error if one is out of a gain's range."""
+    gains = start.__copy__()
+    for name, value in values.items():
+        if name in {info.name for info in gain_table()}:
+            set_gain(gains, name, value)
+    for task, (kp, kd) in PAIRS.items():
+        frequency, damping = values.get(f"{task}_frequency"), values.get(f"{task}_damping")
+        if frequency is None and damping is None:
+            continue
+        rate = TWO_PI * frequency if frequency is not None else math.sqrt(get_gain(start, kp))
+        if damping is None:
+            damping = get_gain(start, kd) / (2.0 * math.sqrt(max(get_gain(start, kp), 1e-9)))
+        set_gain(gains, kp, rate**2)
+        set_gain(gains, kd, 2.0 * damping * rate)
+    gains.validate()
+    return gains
