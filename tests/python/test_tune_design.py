@@ -138,6 +138,16 @@ def test_directions_are_what_the_robot_is(robot: str) -> None:
         assert given == pytest.approx(small, rel=0.05)
 
 
+@pytest.mark.parametrize("axis", AXES)
+def test_the_pole_that_is_told_is_no_observers(axis: str) -> None:
+    goals = {axis: Goal(2.5, 0.8)}
+    design = design_gains(DesignSettings(describe_robot("a1"), goals, Timing(delay=0.012)))
+    margins = next(each for each in design.axes if each.name == axis).margins
+    # Delay makes the loop faster and, up to a point, looks like damping.
+    assert 2.5 < margins.pole_frequency < 5.0
+    assert 0.7 < margins.pole_damping < 1.0
+
+
 def test_the_greatest_frequency_is_the_boundary() -> None:
     direction, timing = body().directions["pitch"], Timing(delay=0.01)
     observers = Observers.of(body().robot.config.gains)

@@ -172,6 +172,6 @@ def _refusal(
         else "no frequency is stable at this damping"
     )
     return (
-        f"{name}: {whose}{goal.frequency:.3g} Hz with damping {goal.damping:.3g}, cannot be stable "
+        f"{name}: {whose}{goal.frequency:.3g} Hz with damping {goal.damping:.3g} cannot be stable "
         f"with {1000.0 * timing.delay:g} ms of further delay at {timing.rate:g} Hz; {hint}"
     )
