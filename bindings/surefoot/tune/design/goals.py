@@ -1,0 +1,70 @@
+"""What is asked of an axis: how fast it comes back, and how well damped."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from surefoot._core import Error
+
+
+@dataclass(frozen=True)
+class Goal:
+    """Natural frequency and damping of x'' = -kp x - kd x'.
+
+    Attributes:
+        frequency: f [Hz].
+        damping: zeta; 1 is critical.
+    """
+
+    frequency: float
+    damping: float
+
+    def __post_init__(self) -> None:
+        for name, value, unit in (
+            ("frequency", self.frequency, " Hz"),
+            ("damping", self.damping, ""),
+        ):
+            if not (math.isfinite(value) and value > 0.0):
+                raise Error(f"{name}: got {value:g}{unit}, expected a number above 0")
+
+    @property
+    def kp(self) -> float:
+        """Stiffness per unit of inertia, (2 pi f)^2 [1/s^2]."""
+        return (2.0 * math.pi * self.frequency) ** 2
+
+    @property
+    def kd(self) -> float:
+        """Damping per unit of inertia, 2 zeta 2 pi f [1/s]."""
+        return 4.0 * math.pi * self.damping * self.frequency
+
+    def at(self, frequency: float) -> Goal:
+        """Return this damping at another frequency [Hz]."""
+        return Goal(frequency, self.damping)
+
+
+def goal_of(kp: float, kd: float) -> Goal:
+    """Return the frequency and damping of gains; raises Error unless both are above 0."""
+    if not (kp > 0.0 and kd > 0.0):
+        raise Error(f"got kp {kp:g} and kd {kd:g}, expected both above 0")
+    return Goal(math.sqrt(kp) / (2.0 * math.pi), kd / (2.0 * math.sqrt(kp)))
+
+
+def parse_goal(option: str, text: str, damping: float) -> Goal:
+    """Read FREQ[:DAMPING]; raises Error.
+
+    Args:
+        option: That the text was given with.
+        text: Hertz, and the damping ratio if it is this axis's own.
+        damping: If the text has none.
+    """
+    try:
+        frequency, *own = (float(word) for word in text.split(":"))
+        if len(own) > 1:
+            raise ValueError
+    except ValueError:
+        raise Error(f"{option}: got '{text}', expected FREQ[:DAMPING] in Hz") from None
+    try:
+        return Goal(frequency, own[0] if own else damping)
+    except Error as problem:
+        raise Error(f"{option}: {problem}") from None

@@ -1,0 +1,49 @@
+"""The report of a design: maps of where it is stable, the numbers, a page that shows them."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Sequence
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from surefoot.report_axes import draw_plots
+from surefoot.report_page import page_html, pictures_html
+from surefoot.tune.design.design import Design
+from surefoot.tune.design.plots import PLOTS
+from surefoot.tune.design.text import design_text
+
+
+def write_report(
+    design: Design, summary: dict[str, Any], folder: Path, words: Sequence[str]
+) -> Path:
+    """Write index.html, its pictures and summary.json; return the page to open.
+
+    Args:
+        design: The design.
+        summary: What design_summary() made of it.
+        folder: Made if it is not there.
+        words: Of the command, without its name; shown on the page.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(summary, indent=2, allow_nan=False)
+    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    draw_plots(PLOTS, design, folder)
+    page = folder / "index.html"
+    page.write_text(_page(design, shlex.join(["surefoot", *words])), encoding="utf-8")
+    return page
+
+
+def _page(design: Design, command: str) -> str:
+    title = f"{design.body.robot.name}: gains by design"
+    kind = "fair" if design.warnings else "good"
+    body = f"""<h1><span class="mark {kind}"></span>{escape(title)}</h1>
+<pre>{escape(command)}</pre>
+<section class="card"><h2>Gains and margins</h2>
+<p class="soft">Factors on kp and kd, and further delay, that it bears: at rest, without the
+joints' friction, and after a push, with it. The same is in <a href="summary.json">summary.json</a>.
+</p><pre>{escape(design_text(design))}</pre></section>
+{pictures_html(PLOTS)}"""
+    return page_html(title, body)

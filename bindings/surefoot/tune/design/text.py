@@ -1,0 +1,106 @@
+"""A design in a few lines of text, and as a summary for JSON."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+from surefoot.tune.design.axes import AXES
+from surefoot.tune.design.design import AxisDesign, Design
+from surefoot.tune.design.margins import MOST_GAIN, Margins
+from surefoot.tune.design.search import MOST_DELAY
+
+_HEAD = f"{'':9} {'f':>6} {'zeta':>5} {'kp':>8} {'kd':>7}  {'pole':>12}"
+_MARGINS = f"{'gain':>7} {'delay':>9}   {'gain':>7} {'delay':>9}"
+
+
+def design_text(design: Design) -> str:
+    """Return gains and margins as a table, and what is thin below it."""
+    timing = design.settings.timing
+    lines = [
+        f"{design.body.robot.name}: {timing.rate:g} Hz, {1000.0 * timing.delay:g} ms of further "
+        f"delay, motors' lag {1000.0 * timing.motor_lag:g} ms",
+        f"{'':56}  {'at rest':^17}   {'after a push':^17}",
+        f"{_HEAD}  {_MARGINS}",
+        f"{'':9} {'Hz':>6} {'':>5} {'1/s^2':>8} {'1/s':>7}  {'Hz, damping':>12}  "
+        f"{'x':>7} {'ms':>9}   {'x':>7} {'ms':>9}",
+    ]
+    lines += [_row(axis) for axis in design.axes]
+    if any(axis.own for axis in design.axes):
+        lines.append("* the robot's own gains")
+    lines += [f"warning: {text}" for text in design.warnings]
+    return "\n".join(lines)
+
+
+def design_summary(design: Design) -> dict[str, Any]:
+    """Return a design as plain numbers; frequencies in Hz, times in s."""
+    settings = design.settings
+    return {
+        "robot": design.body.robot.name,
+        "rate_hz": settings.timing.rate,
+        "delay_s": settings.timing.delay,
+        "motor_lag_s": settings.timing.motor_lag,
+        "trust_imu": settings.trust_imu,
+        "trust_legs": settings.trust_legs,
+        "joint_friction_scale": settings.joint_friction_scale,
+        "axes": {axis.name: _axis_summary(axis) for axis in design.axes},
+        "gains": {name: getattr(design.gains, name) for name in _changed(design)},
+        "warnings": design.warnings,
+    }
+
+
+def _row(axis: AxisDesign) -> str:
+    goal, m = axis.goal, axis.margins
+    name = axis.name + ("*" if axis.own else "")
+    pole = f"{m.pole_frequency:.2f}, {m.pole_damping:.2f}"
+    return (
+        f"{name:9} {goal.frequency:6.2f} {goal.damping:5.2f} {goal.kp:8.1f} {goal.kd:7.2f}  "
+        f"{pole:>12}  {_factor(m.gain_up)} {_delay(m.delay)}   "
+        f"{_factor(m.boundary)} {_delay(m.push_delay)}"
+    )
+
+
+def _factor(value: float) -> str:
+    return f"{f'>{MOST_GAIN:g}' if value >= MOST_GAIN else f'{value:.2f}':>7}"
+
+
+def _delay(value: float) -> str:
+    most = f">{1000.0 * MOST_DELAY:g}"
+    return f"{most if value >= MOST_DELAY else f'{1000.0 * value:.1f}':>9}"
+
+
+def _axis_summary(axis: AxisDesign) -> dict[str, Any]:
+    return {
+        "frequency_hz": axis.goal.frequency,
+        "damping": axis.goal.damping,
+        "kp": axis.goal.kp,
+        "kd": axis.goal.kd,
+        "own_gains": axis.own,
+        "direction": axis.direction,
+        **_margin_summary(axis.margins),
+        "directions": {name: _margin_summary(m) for name, m in axis.directions.items()},
+    }
+
+
+def _margin_summary(margins: Margins) -> dict[str, Any]:
+    names = {
+        "pole_frequency": "pole_frequency_hz",
+        "pole_damping": "pole_damping",
+        "slack": "spectral_radius",
+        "gain_up": "gain_margin",
+        "gain_down": "gain_margin_down",
+        "delay": "delay_margin_s",
+        "boundary": "boundary",
+        "push_delay": "boundary_delay_s",
+    }
+    values = asdict(margins)
+    return {names[name]: values[name] for name in values}
+
+
+def _changed(design: Design) -> list[str]:
+    """Return the names of all gains that the design says something of."""
+    own = design.settings.start or design.body.robot.config.gains
+    of_axes = [name for kp, kd, _ in AXES.values() for name in (kp, kd)]
+    others = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
+    legs = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
+    return of_axes + [n for n in (*others, *legs) if getattr(design.gains, n) != getattr(own, n)]

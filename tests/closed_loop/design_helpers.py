@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A standing robot is kicked along one direction: does it come to rest?"""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+from surefoot import Gains, StandController
+from surefoot.robot_files import describe_robot
+from surefoot.sim import Plant, PlantSettings
+from surefoot.tune.design import AXES, Body, Direction, Goal, measure_body
+
+DIRECTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
+GOAL = Goal(2.0, 0.8)  # of every axis; one at a time gets a factor
+PUSHED, LASTS, END = 0.6, 0.01, 2.6  # [s]
+REST = 0.6  # [s] at the end in which it has to be quiet
+QUIET = np.array([0.15, 0.15, 0.15, 1.0, 1.0, 1.0])  # [m/s^2, rad/s^2] RMS; noise is 0.02 and 0.1
+
+
+@functools.cache
+def body_of(robot: str) -> Body:
+    return measure_body(describe_robot(robot))
+
+
+@functools.cache
+def plant_of(robot: str, delay: float, friction: float) -> Plant:
+    return Plant(robot, PlantSettings(extra_delay=delay, joint_friction_scale=friction, seed=1))
+
+
+def gains_of(robot: str, axis: str, factor: float) -> Gains:
+    """All axes as GOAL has them, one with a factor on kp and kd."""
+    gains = body_of(robot).robot.config.gains
+    for name, (kp, kd, _) in AXES.items():
+        times = factor if name == axis else 1.0
+        setattr(gains, kp, times * GOAL.kp)
+        setattr(gains, kd, times * GOAL.kd)
+    return gains
+
+
+def rests(
+    robot: str, delay: float, gains: Gains, direction: Direction, friction: float = 1.0
+) -> bool:
+    """Whether all six accelerations are quiet in the end; a robot that fell is not.
+
+    friction is a factor on that of the joints.
+    """
+    plant = plant_of(robot, delay, friction)
+    controller = StandController(plant.robot, gains)
+    state = plant.reset()
+    root = plant.handles.root
+    rate = plant.settings.control_rate
+    first, last = round(PUSHED * rate), round((PUSHED + LASTS) * rate)
+    wrench = np.zeros(6)
+    wrench[DIRECTIONS.index(direction.name)] = direction.inertia * direction.kick / LASTS
+    speeds = np.zeros((round(END * rate), 6))
+    for k in range(len(speeds)):
+        plant.data.xfrc_applied[root] = 0.0
+        if first <= k < last:
+            arm = plant.data.subtree_com[root] - plant.data.xipos[root]
+            plant.data.xfrc_applied[root] = wrench
+            plant.data.xfrc_applied[root, 3:] += np.cross(arm, wrench[:3])
+        state = plant.step(controller.update(state))
+        speeds[k] = plant.data.qvel[:6]
+        if plant.truth.fell:
+            break
+    plant.data.xfrc_applied[root] = 0.0
+    if plant.truth.fell:
+        return False
+    a = rate * np.diff(speeds[-round(REST * rate) :], axis=0)
+    return bool(np.all(np.sqrt(np.mean(a**2, axis=0)) < QUIET))

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gains 20 % inside the predicted boundary come to rest after a kick, 20 % outside do not."""
+
+from __future__ import annotations
+
+import functools
+
+import pytest
+
+pytest.importorskip("casadi")
+
+from design_helpers import GOAL, body_of, gains_of, rests
+from plant_helpers import ROBOTS
+from surefoot.tune.design import AXES, ClosedLoop, Observers, Timing, oscillation_boundary
+
+DELAYS = (0.004, 0.012)  # [s]
+
+
+@functools.cache
+def boundaries(robot: str, axis: str, delay: float) -> dict[str, float]:
+    body = body_of(robot)
+    observers = Observers.of(body.robot.config.gains)
+    return {
+        direction.name: oscillation_boundary(
+            ClosedLoop(direction, Timing(delay=delay), observers), GOAL.kp, GOAL.kd
+        )
+        for direction in body.of_axis(axis)
+    }
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+@pytest.mark.parametrize("axis", AXES)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_20_percent_inside_the_boundary_every_direction_comes_to_rest(
+    robot: str, axis: str, delay: float
+) -> None:
+    factor = 0.8 * min(boundaries(robot, axis, delay).values())
+    gains = gains_of(robot, axis, factor)
+    for direction in body_of(robot).of_axis(axis):
+        assert rests(robot, delay, gains, direction), direction.name
+
+
+@pytest.mark.parametrize("delay", DELAYS)
+@pytest.mark.parametrize("axis", AXES)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_20_percent_outside_the_boundary_an_oscillation_stays(
+    robot: str, axis: str, delay: float
+) -> None:
+    found = boundaries(robot, axis, delay)
+    weakest = min(found, key=lambda name: found[name])
+    gains = gains_of(robot, axis, 1.2 * found[weakest])
+    assert not rests(robot, delay, gains, body_of(robot).directions[weakest])

@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The model behind surefoot tune design: textbook loops, refusals, what it writes."""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import surefoot
+
+pytest.importorskip("casadi")
+
+from surefoot.cli import main
+from surefoot.robot_files import describe_robot
+from surefoot.tune.design import (
+    AXES,
+    Body,
+    ClosedLoop,
+    DesignSettings,
+    Direction,
+    Goal,
+    Observers,
+    Timing,
+    delay_margin,
+    design_gains,
+    gain_margins,
+    greatest_frequency,
+    measure_body,
+    oscillation_boundary,
+    parse_goal,
+)
+
+NO_LIMITS = np.array([[-1e6, -1e6], [0.0, 0.0], [1e6, 1e6]])
+FREE = Direction("z", False, 1.0, 0.0, 0.0, 1.0, 1.0, NO_LIMITS, 0.3)
+TURNING = replace(FREE, name="yaw", rotates=True)
+ASLEEP = Observers(1e6, 0.016, 0.5, 0.0, 1.0)
+AWAKE = Observers(0.15, 0.016, 0.5, 20.0, 1.0)
+FAST = Timing(rate=2000.0, motor_lag=0.0)  # 1 ms from measurement to action
+
+
+@functools.cache
+def body(robot: str = "go1") -> Body:
+    return measure_body(describe_robot(robot))
+
+
+def continuous_delay_margin(goal: Goal) -> float:
+    """Phase margin over crossover of (kp + kd s) / s^2 [s]."""
+    kp, kd = goal.kp, goal.kd
+    w = math.sqrt((kd**2 + math.sqrt(kd**4 + 4.0 * kp**2)) / 2.0)
+    return math.atan2(kd * w, kp) / w
+
+
+@pytest.mark.parametrize(("frequency", "damping"), [(1.0, 0.4), (2.5, 0.8), (4.0, 0.6)])
+def test_without_delay_the_poles_are_the_ones_asked_for(frequency: float, damping: float) -> None:
+    goal = Goal(frequency, damping)
+    loop = ClosedLoop(FREE, FAST, ASLEEP)
+    s = np.log(np.linalg.eigvals(loop.matrix(goal.kp, goal.kd)).astype(complex) + 1e-30) * FAST.rate
+    wn = 2.0 * math.pi * frequency
+    wanted = wn * complex(-damping, math.sqrt(1.0 - damping**2))
+    # 1.25 ms of delay turn them a little.
+    assert np.abs(s - wanted).min() < 0.05 * wn
+
+
+@pytest.mark.parametrize("goal", [Goal(2.0, 0.4), Goal(2.5, 0.8), Goal(5.0, 0.7)])
+def test_the_delay_margin_is_phase_margin_over_crossover(goal: Goal) -> None:
+    loop = ClosedLoop(FREE, FAST, ASLEEP)
+    own = 2.5 * FAST.period  # one period each way, half a period of hold
+    expected = continuous_delay_margin(goal) - own
+    assert delay_margin(loop, goal.kp, goal.kd) == pytest.approx(expected, abs=0.0003)
+
+
+def test_the_gain_margin_is_where_a_delayed_derivative_turns_by_a_quarter() -> None:
+    # kd exp(-j w T) / (j w), T = 2.5 periods: unstable from kd = pi / (2 T) on.
+    timing = Timing(rate=500.0, motor_lag=0.0)
+    loop = ClosedLoop(FREE, timing, ASLEEP)
+    kd = 20.0
+    down, up = gain_margins(loop, 1e-3, kd)
+    assert up * kd == pytest.approx(math.pi / (2.0 * 2.5 * timing.period), rel=0.02)
+    assert down == 0.0
+
+
+def test_the_gyroscopes_mean_over_a_tick_costs_half_a_period() -> None:
+    goal = Goal(2.0, 0.8)
+    straight = delay_margin(ClosedLoop(FREE, Timing(), ASLEEP), goal.kp, goal.kd)
+    turning = delay_margin(ClosedLoop(TURNING, Timing(), ASLEEP), goal.kp, goal.kd)
+    assert 0.0005 < straight - turning < 0.0015
+
+
+def test_a_delay_between_two_steps_is_between_their_margins() -> None:
+    goal = Goal(3.0, 0.8)
+    found = [
+        gain_margins(ClosedLoop(FREE, Timing(delay=delay), ASLEEP), goal.kp, goal.kd)[1]
+        for delay in (0.004, 0.0041, 0.00425, 0.0049, 0.005)
+    ]
+    assert found == sorted(found, reverse=True)
+    assert found[0] > found[-1]
+
+
+def test_without_friction_and_observers_a_push_finds_the_gain_margin() -> None:
+    goal = Goal(2.5, 0.8)
+    loop = ClosedLoop(FREE, Timing(delay=0.008), ASLEEP)
+    up = gain_margins(loop, goal.kp, goal.kd)[1]
+    assert oscillation_boundary(loop, goal.kp, goal.kd) == pytest.approx(up, rel=0.05)
+
+
+def test_friction_helps_and_the_push_observer_costs() -> None:
+    kp, kd = Goal(2.5, 0.8).kp, Goal(2.5, 0.8).kd
+    timing = Timing(delay=0.008)
+    limited = replace(FREE, limits=np.array([[-8.0, -8.0], [0.0, 0.0], [8.0, 8.0]]))
+    plain = oscillation_boundary(ClosedLoop(limited, timing, ASLEEP), kp, kd)
+    rubbing = oscillation_boundary(
+        ClosedLoop(replace(limited, friction=0.5), timing, ASLEEP), kp, kd
+    )
+    pushed = oscillation_boundary(ClosedLoop(limited, timing, AWAKE), kp, kd)
+    assert pushed < 0.7 * plain < plain < rubbing
+
+
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+def test_directions_are_what_the_robot_is(robot: str) -> None:
+    directions = body(robot).directions
+    for name in ("x", "y", "z"):
+        assert 1.0 < directions[name].inertia / body(robot).robot.mass < 1.4
+        assert 1.0 < directions[name].base_share < 1.2
+    # Downwards the program keeps four feet down by hold_down of the weight each.
+    held = 9.81 * (1.0 - 4.0 * body(robot).robot.config.gains.hold_down)
+    limits = directions["z"].limits
+    assert np.interp(-10.0, limits[:, 0], limits[:, 1]) == pytest.approx(-held, abs=0.05)
+    for direction in directions.values():
+        assert np.all(np.diff(direction.limits[:, 1]) >= 0.0)
+        small = 0.1 * direction.limits[-1, 0] / 4.0
+        given = np.interp(small, direction.limits[:, 0], direction.limits[:, 1])
+        assert given == pytest.approx(small, rel=0.05)
+
+
+@pytest.mark.parametrize("axis", AXES)
+def test_the_pole_that_is_told_is_no_observers(axis: str) -> None:
+    goals = {axis: Goal(2.5, 0.8)}
+    design = design_gains(DesignSettings(describe_robot("a1"), goals, Timing(delay=0.012)))
+    margins = next(each for each in design.axes if each.name == axis).margins
+    # Delay makes the loop faster and, up to a point, looks like damping.
+    assert 2.5 < margins.pole_frequency < 5.0
+    assert 0.7 < margins.pole_damping < 1.0
+
+
+def test_the_greatest_frequency_is_the_boundary() -> None:
+    direction, timing = body().directions["pitch"], Timing(delay=0.01)
+    observers = Observers.of(body().robot.config.gains)
+    greatest = greatest_frequency(direction, timing, observers, 0.8)
+    loop = ClosedLoop(direction, timing, observers)
+    goal = Goal(greatest, 0.8)
+    bound = min(
+        gain_margins(loop, goal.kp, goal.kd)[1], oscillation_boundary(loop, goal.kp, goal.kd)
+    )
+    assert bound == pytest.approx(1.0, abs=0.05)
+
+
+def test_own_gains_stay_where_no_goal_is() -> None:
+    design = design_gains(DesignSettings(describe_robot("go1"), {"sway": Goal(1.5, 0.9)}))
+    own = body().robot.config.gains
+    assert design.gains.com_kp_horizontal == pytest.approx((2.0 * math.pi * 1.5) ** 2)
+    assert design.gains.com_kd_horizontal == pytest.approx(4.0 * math.pi * 0.9 * 1.5)
+    assert design.gains.base_kp_tilt == own.base_kp_tilt
+    assert [axis.own for axis in design.axes] == [name != "sway" for name in AXES]
+
+
+def test_trust_in_the_imu_costs_margin_after_a_push() -> None:
+    goals = {"height": Goal(2.0, 0.8)}
+    settings = DesignSettings(describe_robot("go1"), goals, Timing(delay=0.006))
+    found = {}
+    for trust in (0.5, 2.0):
+        design = design_gains(replace(settings, trust_imu=trust))
+        found[trust] = next(a for a in design.axes if a.name == "height").margins.boundary
+        assert design.gains.push_time == pytest.approx(body().robot.config.gains.push_time / trust)
+    assert found[0.5] > found[2.0]
+
+
+def run_cli(*words: str) -> int:
+    return main(["tune", "design", *words])
+
+
+def test_what_is_written_loads_to_the_gains_that_were_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, numbers = tmp_path / "gains.toml", tmp_path / "design.json"
+    words = "--robot go1 --bandwidth 2.5 --damping 0.8 --delay-ms 4 --attitude 4:0.7".split()
+    assert run_cli(*words, "--toml", str(file), "--json", str(numbers)) == 0
+    shown, summary = capsys.readouterr().out, json.loads(numbers.read_text())
+    gains = surefoot.load_gains(file, body().robot.config.gains)
+    for axis, (kp, kd, _) in AXES.items():
+        assert getattr(gains, kp) == pytest.approx(summary["axes"][axis]["kp"], rel=1e-12)
+        assert getattr(gains, kd) == pytest.approx(summary["axes"][axis]["kd"], rel=1e-12)
+        assert f"{summary['axes'][axis]['boundary']:.2f}" in shown
+    assert gains.base_kp_tilt == pytest.approx((8.0 * math.pi) ** 2)
+    assert gains.foot_kp == body().robot.config.gains.foot_kp
+
+
+def test_what_cannot_be_stable_is_refused_with_what_can(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "gains.toml"
+    assert run_cli("--height", "6", "--delay-ms", "12", "--toml", str(file)) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 1 and "height" in lines[0] and "12 ms" in lines[0]
+    assert not file.exists()
+    greatest = float(lines[0].split("at most ")[1].split(" Hz")[0])
+    assert 2.0 < greatest < 6.0
+    assert run_cli("--height", f"{0.97 * greatest}", "--delay-ms", "12") == 0
+    assert "warning: height" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ([], "no frequency"),
+        (["--bandwidth", "fast"], "FREQ[:DAMPING]"),
+        (["--bandwidth", "2:0.7:1"], "FREQ[:DAMPING]"),
+        (["--bandwidth", "0"], "above 0"),
+        (["--bandwidth", "2", "--damping", "-1"], "above 0"),
+        (["--bandwidth", "9"], "com_kp_horizontal"),
+        (["--bandwidth", "2", "--delay-ms", "-1"], "delay"),
+        (["--bandwidth", "2", "--rate", "0"], "rate"),
+        (["--bandwidth", "2", "--trust-imu", "0"], "trust in the IMU"),
+        (["--bandwidth", "2", "--robot", "dog"], "unknown robot"),
+        (["--bandwidth", "2", "--toml", "/nowhere/g.toml"], "--toml"),
+    ],
+)
+def test_wrong_arguments_are_one_line(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run_cli(*words) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 1 and said in lines[0]
+
+
+def test_without_casadi_it_says_what_to_install(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(sys.modules, "casadi", None)
+    assert run_cli("--bandwidth", "2") == 2
+    assert "pip install surefoot[tune]" in capsys.readouterr().err
+
+
+def test_a_goal_has_its_own_damping_or_the_common_one() -> None:
+    assert parse_goal("--sway", "2", 0.8) == Goal(2.0, 0.8)
+    assert parse_goal("--sway", "2:1.1", 0.8) == Goal(2.0, 1.1)
+
+
+def test_the_report_has_maps_and_numbers(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    folder = tmp_path / "report"
+    assert run_cli("--bandwidth", "2", "--report", str(folder)) == 0
+    page = (folder / "index.html").read_text()
+    for name in ("delay_map.png", "damping_map.png", "responses.png", "poles.png"):
+        assert name in page and (folder / name).stat().st_size > 10_000
+    assert json.loads((folder / "summary.json").read_text())["robot"] == "go1"
