@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 
 #include <chrono>
@@ -47,6 +48,15 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("greatest_power", &RunSnapshot::greatest_power, "[W] that it ever judged.")
       .def_ro("height", &RunSnapshot::height, "[m] estimated.")
       .def_ro("tilt", &RunSnapshot::tilt, "[rad] estimated.")
+      .def_ro("q", &RunSnapshot::q, "(19,) Pinocchio's, estimated.")
+      .def_ro("forces", &RunSnapshot::forces,
+              "(12,) [N] asked of FR FL RR RL, each x y z, world axes.")
+      .def_ro("contact", &RunSnapshot::contact, "(4,) belief that each foot bears.")
+      .def_ro("distance", &RunSnapshot::distance, "[m] of the base from its reference.")
+      .def_ro("angle", &RunSnapshot::angle, "[rad] of the base from its reference.")
+      .def_ro("torque_ratio", &RunSnapshot::torque_ratio, "Greatest share of its limit in tauEst.")
+      .def_ro("command_power", &RunSnapshot::command_power,
+              "[W] sum |tau dq| that the last command takes.")
       .def_ro("tick_p50", &RunSnapshot::tick_p50,
               "[us] from waking to the command sent, of half of the ticks.")
       .def_ro("tick_p90", &RunSnapshot::tick_p90,
@@ -125,6 +135,12 @@ void bind_runner(nb::module_& m) {
       .def("stop", &StandRunner::stop, "Damp, and end; from any thread.")
       .def("damp", &StandRunner::damp, "Damp, and stay; from any thread.")
       .def("rearm", &StandRunner::rearm, "Begin anew after a damping; from any thread.")
+      .def("set_gains", &StandRunner::set_gains, "gains"_a,
+           "As StandController's, with the next tick; from any thread. Raise Error if one is "
+           "invalid.")
+      .def("set_body_reference", &StandRunner::set_body_reference, "target"_a,
+           "As StandController's, with the next tick; the remote's sticks add to it, and rearm() "
+           "forgets it. From any thread.")
       .def("snapshot", &StandRunner::snapshot, "What was last published, from any thread.")
       .def_prop_ro("real_time", &StandRunner::real_time, "Scheduling and memory it got, in words.")
       .def_prop_ro("local_port", &StandRunner::local_port, "Ours.");

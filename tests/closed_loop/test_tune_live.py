@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import re
 import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +19,7 @@ import numpy as np
 import pytest
 import surefoot
 import viser
+from surefoot import protocol
 from surefoot.cli import main
 from surefoot.robot_files import describe_robot
 from surefoot.tune.live.comparison import judge
@@ -26,8 +30,8 @@ from surefoot.tune.live.guard import Guard
 from surefoot.tune.live.linked_robot import LinkedRobot
 from surefoot.tune.live.loop import Loop
 from surefoot.tune.live.page import Page
-from surefoot.tune.live.robot_loop import Place
 from surefoot.tune.live.robot_mesh import robot_parts
+from surefoot.tune.live.robot_process import Place
 from surefoot.tune.live.server import close_server, open_server
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.slider_range import slider_range
@@ -255,9 +259,9 @@ def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None
         height = robot.view.qpos[2]
         wait_until(lambda: robot.view.qpos[2] < height - 0.02)
         assert robot.healthy and robot.view.contact.sum() == 4
-        loop.post(robot.damp)
+        robot.damp()
         wait_until(lambda: "damping: asked" in robot.status)
-        loop.post(robot.rearm)
+        robot.rearm()
         wait_until(lambda: robot.healthy)
         time.sleep(1.5)
         assert page.frames_per_second > 5.0  # it has drawn all that, to the end
@@ -273,13 +277,98 @@ def test_a_robot_of_another_generation_is_not_taken(tmp_path: Path) -> None:
     loop = Loop(robot, lambda _: None)
     loop.start()
     try:
-        wait_until(lambda: "waiting: " in robot.status)
+        wait_until(lambda: "ended: wrong generation: " in robot.status)
         assert not robot.healthy
     finally:
         loop.stop()
         robot.close()
         process.send_signal(signal.SIGTERM)
         process.wait(timeout=20)
+
+
+class Listener(threading.Thread):
+    """Where a robot should be: counts the frames that come, keeps the last."""
+
+    def __init__(self) -> None:
+        super().__init__(daemon=True)
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.bind(("127.0.0.1", 0))
+        self.socket.settimeout(0.2)
+        self.port, self.count, self.frame, self.last = self.socket.getsockname()[1], 0, b"", 0.0
+        self.start()
+
+    def run(self) -> None:
+        while self.socket.fileno() >= 0:
+            with contextlib.suppress(OSError):
+                self.frame = self.socket.recv(2048)
+                self.count, self.last = self.count + 1, time.monotonic()
+
+    def damps(self) -> bool:
+        cmd = protocol.decode_low_cmd(self.frame, "go1-v3.8")
+        motors = [cmd.motorCmd[i] for i in range(12)]
+        return all(m.tau == 0.0 and m.Kp == 0.0 and m.Kd > 0.0 and m.dq == 0.0 for m in motors)
+
+
+def test_a_page_that_hangs_does_not_keep_commands_from_the_robot() -> None:
+    listener = Listener()
+    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", listener.port, "go1-v3.8"))
+    try:
+        time.sleep(6.0)  # nobody calls tick(), so nobody reads what the process says
+        before = listener.count
+        wait_until(lambda: listener.count > before + 100)
+    finally:
+        begin = time.monotonic()
+        robot.close()
+    assert time.monotonic() - begin < 4.0
+    assert robot._process.exitcode == 0
+    assert listener.damps()
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_no_signal_ends_the_control_process_without_damping(number: int) -> None:
+    listener = Listener()
+    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", listener.port, "go1-v3.8"))
+    try:
+        wait_until(lambda: listener.count > 20)
+        os.kill(robot._process.pid, number)
+        if number == signal.SIGTERM:
+            told = time.monotonic()
+            robot._process.join(5.0)
+            assert robot._process.exitcode == 0
+            assert listener.last > told + 0.1  # it has said farewell
+            assert listener.damps()
+        else:  # the terminal's: the page says stop
+            before = listener.count
+            wait_until(lambda: listener.count > before + 50)
+    finally:
+        robot.close()
+
+
+def test_a_load_that_fails_in_an_unforeseen_way_leaves_the_page_alive(tmp_path: Path) -> None:
+    complaints: list[str] = []
+    loop = Loop(Simulation(describe_robot("go1")), complaints.append)
+    loop.start()
+    try:
+        loop.post(lambda: 1 // 0)
+        wait_until(lambda: len(complaints) > 0)
+        assert "ZeroDivisionError" in complaints[0]
+        assert loop.is_alive()
+    finally:
+        loop.stop()
+
+
+@pytest.mark.parametrize("host", ["localhost", "127.0.0.1"])
+def test_the_names_of_loopback_are_guarded_alike(host: str) -> None:
+    from websockets.exceptions import InvalidStatus
+    from websockets.sync.client import connect
+
+    server = open_server(host, 0, "test")
+    try:
+        url = f"ws://127.0.0.1:{server.get_port()}"
+        with pytest.raises(InvalidStatus, match="403"):
+            connect(url, origin="http://evil.example")  # type: ignore[arg-type]
+    finally:
+        close_server(server)
 
 
 def test_a_link_that_cannot_be_opened_is_one_clear_error() -> None:

@@ -44,7 +44,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     text = f"of the robot, see surefoot run (port {ROBOT_PORT}); gains then move in guarded ranges"
     add("--host", metavar="ADDRESS[:PORT]", help=text)
     add("--sdk", metavar="GENERATION", help="of its frames (the robot's newest)")
-    add("--power-level", type=int, default=1, metavar="N", help="N x 100 W: 1 .. 10; 0: off (1)")
+    add("--power-level", type=int, metavar="N", help="N x 100 W: 1 .. 10; 0: off (1)")
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -65,48 +65,56 @@ def run(arguments: argparse.Namespace) -> None:
     gains = None if arguments.gains is None else load_gains(arguments.gains, own.config.gains)
     files = GainFolder(arguments.folder, own)
     server = open_server(arguments.bind, arguments.port, f"surefoot tune live: {own.name}")
+    ended, session = _heed_signals(), None
     try:
         session = _open_session(arguments, description, gains)
         page = Page(server, session, files, arguments.plain)
     except BaseException:
+        if session is not None:
+            session.close()  # a robot on UDP may stand already
         close_server(server)
         raise
-    ended = _heed_signals()
     page.start()
     url = f"http://{arguments.bind}:{server.get_port()}"
     Speaker(sys.stdout)(f"serving {url} ({own.name}); Ctrl-C ends")
-    if arguments.open:
-        webbrowser.open(url)
-    while not ended.wait(0.5):  # a wait without an end would not let signals through
-        pass
-    page.stop()
+    if arguments.open and not webbrowser.open(url):
+        Speaker(sys.stderr)(f"no browser could be opened; see {url}")
+    try:
+        while not ended.wait(0.5):  # a wait without an end would not let signals through
+            page.check()
+    finally:
+        page.stop()
 
 
 def _open_session(
     arguments: argparse.Namespace, description: RobotDescription, gains: Gains | None
 ) -> Session:
     if arguments.host is None:
+        for option, value in (("--sdk", arguments.sdk), ("--power-level", arguments.power_level)):
+            if value is not None:
+                raise Error(f"{option}: got {value} without --host, expected both or none")
         from surefoot.tune.live.simulation import Simulation
 
         return Simulation(description, gains)
     from surefoot.tune.live.linked_robot import LinkedRobot
-    from surefoot.tune.live.robot_loop import Place
+    from surefoot.tune.live.robot_process import Place
 
     host, _, port = arguments.host.partition(":")
     if not port:
         port = str(ROBOT_PORT)
     if not port.isdecimal() or not host:
         raise Error(f"--host: got '{arguments.host}', expected ADDRESS or ADDRESS:PORT")
-    if not 0 <= arguments.power_level <= 10:
-        raise Error(f"--power-level: got {arguments.power_level}, expected 0 to 10")
+    level = 1 if arguments.power_level is None else arguments.power_level
+    if not 0 <= level <= 10:
+        raise Error(f"--power-level: got {level}, expected 0 to 10")
     generation = arguments.sdk or default_generation(description.name)
-    place = Place(host, int(port), generation, arguments.power_level)
+    place = Place(host, int(port), generation, level)
     return LinkedRobot(description, place, gains)
 
 
 def _heed_signals() -> threading.Event:
-    """Return what Ctrl-C and SIGTERM set from now on: they end a server as they should."""
+    """Return what Ctrl-C, SIGTERM and a closed terminal set from now on: a server's ends."""
     ended = threading.Event()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda *_: ended.set())
     return ended

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <string>
@@ -68,8 +69,15 @@ struct RunSnapshot {
   std::uint64_t refused_rearms = 0;  ///< asked for while no LowState came
   double power = 0.0;                ///< [W] that the protection judged last
   double greatest_power = 0.0;
-  double height = 0.0;  ///< [m] estimated
-  double tilt = 0.0;    ///< [rad] estimated
+  double height = 0.0;              ///< [m] estimated
+  double tilt = 0.0;                ///< [rad] estimated
+  std::array<double, 19> q{};       ///< Pinocchio's, estimated
+  std::array<double, 12> forces{};  ///< [N] asked of FR FL RR RL, each x y z, world axes
+  std::array<double, 4> contact{};  ///< belief that each foot bears
+  double distance = 0.0;            ///< [m] of the base from its reference
+  double angle = 0.0;               ///< [rad] the same of its attitude
+  double torque_ratio = 0.0;        ///< greatest share of its limit in tauEst
+  double command_power = 0.0;       ///< [W] see StandController::power()
   // [us] from waking to the command sent, and from the deadline to waking:
   double tick_p50 = 0.0, tick_p90 = 0.0, tick_p99 = 0.0, tick_p999 = 0.0, tick_max = 0.0;
   double wake_p50 = 0.0, wake_p99 = 0.0, wake_p999 = 0.0, wake_max = 0.0;
@@ -100,6 +108,11 @@ class StandRunner {
   void stop() noexcept;   ///< damp, and end
   void damp() noexcept;   ///< damp, and stay
   void rearm() noexcept;  ///< begin anew with the next LowState, if the robot is damped
+
+  // From any thread; obeyed with the next tick:
+  void set_gains(const Gains& gains);  ///< as StandController's; throws surefoot::Error
+  /// As StandController's, and the remote's sticks add to it. rearm() forgets it.
+  void set_body_reference(const BodyReference& target);
 
   /// From any other thread; what was last published.
   RunSnapshot snapshot() const;

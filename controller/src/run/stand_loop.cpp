@@ -2,9 +2,9 @@
 #include "run/stand_loop.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "run/remote_reference.hpp"
+#include "run/run_view.hpp"
 
 namespace surefoot {
 
@@ -20,10 +20,12 @@ StandLoop::StandLoop(const Robot& robot, const Gains& gains, const StandOptions&
       controller_(robot, gains, stand),
       safety_(robot),
       link_(link),
+      tau_max_(robot.config().tau_max),
       damping_(damping_low_cmd(gains.damping_kd)) {}
 
 void StandLoop::tick(double time, double elapsed) noexcept {
   now_.time = time;
+  obey_letters();
   const bool newer = link_.receive();
   if (stop_.load()) end(RunReason::kAsked);
   const bool damped = damp_.exchange(false);
@@ -61,6 +63,8 @@ void StandLoop::wait_for_robot() noexcept {
 void StandLoop::begin() noexcept {
   controller_.reset();
   safety_.reset();
+  asked_ = {};
+  controller_.set_body_reference(asked_);
   last_ = damping_;
   silence_.heard(now_.time, link_.state().tick);
   restarts_ = link_.counts().restarts;
@@ -126,9 +130,25 @@ void StandLoop::stay_damped(bool newer, bool rearmed) noexcept {
   }
 }
 
+void StandLoop::set_gains(const Gains& gains) {
+  gains.validate();
+  gains_letter_.put(gains);
+}
+
+void StandLoop::obey_letters() noexcept {
+  if (gains_letter_.take(gains_)) {
+    controller_.set_gains(gains_);  // valid: see set_gains()
+    damping_ = damping_low_cmd(gains_.damping_kd);
+  }
+  if (reference_letter_.take(asked_)) controller_.set_body_reference(asked_);
+}
+
 void StandLoop::obey_remote() noexcept {
   const WirelessRemote remote = decode_wireless_remote(link_.state().wirelessRemote);
-  controller_.set_body_reference(remote_reference(remote));
+  const BodyReference sticks = remote_reference(remote);
+  controller_.set_body_reference({asked_.x + sticks.x, asked_.y + sticks.y,
+                                  asked_.height + sticks.height, asked_.roll + sticks.roll,
+                                  asked_.pitch + sticks.pitch, asked_.yaw + sticks.yaw});
   if (remote.pressed(kDampingButton)) latch(RunReason::kButton);
 }
 
@@ -153,10 +173,7 @@ const RunSnapshot& StandLoop::describe() noexcept {
   now_.link = link_.counts();
   now_.reject = link_.last_reject();
   now_.age = link_.age();
-  const RobotState& state = controller_.state();
-  now_.height = state.q[2];
-  const double sine = std::hypot(state.q[3], state.q[4]);  // of half the tilt
-  now_.tilt = 2.0 * std::asin(std::min(sine, 1.0));
+  view_robot(controller_, link_.state(), tau_max_, now_);
   return now_;
 }
 

@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include "run/mailbox.hpp"
 #include "run/silence.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/stand_runner.hpp"
@@ -28,6 +29,10 @@ class StandLoop {
   void damp() noexcept { damp_.store(true); }
   void rearm() noexcept { rearm_.store(true); }
 
+  // From any thread:
+  void set_gains(const Gains& gains);  ///< throws surefoot::Error
+  void set_body_reference(const BodyReference& target) { reference_letter_.put(target); }
+
   /// How it is, but for what only the clock knows. Real-time: yes.
   const RunSnapshot& describe() noexcept;
   /// Has it latched since this was asked last? Real-time: yes.
@@ -40,6 +45,7 @@ class StandLoop {
   void control(const LowState& state) noexcept;
   void bridge(double age, double elapsed) noexcept;
   void stay_damped(bool newer, bool rearmed) noexcept;
+  void obey_letters() noexcept;
   void obey_remote() noexcept;
   void begin() noexcept;
   void latch(RunReason why) noexcept;
@@ -49,7 +55,12 @@ class StandLoop {
   StandController controller_;
   Safety safety_;
   UdpLink link_;
+  Vector12 tau_max_;  // [N.m]
   LowCmd damping_, last_ = damping_;
+  Gains gains_;
+  BodyReference asked_;  // besides what the remote asks for
+  Mailbox<Gains> gains_letter_;
+  Mailbox<BodyReference> reference_letter_;
   Silence silence_;
   RunSnapshot now_;
   double begun_ = 0.0;          // [s] when control began first

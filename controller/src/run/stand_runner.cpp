@@ -61,6 +61,10 @@ StandRunner::~StandRunner() = default;
 void StandRunner::stop() noexcept { impl_->loop.stop(); }
 void StandRunner::damp() noexcept { impl_->loop.damp(); }
 void StandRunner::rearm() noexcept { impl_->loop.rearm(); }
+void StandRunner::set_gains(const Gains& gains) { impl_->loop.set_gains(gains); }
+void StandRunner::set_body_reference(const BodyReference& target) {
+  impl_->loop.set_body_reference(target);
+}
 int StandRunner::local_port() const noexcept { return impl_->loop.local_port(); }
 RunSnapshot StandRunner::snapshot() const { return impl_->board.look(); }
 std::string StandRunner::real_time() const { return impl_->board.real_time(); }

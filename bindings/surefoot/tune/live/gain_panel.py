@@ -72,7 +72,8 @@ class GainPanel:
 
         @store.on_click
         def _(_: Any) -> None:
-            post(lambda: self._store(store.value))
+            slot = store.value
+            post(lambda: self._store(slot))
 
         @use.on_click
         def _(_: Any) -> None:

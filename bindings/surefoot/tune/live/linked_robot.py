@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+import threading
 from typing import Any
 
 import mujoco
@@ -18,8 +19,13 @@ from surefoot.sim.settings import PlantSettings
 from surefoot.tune.live.curves import Curves, Sample
 from surefoot.tune.live.gain_editor import GainEditor
 from surefoot.tune.live.guard import Guard
-from surefoot.tune.live.robot_loop import Place, Report
-from surefoot.tune.live.robot_process import PERIOD, REPORT_EVERY, control, gain_values
+from surefoot.tune.live.robot_process import (
+    REPORT_PERIOD,
+    Place,
+    Report,
+    control,
+    gain_values,
+)
 from surefoot.tune.live.view import View
 
 _NONE = Sample(0.0, 0.0, 0.0, 0.0, 0.0)
@@ -50,13 +56,14 @@ class LinkedRobot:
         self.guard: Guard | None = Guard(own)
         self.editor = GainEditor(own, gains, self.guard.check)
         self._present = self.editor.gains
-        self.curves, self.period = Curves(), PERIOD * REPORT_EVERY
+        self.curves, self.period = Curves(), REPORT_PERIOD
         self._model = build_model(self.robot, description, PlantSettings())
         self._data = mujoco.MjData(self._model)
         self._handles = find_handles(self._model, self.robot)
         self._adapter = Adapter(self._model, load_pinocchio_model(description))
         self.report = Report("waiting", "", None, np.zeros((3, 4)), np.zeros(4, dtype=bool), _NONE)
-        self._time = 0.0
+        self._time, self._refused = 0.0, 0
+        self._saying = threading.Lock()
         self._data.qpos[self._handles.joint_q] = self.robot.config.q_standing
         self.look()
         self._start()
@@ -65,10 +72,12 @@ class LinkedRobot:
     def status(self) -> str:
         """How the robot is, in a few words."""
         report = self.report
-        if not self._process.is_alive():
+        if not self._process.is_alive() and report.phase != "ended":
             return f"{self._place}: the control process has ended"
         why = f": {report.reason}" if report.reason else ""
         how = "; Re-arm stands it up" if report.phase == "damping" else ""
+        if report.phase == "damping" and report.refused > self._refused:
+            how = "; not re-armed, for no LowState comes"
         return f"{self._place}: {report.phase}{why}{how}"
 
     @property
@@ -117,19 +126,21 @@ class LinkedRobot:
         self._say("reference", values)
 
     def damp(self) -> None:
-        """Let the motors brake, and stay so."""
+        """Let the motors brake, and stay so; from any thread."""
         self._say("damp")
 
     def rearm(self) -> None:
-        """Stand again after a damping."""
+        """Stand again after a damping, in the pose it then has; from any thread."""
+        self._refused = self.report.refused
         self._say("rearm")
 
     def close(self) -> None:
         """Let the motors brake and end the control process."""
         self._say("stop")
+        self._pipe.close()
         self._process.join(_END)
         if self._process.is_alive():
-            self._process.terminate()
+            self._process.terminate()  # which damps as well
 
     def _start(self) -> None:
         # A fresh interpreter: threads and sockets of the page are none of its business.
@@ -148,7 +159,8 @@ class LinkedRobot:
             raise Error(f"{self._place}: {problem}")
 
     def _say(self, word: str, values: Any = None) -> None:
-        try:
-            self._pipe.send((word, values))
-        except OSError:  # its end shows in `status`
-            return
+        with self._saying:
+            try:
+                self._pipe.send((word, values))
+            except OSError:  # its end shows in `status`
+                return

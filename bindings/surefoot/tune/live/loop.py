@@ -14,6 +14,7 @@ from surefoot.tune.live.session import Session
 _NAP = 0.008  # [s] between batches of ticks; finer would only be more to do
 _MOST_BEHIND = 0.1  # [s] that is caught up; what goes beyond is lost
 _RATED_OVER = 1.0  # [s]
+_QUIET = 5.0  # [s] in which the same complaint is not made twice
 
 Action = Callable[[], Any]
 
@@ -39,6 +40,7 @@ class Loop(threading.Thread):
         self._actions: queue.SimpleQueue[Action] = queue.SimpleQueue()
         self._ending = threading.Event()
         self._steps = 0
+        self._said, self._said_at = "", 0.0
         self.paused, self.speed, self.factor = False, 1.0, 1.0
 
     def post(self, action: Action) -> None:
@@ -79,16 +81,26 @@ class Loop(threading.Thread):
             for _ in range(count):
                 self._session.tick()
             self._session.look()
-        except (Error, OSError) as problem:
-            self.paused = True
-            self._complain(str(problem))
+        except Exception as problem:  # this thread must live, whatever went wrong
+            # Of a robot that is not simulated here no time can be stopped.
+            self.paused = self._session.guard is None
+            self._say(problem)
 
     def _act(self) -> None:
         while not self._actions.empty():
             try:
                 self._actions.get()()
-            except (Error, OSError) as problem:
-                self._complain(str(problem))
+            except Exception as problem:
+                self._say(problem)
+
+    def _say(self, problem: Exception) -> None:
+        text = str(problem)
+        if not isinstance(problem, Error | OSError):
+            text = f"{type(problem).__name__}: {text}"
+        if text == self._said and time.monotonic() - self._said_at < _QUIET:
+            return
+        self._said, self._said_at = text, time.monotonic()
+        self._complain(text)
 
     def _add_steps(self, ticks: int) -> None:
         self._steps += ticks

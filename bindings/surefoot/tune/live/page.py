@@ -7,6 +7,7 @@ import time
 
 import viser
 
+from surefoot._core import Error
 from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.gain_panel import GainPanel
 from surefoot.tune.live.link_panel import add_link_panel
@@ -25,6 +26,7 @@ from surefoot.tune.live.world_panel import add_world_panel
 
 FRAME = 1.0 / 30.0  # [s] between pictures
 _PLOT_EVERY, _TEXT_EVERY = 3, 8  # frames
+_AFTER_FAILURE = 1.0  # [s] until the next picture
 _PLOT_WIDTH, _PANEL_WIDTH = 330, 400  # [pixels]
 
 
@@ -65,7 +67,7 @@ class Page:
                 server.gui, session.editor, files, self.loop.post, self.notifier, session.guard
             )
         with tabs.add_tab("Body"):
-            add_reference_panel(server.gui, session, self.loop.post)
+            self._zero_reference = add_reference_panel(server.gui, session, self.loop.post)
         if isinstance(session, Simulation):
             with tabs.add_tab("World"):
                 add_world_panel(server.gui, session, self.loop.post)
@@ -78,6 +80,12 @@ class Page:
         self.loop.start()
         self._drawing.start()
 
+    def check(self) -> None:
+        """Raise Error if a thread of the page has ended by itself."""
+        for thread in (self.loop, self._drawing):
+            if not thread.is_alive():
+                raise Error(f"the thread '{thread.name}' has ended; the page is dead")
+
     def stop(self) -> None:
         """End both threads, let go of the robot and close the server."""
         self._ending.set()
@@ -89,7 +97,7 @@ class Page:
     def _add_robot_controls(self) -> PushPanel | None:
         gui, session, post = self._server.gui, self._session, self.loop.post
         if isinstance(session, LinkedRobot):
-            add_link_panel(gui, session, post)
+            add_link_panel(gui, session, lambda: self._zero_reference())
         if not isinstance(session, Simulation):
             return None
         add_time_panel(gui, self.loop, session)
@@ -116,16 +124,24 @@ class Page:
     def _draw(self) -> None:
         count, rated, counted = 0, time.monotonic(), 0
         while not self._ending.wait(max(0.0, rated + (counted + 1) * FRAME - time.monotonic())):
-            self._scene.show(self._session.view)
             count, counted = count + 1, counted + 1
-            if count % _PLOT_EVERY == 0:
-                self._plots.refresh()
-            if count % _TEXT_EVERY == 0:
-                self._refresh_texts()
+            try:
+                self._refresh(count)
+            except Exception as problem:  # a picture that fails must not be the last
+                self.notifier.complain(f"{type(problem).__name__}: {problem}")
+                if self._ending.wait(_AFTER_FAILURE):
+                    break
             now = time.monotonic()
             if now - rated > 1.0:
                 self.frames_per_second = counted / (now - rated)
                 rated, counted = now, 0
+
+    def _refresh(self, count: int) -> None:
+        self._scene.show(self._session.view)
+        if count % _PLOT_EVERY == 0:
+            self._plots.refresh()
+        if count % _TEXT_EVERY == 0:
+            self._refresh_texts()
 
     def _refresh_texts(self) -> None:
         self._gains.refresh()

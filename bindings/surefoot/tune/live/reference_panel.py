@@ -14,8 +14,11 @@ _STEPS = {"m": 0.005, "deg": 0.5}
 
 def add_reference_panel(
     gui: viser.GuiApi, session: Session, post: Callable[[Callable[[], Any]], None]
-) -> None:
+) -> Callable[[], None]:
     """Add a slider for every axis of the body reference, and a button that zeroes them.
+
+    Returns:
+        What zeroes them.
 
     Args:
         gui: Where to.
@@ -35,7 +38,9 @@ def add_reference_panel(
     for slider in sliders.values():
         slider.on_update(ask)
 
-    @gui.add_button("Back to the latched pose").on_click
-    def _(_: Any) -> None:
+    def zero() -> None:
         for slider in sliders.values():
             slider.value = 0.0
+
+    gui.add_button("Back to the latched pose").on_click(lambda _: zero())
+    return zero

@@ -1,25 +1,82 @@
-"""A RobotLoop in a process of its own, so that no page and no browser may hold it up."""
+"""A StandRunner in a process of its own, so that no page and no browser may hold it up."""
 
 from __future__ import annotations
 
+import select
 import signal
+import threading
+from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import Any
 
-from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import (
+    Error,
+    Gains,
+    RunOptions,
+    RunSnapshot,
+    StandRunner,
+    gain_table,
+    get_gain,
+    set_gain,
+)
+from surefoot.cli.run_text import why_damped
 from surefoot.robot_files import RobotDescription
 from surefoot.robots import build_robot
+from surefoot.sim.rotations import Array
+from surefoot.tune.live.curves import Sample
 from surefoot.tune.live.measures import body_reference
-from surefoot.tune.live.robot_loop import Place, RobotLoop
-from surefoot.virtual_robot.clock import RealTime
-from surefoot.virtual_robot.priority import RealTimePriority
 
-PERIOD = 0.002  # [s]
-REPORT_EVERY = 10  # periods
-_FAREWELL = 50  # periods of damping frames at the end
+REPORT_PERIOD = 0.05  # [s] in which the runner says anew how it is
+_PATIENCE = 1e6  # [s] a page may be opened long before the robot is switched on
 
 Message = tuple[str, Any]
 """("gains", values by name), ("reference", values by axis), ("damp" | "rearm" | "stop", None)."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a robot is and what it speaks.
+
+    Attributes:
+        host: Its address.
+        port: Its UDP port.
+        generation: Of its frames.
+        power_level: Of the power protection, N x 100 W; 0 switches it off.
+    """
+
+    host: str
+    port: int
+    generation: str
+    power_level: int = 1
+
+    def __str__(self) -> str:
+        return f"{self.host}:{self.port}"
+
+
+@dataclass(frozen=True)
+class Report:
+    """What the runner says of itself.
+
+    Attributes:
+        phase: "waiting", "standing", "damping" or "ended".
+        reason: Of the damping; while waiting, why what has come was not taken.
+        q: (nq,) Pinocchio's, estimated; None before the robot has spoken.
+        forces: (3, 4) that the program asks of the feet, world axes [N].
+        contact: (4,) feet that are believed to bear.
+        sample: Its numbers.
+        refused: Re-arms that were refused so far, for no LowState came.
+    """
+
+    phase: str
+    reason: str
+    q: Array | None
+    forces: Array
+    contact: npt.NDArray[np.bool_]
+    sample: Sample
+    refused: int = 0
 
 
 def gain_values(gains: Gains) -> dict[str, float]:
@@ -32,26 +89,56 @@ def control(
 ) -> None:
     """Control the robot until the pipe says "stop" or its other end is gone; ends by damping.
 
-    The first message out is "" or what went wrong; Reports follow.
+    The first message out is "" or what went wrong; Reports follow, as long as somebody reads them.
     """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the page's, which says stop
+    # The terminal's signals are the page's, which says stop; SIGTERM is anybody's.
+    for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTSTP):
+        signal.signal(number, signal.SIG_IGN)
     try:
-        loop = RobotLoop(build_robot(description), place, _gains_of(values))
+        runner = _make_runner(description, place, values)
     except Error as problem:
         pipe.send(str(problem))
         return
-    pipe.send("")
-    with RealTimePriority():
-        clock = RealTime(PERIOD)
-        while _obey(pipe, loop):
-            clock.wait()
-            loop.tick()
-            if clock.cycles % REPORT_EVERY == 0 and not _send(pipe, loop):
-                break
-        for _ in range(_FAREWELL):
-            loop.damp("asked")
-            loop.tick()
-            clock.wait()
+    signal.signal(signal.SIGTERM, lambda *_: runner.stop())
+    loop = threading.Thread(target=runner.run)
+    loop.start()
+    try:
+        pipe.send("")
+        while loop.is_alive() and _obey(pipe, runner):
+            _tell(pipe, report_of(runner.snapshot()))
+    finally:
+        runner.stop()  # what follows are damping frames
+        loop.join()
+        _tell(pipe, report_of(runner.snapshot()))
+
+
+def report_of(now: RunSnapshot) -> Report:
+    """Return a snapshot as what goes through a pipe."""
+    known = now.ticks > 0
+    power = now.command_power
+    reason = why_damped(now) if now.phase in ("damping", "ended") else ""
+    if now.reason == "wrong_generation":
+        reason = f"wrong generation: {now.reject}"
+    elif now.phase == "waiting" and now.link.received > 0:
+        reason = now.reject
+    sample = (1000.0 * now.distance, float(np.degrees(now.angle)), now.torque_ratio, power)
+    return Report(
+        now.phase,
+        reason,
+        np.array(now.q) if known else None,
+        np.array(now.forces).reshape(4, 3).T,
+        np.array(now.contact) > 0.5,
+        Sample(*sample, now.tick_p50) if known else Sample(0.0, 0.0, 0.0, 0.0, 0.0),
+        now.refused_rearms,
+    )
+
+
+def _make_runner(
+    description: RobotDescription, place: Place, values: dict[str, float]
+) -> StandRunner:
+    options = RunOptions(power_level=place.power_level, patience=_PATIENCE)
+    where = (place.host, place.port, place.generation)
+    return StandRunner(build_robot(description), *where, gains=_gains_of(values), options=options)
 
 
 def _gains_of(values: dict[str, float]) -> Gains:
@@ -61,29 +148,30 @@ def _gains_of(values: dict[str, float]) -> Gains:
     return gains
 
 
-def _obey(pipe: Connection, loop: RobotLoop) -> bool:
-    """Do what the page asks for; return whether to go on."""
+def _obey(pipe: Connection, runner: StandRunner) -> bool:
+    """Wait a moment for what the page asks for, and do it; return whether to go on."""
     try:
-        while pipe.poll():
-            word, values = pipe.recv()
-            if word == "stop":
-                return False
-            if word == "gains":
-                loop.controller.set_gains(_gains_of(values))
-            elif word == "reference":
-                loop.controller.set_body_reference(body_reference(values))
-            elif word == "damp":
-                loop.damp("asked")
-            else:
-                loop.rearm()
-    except (EOFError, OSError):
+        if not pipe.poll(REPORT_PERIOD):
+            return True
+        word, values = pipe.recv()
+    except (EOFError, OSError):  # the page is gone
         return False
-    return True
+    if word == "gains":
+        runner.set_gains(_gains_of(values))
+    elif word == "reference":
+        runner.set_body_reference(body_reference(values))
+    elif word == "damp":
+        runner.damp()
+    elif word == "rearm":
+        runner.rearm()
+    return bool(word != "stop")
 
 
-def _send(pipe: Connection, loop: RobotLoop) -> bool:
+def _tell(pipe: Connection, report: Report) -> None:
+    """Send a report if it can be sent at once: a page that hangs reads none."""
+    if not select.select([], [pipe.fileno()], [], 0.0)[1]:
+        return
     try:
-        pipe.send(loop.report())
-    except OSError:  # the page is gone
-        return False
-    return True
+        pipe.send(report)
+    except OSError:  # the page is gone, as the next poll says too
+        return

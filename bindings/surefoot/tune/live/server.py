@@ -6,6 +6,7 @@ import contextlib
 import errno
 import functools
 import io
+import ipaddress
 import socket
 from collections.abc import Iterator
 from typing import Any
@@ -53,11 +54,14 @@ def _own_pages_only(host: str, port: int) -> Iterator[None]:
     """
     module: Any = websockets.asyncio.server
     serve = module.serve
-    if not host.startswith("127."):  # by what name others reach this machine is not known here
+    address = ipaddress.ip_address(socket.gethostbyname(host))
+    if not address.is_loopback:  # by what name others reach this machine is not known here
         yield
         return
-    # A program that is no browser says no origin.
-    origins = [None, f"http://{host}:{port}", f"http://localhost:{port}"]
+    # A program that is no browser says no origin; one that is leaves port 80 out.
+    names = {host, str(address), "localhost"}
+    origins = [None, *(f"http://{name}:{port}" for name in names)]
+    origins += [f"http://{name}" for name in names if port == 80]
     module.serve = functools.partial(serve, origins=origins)
     try:
         yield
@@ -69,6 +73,8 @@ def _check_address(host: str, port: int) -> int:
     """Raise unless the address is free; return the port, chosen if it was 0."""
     if not 0 <= port <= 65535:
         raise Error(f"--port: got {port}, expected a number from 0 to 65535")
+    if not host:
+        raise Error("--bind: got '', expected an IPv4 address of this machine")
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
         # As the server itself: a port that a former page has just left is free.
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
