@@ -6,6 +6,7 @@ from __future__ import annotations
 import functools
 import json
 import math
+import shlex
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -180,6 +181,21 @@ def test_trust_in_the_imu_costs_margin_after_a_push() -> None:
     assert found[0.5] > found[2.0]
 
 
+def test_the_program_of_the_gains_that_are_started_from_is_the_one_that_is_measured(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, boundary = tmp_path / "held.toml", {}
+    words = "--height 2:0.8 --delay-ms 4 --json -".split()
+    for hold_down in (body().robot.config.gains.hold_down, 0.2):
+        file.write_text(f"hold_down = {hold_down}\n")
+        assert run_cli(*words, "--gains", str(file)) == 0
+        boundary[hold_down] = json.loads(capsys.readouterr().out)["axes"]["height"]["boundary"]
+    usual, held = boundary.values()
+    # Feet that are held down with most of the weight can pull little: the push stays small.
+    assert usual == pytest.approx(4.89, rel=0.02)
+    assert held == pytest.approx(11.6, rel=0.02)
+
+
 def run_cli(*words: str) -> int:
     return main(["tune", "design", *words])
 
@@ -187,10 +203,12 @@ def run_cli(*words: str) -> int:
 def test_what_is_written_loads_to_the_gains_that_were_printed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    file, numbers = tmp_path / "gains.toml", tmp_path / "design.json"
+    file, numbers = tmp_path / "my gains.toml", tmp_path / "design.json"
     words = "--robot go1 --bandwidth 2.5 --damping 0.8 --delay-ms 4 --attitude 4:0.7".split()
     assert run_cli(*words, "--toml", str(file), "--json", str(numbers)) == 0
     shown, summary = capsys.readouterr().out, json.loads(numbers.read_text())
+    command = shlex.join(["surefoot", "tune", "design", *words, "--toml", str(file)])
+    assert command in file.read_text()
     gains = surefoot.load_gains(file, body().robot.config.gains)
     for axis, (kp, kd, _) in AXES.items():
         assert getattr(gains, kp) == pytest.approx(summary["axes"][axis]["kp"], rel=1e-12)

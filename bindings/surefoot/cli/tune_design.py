@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -99,7 +100,7 @@ def run(arguments: argparse.Namespace) -> int | None:
     if arguments.toml is not None:
         from surefoot.gain_files import save_gains
 
-        command = " ".join(["surefoot", *arguments.words])
+        command = shlex.join(["surefoot", *arguments.words])
         save_gains(arguments.toml, design.gains, design.body.robot.name, command)
     write_json(arguments.json, summary)
     page = None

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot import symbolic
-from surefoot._core import Error, Robot
+from surefoot._core import Error, Gains, Robot
 from surefoot.robots import RobotDescription, build_robot, per_motor
 from surefoot.tune.design.program_limits import GRAVITY, program_limits
 
@@ -75,13 +75,19 @@ class Body:
         return [self.directions[name] for name in AXES[axis][2]]
 
 
-def measure_body(description: RobotDescription, joint_friction_scale: float = 1.0) -> Body:
+def measure_body(
+    description: RobotDescription,
+    joint_friction_scale: float = 1.0,
+    gains: Gains | None = None,
+) -> Body:
     """Compute a standing robot's directions from its model and its controller's own program.
 
     Args:
         description: The robot's files; joint friction is its TOML's table ``simulation``, none
             where that is silent.
         joint_friction_scale: Factor on friction and viscous friction of the joints.
+        gains: Whose hold_down, weights, penalties and force limits the program has; None is the
+            robot's own.
 
     Raises:
         Error: A robot that cannot be built or has not twelve joints; CasADi is missing.
@@ -102,7 +108,7 @@ def measure_body(description: RobotDescription, joint_friction_scale: float = 1.
     )
     height, reach = _size(robot)
     speed = _KICK * math.sqrt(GRAVITY / height) * reach
-    given = program_limits(robot, height)
+    given = program_limits(robot, height, gains or robot.config.gains)
     directions = {}
     for k, name in enumerate(DIRECTIONS):
         dq = motions[joints, k]

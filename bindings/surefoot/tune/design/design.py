@@ -15,8 +15,8 @@ from surefoot.tune.design.timing import Observers, Timing
 THIN_GAIN = 2.0  # margins below are warned of
 THIN_PERIODS = 1.0
 # Trust in a sensor divides these of the robot's own gains.
-_IMU_DOUBTS = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
-_LEG_DOUBTS = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
+IMU_DOUBTS = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
+LEG_DOUBTS = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,7 @@ def design_gains(settings: DesignSettings) -> Design:
     for name in settings.goals:
         if name not in AXES:
             raise Error(f"axis: got '{name}', expected one of {', '.join(AXES)}")
-    body = measure_body(settings.robot, settings.joint_friction_scale)
+    body = measure_body(settings.robot, settings.joint_friction_scale, settings.start)
     gains = _gains(settings, body)
     observers = Observers.of(gains)
     axes = [_design_axis(name, settings, body, gains, observers) for name in AXES]
@@ -129,8 +129,8 @@ def _gains(settings: DesignSettings, body: Body) -> Gains:
         setattr(gains, kp, goal.kp)
         setattr(gains, kd, goal.kd)
     for trust, names, what in (
-        (settings.trust_imu, _IMU_DOUBTS, "trust in the IMU"),
-        (settings.trust_legs, _LEG_DOUBTS, "trust in the legs"),
+        (settings.trust_imu, IMU_DOUBTS, "trust in the IMU"),
+        (settings.trust_legs, LEG_DOUBTS, "trust in the legs"),
     ):
         if not 0.1 <= trust <= 10.0:
             raise Error(f"{what}: got {trust:g}, expected 0.1 .. 10")

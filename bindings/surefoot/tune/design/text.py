@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from surefoot.tune.design.axes import AXES
-from surefoot.tune.design.design import AxisDesign, Design
+from surefoot.tune.design.design import IMU_DOUBTS, LEG_DOUBTS, AxisDesign, Design
 from surefoot.tune.design.margins import MOST_GAIN, Margins
 from surefoot.tune.design.search import MOST_DELAY
 
@@ -101,6 +101,5 @@ def _changed(design: Design) -> list[str]:
     """Return the names of all gains that the design says something of."""
     own = design.settings.start or design.body.robot.config.gains
     of_axes = [name for kp, kd, _ in AXES.values() for name in (kp, kd)]
-    others = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
-    legs = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
-    return of_axes + [n for n in (*others, *legs) if getattr(design.gains, n) != getattr(own, n)]
+    doubts = (*IMU_DOUBTS, *LEG_DOUBTS)
+    return of_axes + [n for n in doubts if getattr(design.gains, n) != getattr(own, n)]
