@@ -36,6 +36,7 @@ from surefoot.tune.design import (
     oscillation_boundary,
     parse_goal,
 )
+from surefoot.tune.design.search import last_stable
 
 NO_LIMITS = np.array([[-1e6, -1e6], [0.0, 0.0], [1e6, 1e6]])
 FREE = Direction("z", False, 1.0, 0.0, 0.0, 1.0, 1.0, NO_LIMITS, 0.3)
@@ -218,18 +219,41 @@ def test_what_is_written_loads_to_the_gains_that_were_printed(
     assert gains.foot_kp == body().robot.config.gains.foot_kp
 
 
+@pytest.mark.parametrize("delay", ["11", "12", "13", "14", "16", "18"])
 def test_what_cannot_be_stable_is_refused_with_what_can(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    delay: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "gains.toml"
-    assert run_cli("--height", "6", "--delay-ms", "12", "--toml", str(file)) == 2
+    assert run_cli("--height", "6", "--delay-ms", delay, "--toml", str(file)) == 2
     lines = capsys.readouterr().err.splitlines()
-    assert len(lines) == 1 and "height" in lines[0] and "12 ms" in lines[0]
+    assert len(lines) == 1 and "height" in lines[0] and f"{delay} ms" in lines[0]
     assert not file.exists()
-    greatest = float(lines[0].split("at most ")[1].split(" Hz")[0])
-    assert 2.0 < greatest < 6.0
-    assert run_cli("--height", f"{0.97 * greatest}", "--delay-ms", "12") == 0
+    # As it is printed: who types it in must not be refused again.
+    greatest = lines[0].split("at most ")[1].split(" Hz")[0]
+    assert 1.0 < float(greatest) < 6.0
+    assert run_cli("--height", greatest, "--delay-ms", delay) == 0
     assert "warning: height" in capsys.readouterr().out
+
+
+def test_the_greatest_frequency_is_stable_itself() -> None:
+    limit = 4.87654
+    low, high = last_stable(lambda f: f > limit, 0.2, 40.0)
+    assert low <= limit < high <= 1.01 * low
+    assert last_stable(lambda f: False, 0.2, 40.0) == (40.0, 40.0)
+
+
+def test_delay_and_rate_end_where_the_search_for_margins_still_can_look() -> None:
+    # 0.2 s at 500 Hz may be asked for; the search adds 0.1 s to it, which nobody gave.
+    slow = ClosedLoop(FREE, Timing(delay=0.2), ASLEEP)
+    assert delay_margin(slow, Goal(0.1, 0.8).kp, Goal(0.1, 0.8).kd) == pytest.approx(0.1)
+    fast = Timing(rate=10_000.0, delay=0.01)
+    assert fast.searched == pytest.approx(50 / 10_000.0)
+    loop = ClosedLoop(FREE, fast, ASLEEP)
+    assert delay_margin(loop, Goal(1.0, 0.8).kp, Goal(1.0, 0.8).kd) == fast.searched
+    settings = DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)})
+    for timing in (Timing(delay=0.25), Timing(rate=10_000.0, delay=0.012)):
+        with pytest.raises(surefoot.Error, match="further delay: got"):
+            design_gains(replace(settings, timing=timing))
 
 
 @pytest.mark.parametrize(
@@ -238,11 +262,32 @@ def test_what_cannot_be_stable_is_refused_with_what_can(
         ([], "no frequency"),
         (["--bandwidth", "fast"], "FREQ[:DAMPING]"),
         (["--bandwidth", "2:0.7:1"], "FREQ[:DAMPING]"),
-        (["--bandwidth", "0"], "above 0"),
+        (["--bandwidth", "0"], "--bandwidth: got 0 Hz, expected 0.01 .. 100 Hz"),
+        (["--bandwidth", "nan"], "--bandwidth: got nan Hz, expected 0.01 .. 100 Hz"),
+        (["--bandwidth", "1e300"], "--bandwidth: got 1e+300 Hz, expected 0.01 .. 100 Hz"),
+        (["--sway", "1e-300:0.8"], "--sway: got 1e-300 Hz, expected 0.01 .. 100 Hz"),
         (["--bandwidth", "2", "--damping", "-1"], "above 0"),
         (["--bandwidth", "9"], "com_kp_horizontal"),
-        (["--bandwidth", "2", "--delay-ms", "-1"], "delay"),
-        (["--bandwidth", "2", "--rate", "0"], "rate"),
+        (["--bandwidth", "2", "--delay-ms", "-1"], "--delay-ms: got -1 ms, expected 0 .. 200 ms"),
+        (["--bandwidth", "2", "--delay-ms", "201"], "--delay-ms: got 201 ms, expected 0 .. 200 ms"),
+        (["--bandwidth", "0.3", "--delay-ms", "150"], "no frequency from 0.2 Hz up is stable"),
+        (["--bandwidth", "2", "--rate", "0"], "--rate: got 0 Hz, expected 10 .. 10000 Hz"),
+        (
+            ["--bandwidth", "2", "--rate", "10000", "--delay-ms", "20"],
+            "--delay-ms: got 20 ms at --rate 10000 Hz, which are 200 periods, expected at most 100",
+        ),
+        (
+            ["--bandwidth", "2", "--motor-lag-ms", "nan"],
+            "--motor-lag-ms: got nan ms, expected 0 .. 100 ms",
+        ),
+        (
+            ["--bandwidth", "2", "--joint-friction-scale", "nan"],
+            "--joint-friction-scale: got nan, expected 0 .. 10",
+        ),
+        (
+            ["--bandwidth", "2", "--joint-friction-scale", "-1"],
+            "--joint-friction-scale: got -1, expected 0 .. 10",
+        ),
         (["--bandwidth", "2", "--trust-imu", "0"], "trust in the IMU"),
         (["--bandwidth", "2", "--robot", "dog"], "unknown robot"),
         (["--bandwidth", "2", "--toml", "/nowhere/g.toml"], "--toml"),

@@ -13,7 +13,7 @@ from surefoot.cli.simulation import check_json_place, check_place, check_report_
 from surefoot.robot_files import RobotDescription
 
 if TYPE_CHECKING:
-    from surefoot.tune.design import DesignSettings
+    from surefoot.tune.design import DesignSettings, Timing
 
 _GOAL = "FREQ[:DAMPING]"
 _AXES = {
@@ -118,10 +118,12 @@ def run(arguments: argparse.Namespace) -> int | None:
 
 def read_settings(arguments: argparse.Namespace) -> DesignSettings:
     """Turn arguments into settings; raises Error."""
-    from surefoot.tune.design.design import DesignSettings
+    from surefoot.tune.design.axes import FRICTION_SCALES
     from surefoot.tune.design.goals import parse_goal
-    from surefoot.tune.design.timing import Timing
+    from surefoot.tune.design.ranges import check_range
+    from surefoot.tune.design.settings import DesignSettings
 
+    check_range("--joint-friction-scale", arguments.joint_friction_scale, *FRICTION_SCALES)
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
     goals = {}
@@ -136,12 +138,25 @@ def read_settings(arguments: argparse.Namespace) -> DesignSettings:
     return DesignSettings(
         robot=robot,
         goals=goals,
-        timing=Timing(arguments.rate, arguments.delay_ms / 1000.0, arguments.motor_lag_ms / 1000.0),
+        timing=_timing(arguments),
         start=_start(arguments, robot),
         trust_imu=arguments.trust_imu,
         trust_legs=arguments.trust_legs,
         joint_friction_scale=arguments.joint_friction_scale,
     )
+
+
+def _timing(arguments: argparse.Namespace) -> Timing:
+    from surefoot.tune.design.ranges import check_range
+    from surefoot.tune.design.timing import MOTOR_LAGS, RATES, Timing, check_asked
+
+    rate, delay, lag = arguments.rate, arguments.delay_ms, arguments.motor_lag_ms
+    # Here, by the options' names and in their units; the model's own are seconds.
+    check_range("--rate", rate, *RATES, "Hz")
+    check_asked(rate, delay / 1000.0, "--rate", "--delay-ms")
+    least, most = (1000.0 * end for end in MOTOR_LAGS)
+    check_range("--motor-lag-ms", lag, least, most, "ms")
+    return Timing(rate, delay / 1000.0, lag / 1000.0)
 
 
 def _start(arguments: argparse.Namespace, robot: RobotDescription) -> Gains | None:

@@ -12,6 +12,7 @@ from surefoot import symbolic
 from surefoot._core import Error, Gains, Robot
 from surefoot.robots import RobotDescription, build_robot, per_motor
 from surefoot.tune.design.program_limits import GRAVITY, program_limits
+from surefoot.tune.design.ranges import check_range
 
 Array = npt.NDArray[np.float64]
 
@@ -23,6 +24,7 @@ AXES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "attitude": ("base_kp_tilt", "base_kd_tilt", ("roll", "pitch")),
     "yaw": ("base_kp_yaw", "base_kd_yaw", ("yaw",)),
 }
+FRICTION_SCALES = (0.0, 10.0)
 _KICK = 0.5  # of the speed that a linear inverted pendulum survives
 
 
@@ -90,8 +92,10 @@ def measure_body(
             robot's own.
 
     Raises:
-        Error: A robot that cannot be built or has not twelve joints; CasADi is missing.
+        Error: A scale out of its range; a robot that cannot be built or has not twelve joints;
+            CasADi is missing.
     """
+    check_range("joint_friction_scale", joint_friction_scale, *FRICTION_SCALES)
     robot = build_robot(description)
     if robot.nv != 18:
         raise Error(
