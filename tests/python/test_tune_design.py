@@ -23,6 +23,7 @@ from surefoot.tune.design import (
     AXES,
     Body,
     ClosedLoop,
+    Design,
     DesignSettings,
     Direction,
     Goal,
@@ -36,6 +37,7 @@ from surefoot.tune.design import (
     oscillation_boundary,
     parse_goal,
 )
+from surefoot.tune.design.margins import MOST_GAIN
 from surefoot.tune.design.search import last_stable
 
 NO_LIMITS = np.array([[-1e6, -1e6], [0.0, 0.0], [1e6, 1e6]])
@@ -312,6 +314,42 @@ def test_without_casadi_it_says_what_to_install(
 def test_a_goal_has_its_own_damping_or_the_common_one() -> None:
     assert parse_goal("--sway", "2", 0.8) == Goal(2.0, 0.8)
     assert parse_goal("--sway", "2:1.1", 0.8) == Goal(2.0, 1.1)
+
+
+def test_what_lies_beyond_the_searchs_end_is_not_drawn() -> None:
+    pytest.importorskip("matplotlib")
+    from surefoot.tune.design.plots import draw_poles, draw_responses
+
+    design = design_gains(DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)}))
+    beyond, *others = design.axes
+    margins = replace(beyond.margins, boundary=MOST_GAIN, gain_up=MOST_GAIN)
+    design = replace(design, axes=[replace(beyond, margins=margins), *others])
+    for draw, kinds in ((draw_responses, 3), (draw_poles, 2)):
+        figure = draw(design)
+        shown = [len(ax.get_legend_handles_labels()[1]) for ax in figure.axes]
+        assert shown == [1, kinds, kinds, kinds]
+        # The legend is of all four, not of the first, which has one kind.
+        assert len(figure.legends[0].get_texts()) == kinds
+
+
+def test_the_map_over_the_delay_ends_where_a_fast_loops_delay_does(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pytest.importorskip("matplotlib")
+    from surefoot.tune.design import maps
+
+    design = design_gains(DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)}))
+    seen: list[float] = []
+
+    def greatest(design: Design, axis: object, delay: float, damping: float) -> tuple[float, float]:
+        seen.append(replace(design.settings.timing, delay=delay).delay)
+        return 1.0, 2.0
+
+    monkeypatch.setattr(maps, "_greatest", greatest)
+    for rate, longest in ((500.0, 0.03), (10_000.0, 0.01)):
+        settings = replace(design.settings, timing=Timing(rate=rate))
+        maps.draw_delay_map(replace(design, settings=settings))
+        assert seen[-1] == pytest.approx(longest)
 
 
 def test_the_report_has_maps_and_numbers(tmp_path: Path) -> None:

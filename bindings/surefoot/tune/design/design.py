@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from surefoot._core import Error, Gains
-from surefoot.tune.design.axes import AXES, Body, measure_body
+from surefoot.tune.design.axes import AXES, Body
 from surefoot.tune.design.goals import Goal, goal_of
 from surefoot.tune.design.loop import ClosedLoop
 from surefoot.tune.design.margins import Margins, all_margins
+from surefoot.tune.design.measure import measure_body
 from surefoot.tune.design.refusal import refusal_text
 from surefoot.tune.design.settings import IMU_DOUBTS, LEG_DOUBTS, DesignSettings
 from surefoot.tune.design.timing import Observers
