@@ -194,7 +194,7 @@ def test_the_program_of_the_gains_that_are_started_from_is_the_one_that_is_measu
         assert run_cli(*words, "--gains", str(file)) == 0
         boundary[hold_down] = json.loads(capsys.readouterr().out)["axes"]["height"]["boundary"]
     usual, held = boundary.values()
-    # Feet that are held down with most of the weight can pull little: the push stays small.
+    # Held down by four fifths of the weight, it can fall with a fifth of gravity at most.
     assert usual == pytest.approx(4.89, rel=0.02)
     assert held == pytest.approx(11.6, rel=0.02)
 
