@@ -36,6 +36,7 @@ from surefoot.tune.design import (
     measure_body,
     oscillation_boundary,
     parse_goal,
+    refusal,
 )
 from surefoot.tune.design.margins import MOST_GAIN
 from surefoot.tune.design.search import last_stable
@@ -242,6 +243,22 @@ def test_the_greatest_frequency_is_stable_itself() -> None:
     low, high = last_stable(lambda f: f > limit, 0.2, 40.0)
     assert low <= limit < high <= 1.01 * low
     assert last_stable(lambda f: False, 0.2, 40.0) == (40.0, 40.0)
+
+
+@pytest.mark.parametrize(
+    ("asked", "greatest", "said"),
+    [
+        (6.0, 4.8799, "; expected at most 4.87 Hz at this damping"),
+        (0.1, 4.8799, "; expected 0.2 .. 4.87 Hz at this damping"),  # the slow one is what is wrong
+        (6.0, 0.0, "; no frequency from 0.2 Hz up is stable at this damping"),
+    ],
+)
+def test_a_refusal_says_what_is_stable_and_rounds_down(
+    asked: float, greatest: float, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(refusal, "greatest_frequency", lambda *_: greatest)
+    line = refusal.refusal_text("height: ", Goal(asked, 0.8), Timing(), [FREE], ASLEEP)
+    assert line.startswith("height: ") and line.endswith(said)
 
 
 def test_delay_and_rate_end_where_the_search_for_margins_still_can_look() -> None:
