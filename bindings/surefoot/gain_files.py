@@ -91,4 +91,8 @@ def _number(name: str, value: Any) -> float:
         value = value["value"]
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise Error(f"gain '{name}': got {value!r}, expected a number")
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        # TOML's integers have no end; so long a one would bury what is expected.
+        raise Error(f"gain '{name}': got a number too large, expected at most 1.8e308") from None

@@ -74,7 +74,8 @@ def read_toml(path: Path) -> dict[str, Any]:
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as problem:
         raise Error(f"cannot read '{path}': {problem.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as problem:
+    # What is no TOML, no UTF-8, or an integer of more digits than Python reads.
+    except ValueError as problem:
         raise Error(f"'{path}' is not valid TOML: {problem}") from None
 
 

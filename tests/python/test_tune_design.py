@@ -6,6 +6,7 @@ from __future__ import annotations
 import functools
 import json
 import math
+import shlex
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -22,6 +23,7 @@ from surefoot.tune.design import (
     AXES,
     Body,
     ClosedLoop,
+    Design,
     DesignSettings,
     Direction,
     Goal,
@@ -34,7 +36,10 @@ from surefoot.tune.design import (
     measure_body,
     oscillation_boundary,
     parse_goal,
+    refusal,
 )
+from surefoot.tune.design.margins import MOST_GAIN
+from surefoot.tune.design.search import last_stable
 
 NO_LIMITS = np.array([[-1e6, -1e6], [0.0, 0.0], [1e6, 1e6]])
 FREE = Direction("z", False, 1.0, 0.0, 0.0, 1.0, 1.0, NO_LIMITS, 0.3)
@@ -180,6 +185,21 @@ def test_trust_in_the_imu_costs_margin_after_a_push() -> None:
     assert found[0.5] > found[2.0]
 
 
+def test_the_program_of_the_gains_that_are_started_from_is_the_one_that_is_measured(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, boundary = tmp_path / "held.toml", {}
+    words = "--height 2:0.8 --delay-ms 4 --json -".split()
+    for hold_down in (body().robot.config.gains.hold_down, 0.2):
+        file.write_text(f"hold_down = {hold_down}\n")
+        assert run_cli(*words, "--gains", str(file)) == 0
+        boundary[hold_down] = json.loads(capsys.readouterr().out)["axes"]["height"]["boundary"]
+    usual, held = boundary.values()
+    # Held down by four fifths of the weight, it can fall with a fifth of gravity at most.
+    assert usual == pytest.approx(4.89, rel=0.02)
+    assert held == pytest.approx(11.6, rel=0.02)
+
+
 def run_cli(*words: str) -> int:
     return main(["tune", "design", *words])
 
@@ -187,10 +207,12 @@ def run_cli(*words: str) -> int:
 def test_what_is_written_loads_to_the_gains_that_were_printed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    file, numbers = tmp_path / "gains.toml", tmp_path / "design.json"
+    file, numbers = tmp_path / "my gains.toml", tmp_path / "design.json"
     words = "--robot go1 --bandwidth 2.5 --damping 0.8 --delay-ms 4 --attitude 4:0.7".split()
     assert run_cli(*words, "--toml", str(file), "--json", str(numbers)) == 0
     shown, summary = capsys.readouterr().out, json.loads(numbers.read_text())
+    command = shlex.join(["surefoot", "tune", "design", *words, "--toml", str(file)])
+    assert command in file.read_text()
     gains = surefoot.load_gains(file, body().robot.config.gains)
     for axis, (kp, kd, _) in AXES.items():
         assert getattr(gains, kp) == pytest.approx(summary["axes"][axis]["kp"], rel=1e-12)
@@ -200,18 +222,57 @@ def test_what_is_written_loads_to_the_gains_that_were_printed(
     assert gains.foot_kp == body().robot.config.gains.foot_kp
 
 
+@pytest.mark.parametrize("delay", ["11", "12", "13", "14", "16", "18"])
 def test_what_cannot_be_stable_is_refused_with_what_can(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    delay: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "gains.toml"
-    assert run_cli("--height", "6", "--delay-ms", "12", "--toml", str(file)) == 2
+    assert run_cli("--height", "6", "--delay-ms", delay, "--toml", str(file)) == 2
     lines = capsys.readouterr().err.splitlines()
-    assert len(lines) == 1 and "height" in lines[0] and "12 ms" in lines[0]
+    assert len(lines) == 1 and "height" in lines[0] and f"{delay} ms" in lines[0]
     assert not file.exists()
-    greatest = float(lines[0].split("at most ")[1].split(" Hz")[0])
-    assert 2.0 < greatest < 6.0
-    assert run_cli("--height", f"{0.97 * greatest}", "--delay-ms", "12") == 0
+    # As it is printed: who types it in must not be refused again.
+    greatest = lines[0].split("at most ")[1].split(" Hz")[0]
+    assert 1.0 < float(greatest) < 6.0
+    assert run_cli("--height", greatest, "--delay-ms", delay) == 0
     assert "warning: height" in capsys.readouterr().out
+
+
+def test_the_greatest_frequency_is_stable_itself() -> None:
+    limit = 4.87654
+    low, high = last_stable(lambda f: f > limit, 0.2, 40.0)
+    assert low <= limit < high <= 1.01 * low
+    assert last_stable(lambda f: False, 0.2, 40.0) == (40.0, 40.0)
+
+
+@pytest.mark.parametrize(
+    ("asked", "greatest", "said"),
+    [
+        (6.0, 4.8799, "; expected at most 4.87 Hz at this damping"),
+        (0.1, 4.8799, "; expected 0.2 .. 4.87 Hz at this damping"),  # the slow one is what is wrong
+        (6.0, 0.0, "; no frequency from 0.2 Hz up is stable at this damping"),
+    ],
+)
+def test_a_refusal_says_what_is_stable_and_rounds_down(
+    asked: float, greatest: float, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(refusal, "greatest_frequency", lambda *_: greatest)
+    line = refusal.refusal_text("height: ", Goal(asked, 0.8), Timing(), [FREE], ASLEEP)
+    assert line.startswith("height: ") and line.endswith(said)
+
+
+def test_delay_and_rate_end_where_the_search_for_margins_still_can_look() -> None:
+    # 0.2 s at 500 Hz may be asked for; the search adds 0.1 s to it, which nobody gave.
+    slow = ClosedLoop(FREE, Timing(delay=0.2), ASLEEP)
+    assert delay_margin(slow, Goal(0.1, 0.8).kp, Goal(0.1, 0.8).kd) == pytest.approx(0.1)
+    fast = Timing(rate=10_000.0, delay=0.01)
+    assert fast.searched == pytest.approx(50 / 10_000.0)
+    loop = ClosedLoop(FREE, fast, ASLEEP)
+    assert delay_margin(loop, Goal(1.0, 0.8).kp, Goal(1.0, 0.8).kd) == fast.searched
+    settings = DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)})
+    for timing in (Timing(delay=0.25), Timing(rate=10_000.0, delay=0.012)):
+        with pytest.raises(surefoot.Error, match="further delay: got"):
+            design_gains(replace(settings, timing=timing))
 
 
 @pytest.mark.parametrize(
@@ -220,11 +281,32 @@ def test_what_cannot_be_stable_is_refused_with_what_can(
         ([], "no frequency"),
         (["--bandwidth", "fast"], "FREQ[:DAMPING]"),
         (["--bandwidth", "2:0.7:1"], "FREQ[:DAMPING]"),
-        (["--bandwidth", "0"], "above 0"),
+        (["--bandwidth", "0"], "--bandwidth: got 0 Hz, expected 0.01 .. 100 Hz"),
+        (["--bandwidth", "nan"], "--bandwidth: got nan Hz, expected 0.01 .. 100 Hz"),
+        (["--bandwidth", "1e300"], "--bandwidth: got 1e+300 Hz, expected 0.01 .. 100 Hz"),
+        (["--sway", "1e-300:0.8"], "--sway: got 1e-300 Hz, expected 0.01 .. 100 Hz"),
         (["--bandwidth", "2", "--damping", "-1"], "above 0"),
         (["--bandwidth", "9"], "com_kp_horizontal"),
-        (["--bandwidth", "2", "--delay-ms", "-1"], "delay"),
-        (["--bandwidth", "2", "--rate", "0"], "rate"),
+        (["--bandwidth", "2", "--delay-ms", "-1"], "--delay-ms: got -1 ms, expected 0 .. 200 ms"),
+        (["--bandwidth", "2", "--delay-ms", "201"], "--delay-ms: got 201 ms, expected 0 .. 200 ms"),
+        (["--bandwidth", "0.3", "--delay-ms", "150"], "no frequency from 0.2 Hz up is stable"),
+        (["--bandwidth", "2", "--rate", "0"], "--rate: got 0 Hz, expected 10 .. 10000 Hz"),
+        (
+            ["--bandwidth", "2", "--rate", "10000", "--delay-ms", "20"],
+            "--delay-ms: got 20 ms at --rate 10000 Hz, which are 200 periods, expected at most 100",
+        ),
+        (
+            ["--bandwidth", "2", "--motor-lag-ms", "nan"],
+            "--motor-lag-ms: got nan ms, expected 0 .. 100 ms",
+        ),
+        (
+            ["--bandwidth", "2", "--joint-friction-scale", "nan"],
+            "--joint-friction-scale: got nan, expected 0 .. 10",
+        ),
+        (
+            ["--bandwidth", "2", "--joint-friction-scale", "-1"],
+            "--joint-friction-scale: got -1, expected 0 .. 10",
+        ),
         (["--bandwidth", "2", "--trust-imu", "0"], "trust in the IMU"),
         (["--bandwidth", "2", "--robot", "dog"], "unknown robot"),
         (["--bandwidth", "2", "--toml", "/nowhere/g.toml"], "--toml"),
@@ -249,6 +331,42 @@ def test_without_casadi_it_says_what_to_install(
 def test_a_goal_has_its_own_damping_or_the_common_one() -> None:
     assert parse_goal("--sway", "2", 0.8) == Goal(2.0, 0.8)
     assert parse_goal("--sway", "2:1.1", 0.8) == Goal(2.0, 1.1)
+
+
+def test_what_lies_beyond_the_searchs_end_is_not_drawn() -> None:
+    pytest.importorskip("matplotlib")
+    from surefoot.tune.design.plots import draw_poles, draw_responses
+
+    design = design_gains(DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)}))
+    beyond, *others = design.axes
+    margins = replace(beyond.margins, boundary=MOST_GAIN, gain_up=MOST_GAIN)
+    design = replace(design, axes=[replace(beyond, margins=margins), *others])
+    for draw, kinds in ((draw_responses, 3), (draw_poles, 2)):
+        figure = draw(design)
+        shown = [len(ax.get_legend_handles_labels()[1]) for ax in figure.axes]
+        assert shown == [1, kinds, kinds, kinds]
+        # The legend is of all four, not of the first, which has one kind.
+        assert len(figure.legends[0].get_texts()) == kinds
+
+
+def test_the_map_over_the_delay_ends_where_a_fast_loops_delay_does(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pytest.importorskip("matplotlib")
+    from surefoot.tune.design import maps
+
+    design = design_gains(DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)}))
+    seen: list[float] = []
+
+    def greatest(design: Design, axis: object, delay: float, damping: float) -> tuple[float, float]:
+        seen.append(replace(design.settings.timing, delay=delay).delay)
+        return 1.0, 2.0
+
+    monkeypatch.setattr(maps, "_greatest", greatest)
+    for rate, longest in ((500.0, 0.03), (10_000.0, 0.01)):
+        settings = replace(design.settings, timing=Timing(rate=rate))
+        maps.draw_delay_map(replace(design, settings=settings))
+        assert seen[-1] == pytest.approx(longest)
 
 
 def test_the_report_has_maps_and_numbers(tmp_path: Path) -> None:

@@ -3,84 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from surefoot._core import Error, Gains
-from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import check_json_place, check_place, check_report_place, write_json
-from surefoot.robot_files import RobotDescription
+from surefoot.cli.tune_design_options import add_options, read_settings
 
-if TYPE_CHECKING:
-    from surefoot.tune.design import DesignSettings
-
-_GOAL = "FREQ[:DAMPING]"
-_AXES = {
-    "height": "of the centre of mass",
-    "sway": "of the centre of mass, forward and sideways",
-    "attitude": "roll and pitch of the base",
-    "yaw": "of the base against its feet",
-}
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Add every option of surefoot tune design."""
-    add_robot_options(parser, "go1")
-    _add_goal_options(parser)
-    _add_loop_options(parser)
-    add = parser.add_argument_group("results").add_argument
-    add("--toml", metavar="FILE.toml", help="write all gains, for --gains of the other commands")
-    add("--json", metavar="FILE|-", help="write gains and margins as one object; - is stdout")
-    add("--report", metavar="DIR", help="write maps of where it is stable, and index.html")
-
-
-def _add_goal_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument_group("what is asked for").add_argument
-    add(
-        "--bandwidth",
-        metavar=_GOAL,
-        help="natural frequency [Hz] and damping of every axis that has none of its own; without "
-        "it the others keep the robot's gains",
-    )
-    add("--damping", type=float, default=0.8, metavar="ZETA", help="where none is said (0.8)")
-    for name, text in _AXES.items():
-        add(f"--{name}", metavar=_GOAL, help=text)
-    add(
-        "--trust-imu",
-        type=float,
-        default=1.0,
-        metavar="X",
-        help="times the robot's own: above 1 pushes are answered sooner and smaller ones, which "
-        "costs margin; below 1 less is made of the accelerometer (1)",
-    )
-    add(
-        "--trust-legs",
-        type=float,
-        default=1.0,
-        metavar="X",
-        help="times the robot's own: how surely feet stand where they stand (1)",
-    )
-    add("--gains", metavar="FILE.toml", help="start from these, not from the robot's own")
-
-
-def _add_loop_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument_group("the loop").add_argument
-    add("--rate", type=float, default=500.0, metavar="HZ", help="commands per second (500)")
-    add(
-        "--delay-ms",
-        type=float,
-        default=0.0,
-        metavar="MS",
-        help="further delay of commands, beyond one period each way (0)",
-    )
-    add("--motor-lag-ms", type=float, default=2.0, metavar="MS", help="time constant (2)")
-    add(
-        "--joint-friction-scale",
-        type=float,
-        default=1.0,
-        metavar="X",
-        help="factor on the joints' friction, which stops small oscillations; 0 relies on none (1)",
-    )
+__all__ = ["add_options", "run"]
 
 
 def run(arguments: argparse.Namespace) -> int | None:
@@ -99,7 +28,7 @@ def run(arguments: argparse.Namespace) -> int | None:
     if arguments.toml is not None:
         from surefoot.gain_files import save_gains
 
-        command = " ".join(["surefoot", *arguments.words])
+        command = shlex.join(["surefoot", *arguments.words])
         save_gains(arguments.toml, design.gains, design.body.robot.name, command)
     write_json(arguments.json, summary)
     page = None
@@ -113,40 +42,3 @@ def run(arguments: argparse.Namespace) -> int | None:
             if place is not None:
                 print(f"{name:9} {place}")
     return None
-
-
-def read_settings(arguments: argparse.Namespace) -> DesignSettings:
-    """Turn arguments into settings; raises Error."""
-    from surefoot.tune.design.design import DesignSettings
-    from surefoot.tune.design.goals import parse_goal
-    from surefoot.tune.design.timing import Timing
-
-    robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
-    goals = {}
-    for axis in _AXES:
-        own = getattr(arguments, axis)
-        text, option = (own, f"--{axis}") if own else (arguments.bandwidth, "--bandwidth")
-        if text is not None:
-            goals[axis] = parse_goal(option, text, arguments.damping)
-    if not goals:
-        options = ", ".join(f"--{axis}" for axis in _AXES)
-        raise Error(f"got no frequency, expected --bandwidth or one of {options}")
-    return DesignSettings(
-        robot=robot,
-        goals=goals,
-        timing=Timing(arguments.rate, arguments.delay_ms / 1000.0, arguments.motor_lag_ms / 1000.0),
-        start=_start(arguments, robot),
-        trust_imu=arguments.trust_imu,
-        trust_legs=arguments.trust_legs,
-        joint_friction_scale=arguments.joint_friction_scale,
-    )
-
-
-def _start(arguments: argparse.Namespace, robot: RobotDescription) -> Gains | None:
-    if arguments.gains is None:
-        return None
-    from surefoot.gain_files import load_gains
-    from surefoot.robots import build_robot
-
-    return load_gains(arguments.gains, build_robot(robot).config.gains)

@@ -3,8 +3,8 @@
 docs/tuning-design.md derives the model. Needs CasADi: ``pip install surefoot[tune]``.
 """
 
-from surefoot.tune.design.axes import AXES, Body, Direction, measure_body
-from surefoot.tune.design.design import AxisDesign, Design, DesignSettings, design_gains
+from surefoot.tune.design.axes import AXES, Body, Direction
+from surefoot.tune.design.design import AxisDesign, Design, design_gains
 from surefoot.tune.design.goals import Goal, parse_goal
 from surefoot.tune.design.loop import ClosedLoop
 from surefoot.tune.design.margins import (
@@ -14,6 +14,8 @@ from surefoot.tune.design.margins import (
     greatest_frequency,
     oscillation_boundary,
 )
+from surefoot.tune.design.measure import measure_body
+from surefoot.tune.design.settings import DesignSettings
 from surefoot.tune.design.timing import Observers, Timing
 
 __all__ = [

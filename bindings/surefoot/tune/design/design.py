@@ -2,45 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from surefoot._core import Error, Gains
-from surefoot.robot_files import RobotDescription
-from surefoot.tune.design.axes import AXES, Body, measure_body
+from surefoot.tune.design.axes import AXES, Body
 from surefoot.tune.design.goals import Goal, goal_of
 from surefoot.tune.design.loop import ClosedLoop
-from surefoot.tune.design.margins import Margins, all_margins, greatest_frequency
-from surefoot.tune.design.timing import Observers, Timing
+from surefoot.tune.design.margins import Margins, all_margins
+from surefoot.tune.design.measure import measure_body
+from surefoot.tune.design.refusal import refusal_text
+from surefoot.tune.design.settings import IMU_DOUBTS, LEG_DOUBTS, DesignSettings
+from surefoot.tune.design.timing import Observers
 
 THIN_GAIN = 2.0  # margins below are warned of
 THIN_PERIODS = 1.0
-# Trust in a sensor divides these of the robot's own gains.
-_IMU_DOUBTS = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
-_LEG_DOUBTS = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
-
-
-@dataclass(frozen=True)
-class DesignSettings:
-    """What is asked for.
-
-    Attributes:
-        robot: Its files.
-        goals: By axis (see AXES); an axis that is not there keeps the robot's own gains.
-        timing: Rate, further delay, motor lag.
-        start: Gains that all others are taken from; None is the robot's own.
-        trust_imu: Divides the noise that is first assumed of gyroscope and accelerometer, and the
-            push observer's time and dead band.
-        trust_legs: Divides the noise that is first assumed of standing feet.
-        joint_friction_scale: Factor on the joints' friction.
-    """
-
-    robot: RobotDescription
-    goals: dict[str, Goal]
-    timing: Timing = field(default_factory=Timing)
-    start: Gains | None = None
-    trust_imu: float = 1.0
-    trust_legs: float = 1.0
-    joint_friction_scale: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -108,13 +83,11 @@ def design_gains(settings: DesignSettings) -> Design:
     kp = (2 pi f)^2, kd = 2 zeta 2 pi f for each axis with a goal.
 
     Raises:
-        Error: An axis that is none, a gain out of its range, trust that is not above 0; a loop
+        Error: An axis that is none, a gain or a number of the settings out of its range; a loop
             that cannot be stable, with the greatest frequency that is; CasADi is missing.
     """
-    for name in settings.goals:
-        if name not in AXES:
-            raise Error(f"axis: got '{name}', expected one of {', '.join(AXES)}")
-    body = measure_body(settings.robot, settings.joint_friction_scale)
+    settings.check()
+    body = measure_body(settings.robot, settings.joint_friction_scale, settings.start)
     gains = _gains(settings, body)
     observers = Observers.of(gains)
     axes = [_design_axis(name, settings, body, gains, observers) for name in AXES]
@@ -128,12 +101,10 @@ def _gains(settings: DesignSettings, body: Body) -> Gains:
         kp, kd, _ = AXES[name]
         setattr(gains, kp, goal.kp)
         setattr(gains, kd, goal.kd)
-    for trust, names, what in (
-        (settings.trust_imu, _IMU_DOUBTS, "trust in the IMU"),
-        (settings.trust_legs, _LEG_DOUBTS, "trust in the legs"),
+    for trust, names in (
+        (settings.trust_imu, IMU_DOUBTS),
+        (settings.trust_legs, LEG_DOUBTS),
     ):
-        if not 0.1 <= trust <= 10.0:
-            raise Error(f"{what}: got {trust:g}, expected 0.1 .. 10")
         for name in names:
             setattr(gains, name, getattr(gains, name) / trust)
     gains.validate()
@@ -151,27 +122,9 @@ def _design_axis(
         loop = ClosedLoop(direction, settings.timing, observers)
         margins = all_margins(loop, goal)
         if not margins.stable:
-            raise Error(_refusal(name, settings, body, goal, observers, own))
+            whose = f"{name}: the robot's own gains, " if own else f"{name}: "
+            asked = goal, settings.timing, body.of_axis(name)
+            raise Error(refusal_text(whose, *asked, observers))
         directions[direction.name] = margins
     least = min(directions, key=lambda key: directions[key].boundary)
     return AxisDesign(name, goal, own, least, directions[least], directions)
-
-
-def _refusal(
-    name: str, settings: DesignSettings, body: Body, goal: Goal, observers: Observers, own: bool
-) -> str:
-    timing = settings.timing
-    greatest = min(
-        greatest_frequency(direction, timing, observers, goal.damping)
-        for direction in body.of_axis(name)
-    )
-    whose = "the robot's own gains, " if own else ""
-    hint = (
-        f"expected at most {greatest:.2g} Hz at this damping"
-        if greatest > 0.0
-        else "no frequency is stable at this damping"
-    )
-    return (
-        f"{name}: {whose}{goal.frequency:.3g} Hz with damping {goal.damping:.3g} cannot be stable "
-        f"with {1000.0 * timing.delay:g} ms of further delay at {timing.rate:g} Hz; {hint}"
-    )

@@ -6,6 +6,9 @@ import math
 from dataclasses import dataclass
 
 from surefoot._core import Error
+from surefoot.tune.design.ranges import check_range
+
+FREQUENCIES = (0.01, 100.0)  # [Hz] that may be asked for
 
 
 @dataclass(frozen=True)
@@ -64,6 +67,7 @@ def parse_goal(option: str, text: str, damping: float) -> Goal:
             raise ValueError
     except ValueError:
         raise Error(f"{option}: got '{text}', expected FREQ[:DAMPING] in Hz") from None
+    check_range(option, frequency, *FREQUENCIES, "Hz")
     try:
         return Goal(frequency, own[0] if own else damping)
     except Error as problem:

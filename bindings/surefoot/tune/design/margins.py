@@ -10,12 +10,12 @@ import numpy as np
 from surefoot.tune.design.axes import Direction
 from surefoot.tune.design.goals import Goal, goal_of
 from surefoot.tune.design.loop import ClosedLoop
-from surefoot.tune.design.search import first_unstable, more_delay
+from surefoot.tune.design.search import first_unstable, last_stable, more_delay
 from surefoot.tune.design.timing import Observers, Timing
 
 MOST_GAIN = 30.0  # times the gains: larger margins are not told apart
 LEAST_GAIN = 0.02
-_FREQUENCIES = (0.2, 40.0)  # [Hz] between which the greatest stable one is looked for
+SEARCHED_FREQUENCIES = (0.2, 40.0)  # [Hz] between which the greatest stable one is looked for
 _RUN, _END, _BEGIN = 2.4, 0.4, 0.2  # [s] of a run, and what is compared at its end and beginning
 _QUIET = 0.05  # share of the first acceleration that is no oscillation at the end
 _STABLE = 1.0 + 1e-9
@@ -128,9 +128,12 @@ def push_delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
 def greatest_frequency(
     direction: Direction, timing: Timing, observers: Observers, damping: float
 ) -> float:
-    """Return the greatest natural frequency that is stable at this damping [Hz]; 0 if none is."""
+    """Return the greatest natural frequency that is stable at this damping [Hz]; 0 if none is.
+
+    To 1 %, on the stable side; looked for within SEARCHED_FREQUENCIES.
+    """
     loop = ClosedLoop(direction, timing, observers)
-    low, high = _FREQUENCIES
+    low, high = SEARCHED_FREQUENCIES
 
     def unstable(frequency: float) -> bool:
         goal = Goal(frequency, damping)
@@ -138,7 +141,7 @@ def greatest_frequency(
             return True
         return oscillates(loop, goal.kp, goal.kd)
 
-    return 0.0 if unstable(low) else first_unstable(unstable, low, high)
+    return 0.0 if unstable(low) else last_stable(unstable, low, high)[0]
 
 
 def all_margins(loop: ClosedLoop, goal: Goal) -> Margins:

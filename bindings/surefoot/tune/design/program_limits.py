@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from surefoot._core import Robot, RobotState, WholeBodyController
+from surefoot._core import Gains, Robot, RobotState, WholeBodyController
 
 Array = npt.NDArray[np.float64]
 
@@ -15,9 +15,9 @@ _PULLS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0)
 _TURNS = (0.5, 1.0, 1.5, 2.0, 4.0, 8.0, 16.0)
 
 
-def program_limits(robot: Robot, height: float) -> list[Array]:
+def program_limits(robot: Robot, height: float, gains: Gains) -> list[Array]:
     """Return for each direction what the whole-body program gives of what it is asked for."""
-    controller = WholeBodyController(robot)
+    controller = WholeBodyController(robot, gains)
     state = RobotState(robot.nq, robot.nv)
     state.q = robot.q_standing()
     reference = controller.hold(state)

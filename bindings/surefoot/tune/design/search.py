@@ -8,24 +8,28 @@ from dataclasses import replace
 
 from surefoot.tune.design.loop import ClosedLoop
 
-MOST_DELAY = 0.1  # [s] longer margins are not told apart
 
-
-def first_unstable(unstable: Callable[[float], bool], low: float, high: float) -> float:
-    """Return where a loop that is stable at `low` first is not, to 1 %; `high` if nowhere."""
+def last_stable(unstable: Callable[[float], bool], low: float, high: float) -> tuple[float, float]:
+    """Return a stable place, from `low` on, and an unstable one 1 % above; `high` twice if none."""
     upper = low
     while not unstable(upper := 1.3 * upper):
         low = upper
         if upper >= high:
-            return high
+            return high, high
     while upper > 1.01 * low:
         middle = math.sqrt(low * upper)
         low, upper = (low, middle) if unstable(middle) else (middle, upper)
-    return min(math.sqrt(low * upper), high)
+    return min(low, high), min(upper, high)
+
+
+def first_unstable(unstable: Callable[[float], bool], low: float, high: float) -> float:
+    """Return where a loop that is stable at `low` first is not, to 1 %; `high` if nowhere."""
+    stable, not_stable = last_stable(unstable, low, high)
+    return math.sqrt(stable * not_stable)
 
 
 def more_delay(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) -> float:
-    """Return the delay [s] that makes a loop unstable, beyond what it has; MOST_DELAY if none."""
+    """Return the delay [s] that makes a loop unstable, beyond what it has; `searched` if none."""
 
     def later(delay: float) -> ClosedLoop:
         timing = replace(loop.timing, delay=loop.timing.delay + delay)
@@ -33,13 +37,13 @@ def more_delay(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) -> floa
 
     if unstable(loop):
         return 0.0
-    step = 0.001
+    most = loop.timing.searched
+    low, step = 0.0, min(0.001, most)
     # Upwards from nothing: with enough delay every loop is unstable, and may seem stable beyond.
-    while step < MOST_DELAY and not unstable(later(step)):
-        step *= 1.3
-    if step >= MOST_DELAY:
-        return MOST_DELAY
-    low = step / 1.3 if step > 0.001 else 0.0
+    while not unstable(later(step)):
+        if step >= most:
+            return most
+        low, step = step, min(1.3 * step, most)
     while step - low > 0.0001:
         middle = 0.5 * (low + step)
         low, step = (low, middle) if unstable(later(middle)) else (middle, step)

@@ -8,7 +8,7 @@ from typing import Any
 from surefoot.tune.design.axes import AXES
 from surefoot.tune.design.design import AxisDesign, Design
 from surefoot.tune.design.margins import MOST_GAIN, Margins
-from surefoot.tune.design.search import MOST_DELAY
+from surefoot.tune.design.settings import IMU_DOUBTS, LEG_DOUBTS
 
 _HEAD = f"{'':9} {'f':>6} {'zeta':>5} {'kp':>8} {'kd':>7}  {'pole':>12}"
 _MARGINS = f"{'gain':>7} {'delay':>9}   {'gain':>7} {'delay':>9}"
@@ -25,7 +25,7 @@ def design_text(design: Design) -> str:
         f"{'':9} {'Hz':>6} {'':>5} {'1/s^2':>8} {'1/s':>7}  {'Hz, damping':>12}  "
         f"{'x':>7} {'ms':>9}   {'x':>7} {'ms':>9}",
     ]
-    lines += [_row(axis) for axis in design.axes]
+    lines += [_row(axis, timing.searched) for axis in design.axes]
     if any(axis.own for axis in design.axes):
         lines.append("* the robot's own gains")
     lines += [f"warning: {text}" for text in design.warnings]
@@ -49,14 +49,14 @@ def design_summary(design: Design) -> dict[str, Any]:
     }
 
 
-def _row(axis: AxisDesign) -> str:
+def _row(axis: AxisDesign, searched: float) -> str:
     goal, m = axis.goal, axis.margins
     name = axis.name + ("*" if axis.own else "")
     pole = f"{m.pole_frequency:.2f}, {m.pole_damping:.2f}"
     return (
         f"{name:9} {goal.frequency:6.2f} {goal.damping:5.2f} {goal.kp:8.1f} {goal.kd:7.2f}  "
-        f"{pole:>12}  {_factor(m.gain_up)} {_delay(m.delay)}   "
-        f"{_factor(m.boundary)} {_delay(m.push_delay)}"
+        f"{pole:>12}  {_factor(m.gain_up)} {_delay(m.delay, searched)}   "
+        f"{_factor(m.boundary)} {_delay(m.push_delay, searched)}"
     )
 
 
@@ -64,9 +64,9 @@ def _factor(value: float) -> str:
     return f"{f'>{MOST_GAIN:g}' if value >= MOST_GAIN else f'{value:.2f}':>7}"
 
 
-def _delay(value: float) -> str:
-    most = f">{1000.0 * MOST_DELAY:g}"
-    return f"{most if value >= MOST_DELAY else f'{1000.0 * value:.1f}':>9}"
+def _delay(value: float, searched: float) -> str:
+    most = f">{1000.0 * searched:.3g}"
+    return f"{most if value >= searched else f'{1000.0 * value:.1f}':>9}"
 
 
 def _axis_summary(axis: AxisDesign) -> dict[str, Any]:
@@ -101,6 +101,5 @@ def _changed(design: Design) -> list[str]:
     """Return the names of all gains that the design says something of."""
     own = design.settings.start or design.body.robot.config.gains
     of_axes = [name for kp, kd, _ in AXES.values() for name in (kp, kd)]
-    others = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
-    legs = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
-    return of_axes + [n for n in (*others, *legs) if getattr(design.gains, n) != getattr(own, n)]
+    doubts = (*IMU_DOUBTS, *LEG_DOUBTS)
+    return of_axes + [n for n in doubts if getattr(design.gains, n) != getattr(own, n)]

@@ -5,6 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from surefoot._core import Error, Gains
+from surefoot.tune.design.ranges import check_range
+
+# Each period of delay is a state of the model: its poles cost the cube of them.
+MOST_DELAY, MOST_PERIODS = 0.2, 100  # [s] that may be asked for, in all and in periods
+# Beyond what is asked for; longer delay margins are not told apart.
+_SEARCHED_DELAY, _SEARCHED_PERIODS = 0.1, 50
+RATES = (10.0, 10_000.0)  # [Hz]
+MOTOR_LAGS = (0.0, 0.1)  # [s]
 
 
 @dataclass(frozen=True)
@@ -13,7 +21,8 @@ class Timing:
 
     Attributes:
         rate: LowStates and LowCmds per second [Hz]; each takes one period on its way.
-        delay: Further delay of commands [s].
+        delay: Further delay of commands [s]; up to what the search for margins adds to the most
+            that may be asked for (see check_asked).
         motor_lag: Time constant of the motors' torque [s].
     """
 
@@ -22,18 +31,46 @@ class Timing:
     motor_lag: float = 0.002
 
     def __post_init__(self) -> None:
-        for name, value, low, high in (
-            ("rate", self.rate, 10.0, 10_000.0),
-            ("delay", self.delay, 0.0, 0.2),
-            ("motor_lag", self.motor_lag, 0.0, 0.1),
-        ):
-            if not low <= value <= high:
-                raise Error(f"{name}: got {value:g}, expected {low:g} .. {high:g}")
+        check_range("rate", self.rate, *RATES, "Hz")
+        check_range("delay", self.delay, 0.0, MOST_DELAY + _SEARCHED_DELAY + 1e-9, "s")
+        check_range("motor_lag", self.motor_lag, *MOTOR_LAGS, "s")
+        _check_periods(self.rate, self.delay, MOST_PERIODS + _SEARCHED_PERIODS)
 
     @property
     def period(self) -> float:
         """Between commands [s]."""
         return 1.0 / self.rate
+
+    @property
+    def searched(self) -> float:
+        """More delay than this is not looked at for margins [s]."""
+        periods = (MOST_PERIODS + _SEARCHED_PERIODS) * self.period - self.delay
+        return min(_SEARCHED_DELAY, MOST_DELAY + _SEARCHED_DELAY - self.delay, periods)
+
+
+def check_asked(
+    rate: float, delay: float, rate_name: str = "a rate of", delay_name: str = "further delay"
+) -> None:
+    """Raise Error for more delay than may be asked for.
+
+    Args:
+        rate: Of the loop [Hz].
+        delay: Further delay of commands [s].
+        rate_name: What the rate is called in the error, an option for instance.
+        delay_name: What the delay is.
+    """
+    check_range(delay_name, 1000.0 * delay, 0.0, 1000.0 * MOST_DELAY, "ms")
+    _check_periods(rate, delay, MOST_PERIODS, rate_name, delay_name)
+
+
+def _check_periods(
+    rate: float, delay: float, most: int, rate_name: str = "a rate of", delay_name: str = "delay"
+) -> None:
+    if rate * delay > most + 1e-6:
+        raise Error(
+            f"{delay_name}: got {1000.0 * delay:g} ms at {rate_name} {rate:g} Hz, which are "
+            f"{rate * delay:.0f} periods, expected at most {most} ({1000.0 * most / rate:g} ms)"
+        )
 
 
 @dataclass(frozen=True)

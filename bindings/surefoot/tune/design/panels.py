@@ -1,0 +1,28 @@
+"""A picture of four panels, one for each axis of a design."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from surefoot.report_axes import grid
+
+
+def four_panels(height: float) -> tuple[Figure, list[Axes]]:
+    """Return an empty picture of this height [inch], and its panels in the order of AXES."""
+    figure, axes = grid(2, 2, height)
+    return figure, [ax for row in axes for ax in row]
+
+
+def add_legend(figure: Figure, axes: Sequence[Axes]) -> None:
+    """Name each kind of curve once; a panel may lack some."""
+    handles: dict[str, Artist] = {}
+    for ax in axes:
+        for handle, label in zip(*ax.get_legend_handles_labels(), strict=True):
+            handles.setdefault(label, handle)
+    figure.legend(
+        list(handles.values()), list(handles), loc="outside upper right", ncols=len(handles)
+    )

@@ -1,0 +1,129 @@
+"""One tick of one direction's sampled closed loop, as CasADi expressions of state and gains.
+
+Sensors, observers, command line, motors and body in the order and with the steps of the simulated
+robot. Small motion is linear; beyond it there are the push observer's dead band, dry friction, and
+what the whole-body program can give.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import Any
+
+from surefoot.tune.design.axes import Direction
+from surefoot.tune.design.timing import Observers, Timing
+
+_STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
+_FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
+# MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
+# at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
+_STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
+# State: position, speed, motor, acceleration; the same at the last two samples; what was planned,
+# push and payload observers; then the commands on their way, the newest first.
+STATES = (
+    *("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2"),
+    *("planned", "push", "payload", "force"),
+)
+
+
+class Tick:
+    """The next state of one direction's loop; kp and kd stay open.
+
+    Args:
+        casadi: The module.
+        direction: Of the body.
+        timing: Rate, delay, lag.
+        observers: The estimator's.
+    """
+
+    def __init__(
+        self, casadi: Any, direction: Direction, timing: Timing, observers: Observers
+    ) -> None:
+        self.direction, self.timing, self.observers = direction, timing, observers
+        self._casadi = casadi
+        # The command of this tick acts one period and the delay later: so many are on their way.
+        self._latency = timing.period + timing.delay
+        self._line = math.ceil(self._latency / timing.period - 1e-9)
+        self._share = direction.outside_share
+
+    @property
+    def states(self) -> int:
+        """Number of states."""
+        return len(STATES) + self._line
+
+    def expressions(self, linear: bool) -> tuple[Any, Any, Any]:
+        """Return the symbols of state and gains, and the next state."""
+        ca, period = self._casadi, self.timing.period
+        state, gains = ca.SX.sym("state", self.states), ca.SX.sym("gains", 2)
+        s = {name: state[k] for k, name in enumerate(STATES)}
+        sent = [state[len(STATES) + k] for k in range(self._line)]
+        # The gyroscope's rate is the mean over the tick; the velocity has no lag, for the
+        # accelerometer carries it.
+        speed = 0.5 * (s["v1"] + s["v2"]) if self.direction.rotates else s["v1"]
+        push, believed = self._push(s, linear)
+        outside = self.observers.push_resist * believed + s["payload"]
+        pulled = -gains[0] * s["x1"] - gains[1] * speed - outside
+        ground = pulled if linear else self._given(pulled)
+        planned = ground + believed + s["payload"]
+        # The plan has legs and rotors moved by the outside force too; without it, they are not.
+        command = planned - self._share * (believed + s["payload"])
+        x, v, motor, a = self._move(s, [command, *sent], linear)
+        force = s["force"] + period / (period + _FORCE_TIME) * (s["motor"] - s["force"])
+        unexplained = ((s["v"] - s["v1"]) / period - force) / self._share - s["payload"]
+        payload = s["payload"] + period / self.observers.payload_time * unexplained
+        moved = (x, v, motor, a, s["x"], s["v"], s["a"], s["v1"], s["a1"])
+        after = ca.vertcat(*moved, planned, push, payload, force, command, *sent[:-1])
+        return state, gains, after
+
+    def _push(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any]:
+        """Return the push observer's state, and the outside acceleration that it believes in."""
+        if linear or self.direction.rotates:
+            return 0.0, 0.0
+        period, o = self.timing.period, self.observers
+        felt = 0.5 * (s["a1"] + s["a2"])
+        # Of the base's origin, which moves further; the plan counted with the old belief.
+        seen = self.direction.base_share * (felt - s["planned"]) + self._believed(s["push"])
+        push = s["push"] + period / (period + o.push_time) * (seen - s["push"])
+        return push, self._believed(push)
+
+    def _believed(self, push: Any) -> Any:
+        ca, o = self._casadi, self.observers
+        size = ca.fmin(ca.fmax(ca.fabs(push) - o.push_dead_band, 0.0), o.push_max)
+        return ca.sign(push) * size
+
+    def _given(self, wanted: Any) -> Any:
+        """Return what the whole-body program gives: straight lines between what was measured."""
+        ca, limits = self._casadi, self.direction.limits
+        given = limits[0, 1]
+        for (low, start), (high, end) in itertools.pairwise(limits):
+            part = ca.fmin(ca.fmax(wanted - low, 0.0), high - low)
+            given = given + (end - start) / (high - low) * part
+        return given
+
+    def _move(self, s: dict[str, Any], commands: list[Any], linear: bool) -> tuple[Any, ...]:
+        """Return position, speed, motor and acceleration one period later."""
+        ca, lag, d = self._casadi, self.timing.motor_lag, self.direction
+        steps = math.ceil(self.timing.period / _STEP - 1e-9)
+        dt = self.timing.period / steps
+        share = -math.expm1(-dt / lag) if lag > 0.0 else 1.0
+        x, v, motor, a = s["x"], s["v"], s["motor"], s["a"]
+        for k in range(steps):
+            motor = motor + share * (self._acting(commands, k * dt, dt) - motor)
+            a = motor - d.viscous * v
+            if not linear:
+                stuck = _STICK_SHARE * (a + _STICK_RATE * v)
+                a = a - ca.fmin(ca.fmax(stuck, -d.friction), d.friction)
+            v = v + dt * a
+            x = x + dt * v
+        return x, v, motor, a
+
+    def _acting(self, commands: list[Any], time: float, dt: float) -> Any:
+        """Return the mean of the commands that act from `time` on for `dt`, newest first."""
+        period = self.timing.period
+        age = math.ceil((self._latency - time) / period - 1e-9)
+        until = self._latency - (age - 1) * period - time
+        part = min(until / dt, 1.0)
+        if part > 1.0 - 1e-9:
+            return commands[age]
+        return part * commands[age] + (1.0 - part) * commands[age - 1]
