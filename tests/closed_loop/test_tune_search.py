@@ -14,10 +14,12 @@ import time
 from concurrent.futures import BrokenExecutor, Future
 from pathlib import Path
 
+import optuna
 import pytest
 from surefoot import Error, Gains, get_gain, load_gains, load_robot
 from surefoot.sim import PlantSettings
 from surefoot.tune.search.episodes import Episode
+from surefoot.tune.search.held_out import finals
 from surefoot.tune.search.queue import Queue
 from surefoot.tune.search.rollout import BROKEN, Job, Outcome, judged, named
 from surefoot.tune.search.run import run_search
@@ -387,3 +389,21 @@ def test_nothing_that_stands_costs_more_than_a_fall(objective: str) -> None:
     stood, fallen = (judged(Job(named(g), (EPISODE,), (objective,))) for g in (stiff, limp))
     assert (stood.falls, fallen.falls) == (0, 1)
     assert stood.costs[0] <= 100.0 < fallen.costs[0] <= 300.0 < BROKEN
+
+
+def test_a_trial_that_was_lucky_with_its_runs_loses_the_finals() -> None:
+    settings = SearchSettings("go1", OWN, space=(parse_parameter("sway_frequency"),))
+    scale = optuna.distributions.FloatDistribution(0.3, 6.0, log=True)
+    trials = [
+        optuna.create_trial(
+            params={"sway_frequency": f}, distributions={"sway_frequency": scale}, value=cost
+        )
+        for f, cost in ((1.0, 3.0), (1.5, 3.2), (2.0, 9.0))
+    ]
+
+    def answer(job: Job):
+        lucky = job.gains["com_kp_horizontal"] < 50.0  # 1 Hz
+        return Outcome(costs=(5.0 if lucky else 3.2,), episodes=1)
+
+    best = finals(settings, FakeCrew(answer), trials, (9.0,))
+    assert best.params == {"sway_frequency": 1.5}

@@ -59,7 +59,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         metavar="NAME[=LOW:HIGH]",
         help="search this, a task's number or any gain; may be given again",
     )
-    add("--episodes", type=int, default=4, metavar="N", help="runs a trial (4)")
+    add("--episodes", type=int, default=6, metavar="N", help="runs a trial (6)")
     add("--held-out", type=int, default=10, metavar="N", help="runs that judge the result (10)")
     add("--sampler", metavar="NAME", help="cmaes, tpe, nsga2, random (cmaes; nsga2 for two)")
     add("--seed", type=int, default=0, metavar="N", help="of the search (0)")

@@ -18,7 +18,8 @@ DELAY_STEPS = 8  # extra physics steps of delay, at most
 MOTOR_LAG = 0.001, 0.004  # [s]
 JOINT_FRICTION = 0.5, 2.0  # times the model's
 PHYSICS_DT = 0.001  # [s]
-HELD_OUT = 10_000  # seeds from here on are never searched with
+FINAL = 5_000  # seeds from here on decide between the best trials
+HELD_OUT = 10_000  # those from here on judge the result alone
 
 
 @dataclass(frozen=True)

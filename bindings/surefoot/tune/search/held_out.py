@@ -1,17 +1,50 @@
-"""Gains on runs that no trial has seen."""
+"""Gains on runs that no trial has seen: who is best, and how good that is."""
 
 from __future__ import annotations
 
-from surefoot._core import Gains
+from optuna.trial import FrozenTrial
+
+from surefoot._core import Error, Gains
+from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.queue import Queue
 from surefoot.tune.search.rollout import Job, Outcome, named
+from surefoot.tune.search.sampling import ranked, relative_cost
 from surefoot.tune.search.settings import SearchSettings
+from surefoot.tune.search.space import apply
 from surefoot.tune.search.workers import Workers
 
+FINALISTS = 5
 
-def judge(settings: SearchSettings, crew: Workers, chosen: list[Gains]) -> list[Outcome]:
-    """Run gains on the held-out episodes, each on its own for the workers to share them."""
-    episodes = settings.held_out_episodes
+
+def finals(
+    settings: SearchSettings, crew: Workers, trials: list[FrozenTrial], start: tuple[float, ...]
+) -> FrozenTrial:
+    """Return the best of the best trials, by their own runs and as many that they have not seen.
+
+    The cheapest of hundreds owes some of it to luck with the runs that it was searched with.
+
+    Raises:
+        Error: No trial could be run at all.
+    """
+    sound = [trial for trial in trials if not trial.user_attrs.get("broken")]
+    if not sound:
+        raise Error(f"search: none of {len(trials)} trials could be run; give other ranges")
+    cheapest = ranked(sound, start)[:FINALISTS]
+    if len(cheapest) < 2:
+        return cheapest[0]
+    chosen = [apply(trial.params, settings.start) for trial in cheapest]
+    judged = judge(settings, crew, chosen, settings.final_episodes)
+    costs = [
+        relative_cost(trial.values, start) + relative_cost(outcome.costs, start)
+        for trial, outcome in zip(cheapest, judged, strict=True)
+    ]
+    return cheapest[costs.index(min(costs))]
+
+
+def judge(
+    settings: SearchSettings, crew: Workers, chosen: list[Gains], episodes: tuple[Episode, ...]
+) -> list[Outcome]:
+    """Run gains on episodes, each on its own for the workers to share them."""
     jobs = [
         Job(named(gains), (episode,), settings.objectives)
         for gains in chosen

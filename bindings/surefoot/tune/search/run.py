@@ -10,10 +10,10 @@ import optuna
 from optuna.trial import FrozenTrial, Trial, TrialState
 
 from surefoot._core import Error, Gains
-from surefoot.tune.search.held_out import judge
+from surefoot.tune.search.held_out import finals, judge
 from surefoot.tune.search.queue import Queue
 from surefoot.tune.search.rollout import Job, Outcome, broken, named
-from surefoot.tune.search.sampling import best_of, importance, make_sampler
+from surefoot.tune.search.sampling import importance, make_sampler
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply
 from surefoot.tune.search.store import START, open_store, open_study, reclaim
@@ -47,7 +47,7 @@ class SearchResult:
     Attributes:
         settings: What was asked.
         trials: Every finished trial, in the order in which they were begun.
-        start, own, best: The start, the robot's own gains, the best trial.
+        start, own, best: The start, the robot's own gains, the winner of the finals.
         front: Trials of the Pareto front, with two objectives.
         importance: Share of each parameter in what trials cost, if there were enough of them.
         speed: Rollout figures of this process's run.
@@ -89,9 +89,9 @@ def run_search(
         trials = study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,))
         first = next((t for t in trials if t.user_attrs.get(START)), None)
         started = tuple(first.values) if first is not None else ()
-        best = best_of(trials, started or tuple(trials[0].values))
+        best = finals(settings, crew, trials, started or tuple(trials[0].values))
         chosen = [settings.start, own, apply(best.params, settings.start)]
-        held = judge(settings, crew, chosen)
+        held = judge(settings, crew, chosen, settings.held_out_episodes)
         return SearchResult(
             settings,
             trials,

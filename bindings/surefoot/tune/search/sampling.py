@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import optuna
 from optuna.samplers import BaseSampler, CmaEsSampler, NSGAIISampler, RandomSampler, TPESampler
 from optuna.trial import FrozenTrial
@@ -32,10 +34,14 @@ def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
     return RandomSampler(seed=seed)
 
 
-def best_of(trials: list[FrozenTrial], start: tuple[float, ...]) -> FrozenTrial:
-    """Return the cheapest; of two objectives that of the least sum, each relative to the start."""
-    scale = [max(value, 1e-9) for value in start]
-    return min(trials, key=lambda t: sum(t.values[k] / s for k, s in enumerate(scale)))
+def relative_cost(costs: Sequence[float], start: tuple[float, ...]) -> float:
+    """Return the sum of costs, each relative to the start's: what makes two objectives one."""
+    return sum(cost / max(of, 1e-9) for cost, of in zip(costs, start, strict=True))
+
+
+def ranked(trials: list[FrozenTrial], start: tuple[float, ...]) -> list[FrozenTrial]:
+    """Return trials, the cheapest first."""
+    return sorted(trials, key=lambda trial: relative_cost(trial.values, start))
 
 
 def importance(study: optuna.Study, trials: list[FrozenTrial]) -> dict[str, float]:

@@ -8,7 +8,7 @@ from typing import Any
 from surefoot._core import Error, Gains, gain_table, get_gain
 from surefoot.sim import PlantSettings
 from surefoot.tune.cost import weights_of
-from surefoot.tune.search.episodes import HELD_OUT, Episode
+from surefoot.tune.search.episodes import FINAL, HELD_OUT, Episode
 from surefoot.tune.search.space import Parameter, default_space, pair_of, widened
 
 SAMPLERS = ("cmaes", "tpe", "nsga2", "random")
@@ -42,7 +42,7 @@ class SearchSettings:
     cluster: str | None = None
     objectives: tuple[str, ...] = ("balance",)
     space: tuple[Parameter, ...] = field(default_factory=lambda: tuple(default_space()))
-    episodes: int = 4
+    episodes: int = 6
     held_out: int = 10
     sampler: str | None = None
     seed: int = 0
@@ -56,7 +56,7 @@ class SearchSettings:
             got = ",".join(self.objectives)
             raise Error(f"objective: got '{got}', expected one, or two that differ")
         whole = (("trials", 1, 1_000_000), ("jobs", 1, MOST_JOBS), ("episodes", 1, 1000))
-        for name, low, high in (*whole, ("held_out", 1, 1000), ("seed", 0, HELD_OUT - 1000)):
+        for name, low, high in (*whole, ("held_out", 1, 1000), ("seed", 0, FINAL - 1000)):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
                 raise Error(f"{name}: got {value!r}, expected a whole number {low} .. {high}")
@@ -81,6 +81,12 @@ class SearchSettings:
     def search_episodes(self) -> tuple[Episode, ...]:
         """The runs of every trial."""
         return tuple(Episode(self.robot, self.seed + k, self.plant) for k in range(self.episodes))
+
+    @property
+    def final_episodes(self) -> tuple[Episode, ...]:
+        """The runs that decide between the best trials."""
+        first = FINAL + self.seed
+        return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.episodes))
 
     @property
     def held_out_episodes(self) -> tuple[Episode, ...]:
