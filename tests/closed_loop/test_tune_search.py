@@ -290,6 +290,21 @@ def test_a_scheduler_that_dies_ends_the_search(monkeypatch) -> None:
         queue.take()
 
 
+def test_a_job_that_is_lost_as_its_pool_breaks_is_run_again(monkeypatch) -> None:
+    monkeypatch.setattr("surefoot.tune.search.queue.LOOK", 0.01)
+    crew = FakeCrew(lambda job: Outcome(costs=(1.0,)))
+    answer, crew.submit = crew.submit, lambda job: Future()  # type: ignore[method-assign]
+    queue = Queue(crew)
+    queue.put(0, job_of(1.0))
+
+    def look() -> None:
+        crew.submit = answer  # type: ignore[method-assign]
+        raise BrokenExecutor
+
+    monkeypatch.setattr(crew, "check", look)
+    assert [(number, outcome.costs) for number, outcome in queue.take()] == [(0, (1.0,))]
+
+
 def test_a_pool_that_breaks_between_trials_is_renewed() -> None:
     crew = Processes(1)
     try:

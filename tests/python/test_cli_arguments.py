@@ -240,7 +240,8 @@ def own_files(tmp_path):
     text = (
         config.read_text().replace('srdf = "', '# srdf = "').replace('name = "a1"', 'name = "my"')
     )
-    (tmp_path / "own.toml").write_text(text + "\nfoot_kp = 77.0\n")
+    text = re.sub(r"^foot_kp = .*$", "foot_kp = 77.0", text, flags=re.MULTILINE)
+    (tmp_path / "own.toml").write_text(text)
     return ["--urdf", str(known.urdf), "--config", "own.toml"]
 
 

@@ -48,7 +48,9 @@ class Queue:
         done: list[tuple[int, Outcome]] = []
         while not done:
             finished, _ = wait(self._pending, timeout=LOOK, return_when=FIRST_COMPLETED)
-            self._crew.check()
+            if not finished and self._are_lost():
+                done += self._one_by_one([])
+                continue
             suspects = []
             for future in finished:
                 number, job = self._pending.pop(future)
@@ -60,6 +62,14 @@ class Queue:
             if suspects:
                 done += self._one_by_one(suspects)
         return done
+
+    def _are_lost(self) -> bool:
+        """Whether jobs under way will never be answered; raises Error if nobody will be."""
+        try:
+            self._crew.check()
+        except self._crew.deaths:
+            return True
+        return False
 
     def _result(self, future: Future[Outcome]) -> Outcome | None:
         """Return what a job came to, or None if its worker died."""
@@ -85,9 +95,10 @@ class Queue:
     def _alone(self, job: Job) -> Outcome:
         for _ in range(ATTEMPTS):
             future = self._crew.submit(job)
-            while not wait([future], timeout=LOOK).done:
-                self._crew.check()
-            outcome = self._result(future)
+            lost = False
+            while not lost and not wait([future], timeout=LOOK).done:
+                lost = self._are_lost()
+            outcome = None if lost else self._result(future)
             if outcome is not None:
                 return outcome
             self._crew.renew()

@@ -36,7 +36,7 @@ class Workers(Protocol):
         """Replace workers that have died; jobs under way are lost."""
 
     def check(self) -> None:
-        """Raise Error if nobody will ever answer."""
+        """Raise Error if nobody will ever answer, one of deaths if jobs under way are lost."""
 
 
 class Processes:
@@ -62,7 +62,11 @@ class Processes:
         self._pool = self._start()
 
     def check(self) -> None:
-        """Nothing: a pool that breaks says so."""
+        """Raise BrokenExecutor if a worker has died.
+
+        A job that is handed over just while a pool breaks may never be answered.
+        """
+        self._pool.submit(int)
 
     def close(self) -> None:
         """Let the processes go."""
