@@ -152,11 +152,18 @@ def test_motor_torque_falls_linearly_with_speed_only_while_driving(go1) -> None:
         assert limit(config, 2, -sign * 1.5 * top, sign) == tau
 
 
+def with_gain(toml: str, line: str) -> str:
+    """A TOML, whose last table is its gains, with one of them given otherwise."""
+    name = line.partition(" =")[0]
+    rest = [old for old in toml.splitlines() if not old.startswith(f"{name} =")]
+    return "\n".join([*rest, line, ""])
+
+
 def test_a_robot_of_ones_own_is_loaded_from_urdf_and_toml(load, toml: str) -> None:
     text = changed(toml, 'name = "go1"', 'name = "rex"')
     text = changed(text, 'frame = "imu_link"', "position = [0.1, 0, 0]\nquaternion = [0, 0, 0, 1]")
     text = changed(text, "friction = 0.6 ", "friction = 0.4 ")
-    robot = load(text + "\ncom_kp_vertical = 99")
+    robot = load(with_gain(text, "com_kp_vertical = 99"))
     assert (robot.name, robot.config.friction) == ("rex", 0.4)
     np.testing.assert_array_equal(robot.config.p_base_imu, [0.1, 0.0, 0.0])
     np.testing.assert_array_equal(robot.config.quat_base_imu, [0.0, 0.0, 0.0, 1.0])
@@ -246,7 +253,7 @@ def test_a_key_left_out_is_named(load, toml: str, key: str) -> None:
 )
 def test_a_bad_gain_in_the_toml_is_named(load, toml: str, line: str, words: str) -> None:
     with pytest.raises(surefoot.Error) as caught:
-        load(f"{toml}\n{line}\n")
+        load(with_gain(toml, line))
     assert words in str(caught.value)
 
 

@@ -222,7 +222,7 @@ def test_what_is_written_loads_to_the_gains_that_were_printed(
     assert gains.foot_kp == body().robot.config.gains.foot_kp
 
 
-@pytest.mark.parametrize("delay", ["11", "12", "13", "14", "16", "18"])
+@pytest.mark.parametrize("delay", ["11", "12", "13", "14", "16", "15"])
 def test_what_cannot_be_stable_is_refused_with_what_can(
     delay: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -281,10 +281,10 @@ def test_delay_and_rate_end_where_the_search_for_margins_still_can_look() -> Non
         ([], "no frequency"),
         (["--bandwidth", "fast"], "FREQ[:DAMPING]"),
         (["--bandwidth", "2:0.7:1"], "FREQ[:DAMPING]"),
-        (["--bandwidth", "0"], "--bandwidth: got 0 Hz, expected 0.01 .. 100 Hz"),
-        (["--bandwidth", "nan"], "--bandwidth: got nan Hz, expected 0.01 .. 100 Hz"),
-        (["--bandwidth", "1e300"], "--bandwidth: got 1e+300 Hz, expected 0.01 .. 100 Hz"),
-        (["--sway", "1e-300:0.8"], "--sway: got 1e-300 Hz, expected 0.01 .. 100 Hz"),
+        (["--bandwidth", "0"], "--bandwidth: got 0 Hz, expected 0.01 .. 7.1 Hz"),
+        (["--bandwidth", "nan"], "--bandwidth: got nan Hz, expected 0.01 .. 7.1 Hz"),
+        (["--bandwidth", "1e300"], "--bandwidth: got 1e+300 Hz, expected 0.01 .. 7.1 Hz"),
+        (["--sway", "1e-300:0.8"], "--sway: got 1e-300 Hz, expected 0.01 .. 7.1 Hz"),
         (["--bandwidth", "2", "--damping", "-1"], "above 0"),
         (["--bandwidth", "9"], "com_kp_horizontal"),
         (["--bandwidth", "2", "--delay-ms", "-1"], "--delay-ms: got -1 ms, expected 0 .. 200 ms"),

@@ -94,7 +94,13 @@ def run(arguments: argparse.Namespace) -> None:
     description = chosen_robot(arguments, default="go1")
     assert description is not None
     own = build_robot(description).config.gains
-    result = run_search(_settings(arguments), own, _progress())
+    try:
+        result = run_search(_settings(arguments), own, _progress())
+    except KeyboardInterrupt:
+        where = f"in {arguments.store}: the same command goes on"
+        kept = where if arguments.store else "lost; --store FILE would have kept them"
+        print(f"surefoot: the trials that were done are {kept}", file=sys.stderr)
+        raise
     summary = summarise(result)
     command = shlex.join(["surefoot", *arguments.words])
     write_json(arguments.json, summary)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import signal
 import threading
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Future
@@ -69,8 +70,8 @@ class Processes:
         self._pool.submit(int)
 
     def close(self) -> None:
-        """Let the processes go."""
-        self._pool.shutdown(wait=False, cancel_futures=True)
+        """Let the processes go, each after the trial it is at."""
+        self._pool.shutdown(wait=True, cancel_futures=True)
 
     def _start(self) -> ProcessPoolExecutor:
         # One thread each, for two that share a core do less than one; read when numpy is loaded,
@@ -144,7 +145,8 @@ def workers(jobs: int, cluster: str | None) -> Iterator[Processes | Cluster]:
 
 
 def _die_with_parent() -> None:
-    """Have this process end where the one that started it is killed."""
+    """Have this process end where the one that started it is killed, and not by Ctrl-C before."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     assert parent is not None
 
