@@ -25,6 +25,7 @@ from surefoot.estimate import (
 from surefoot.estimate.checks import check_log
 from surefoot.estimate.derive import CUTOFF, HOLD, derive_velocities
 from surefoot.estimate.frames import frames
+from surefoot.stand import SensorRecorder, StandSettings, run_stand
 
 
 @pytest.fixture(scope="module")
@@ -357,3 +358,12 @@ def test_help_names_every_column_and_the_exit_status(capsys) -> None:
     text = capsys.readouterr().out
     for word in ("*gyroscope (3)", "truth_foot_forces (12)", "v_world_std", "exit status"):
         assert word in text
+
+
+def test_velocities_in_degrees_of_a_robot_that_stands_still_are_doubted() -> None:
+    recorder = SensorRecorder()
+    run_stand(StandSettings(duration=1.5), sensors=recorder)
+    still = recorder.log("still")
+    assert not [doubt for doubt in check_log(robot(), still) if doubt.startswith("dq")]
+    doubts = check_log(robot(), changed(still, dq=DEGREES * still.columns["dq"]))
+    assert [doubt for doubt in doubts if doubt.startswith("dq moves joints") and "deg/s" in doubt]

@@ -16,6 +16,7 @@ OUTSIDE = 0.5  # [rad] beyond a limit: no joint gets there, whatever its calibra
 SLACK = 0.2  # [rad] beyond a limit for degrees that are taken as such
 FITS = 0.2  # of the squared error: another order explains the rest
 EXCHANGED = 0.05  # of the squared motion: more than noise and a coarse rate make
+STILL = 0.02  # [rad] RMS that noise of velocities adds up to at most; 0.001 where it is 0.05 rad/s
 MOTION = 0.01  # [rad] RMS in windows where joints move
 
 
@@ -48,7 +49,7 @@ def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
         return []
     moving = np.sqrt(np.mean(windows.moved**2, axis=1)) > MOTION
     if moving.sum() < 3:
-        return []
+        return _doubt_still(windows.moved[~moving], windows.integrated[~moving])
     moved, integrated = windows.moved[moving], windows.integrated[moving]
     _refuse_exchanged(log, moved.reshape(-1, 4, 3), integrated.reshape(-1, 4, 3))
     slope = float(np.sum(moved * integrated) / np.sum(moved**2))
@@ -65,6 +66,18 @@ def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
     if not 0.5 < slope < 2.0:
         return [f"dq is {slope:.2f} times the change of q"]
     return []
+
+
+def _doubt_still(moved: Array, integrated: Array) -> list[str]:
+    """Return a doubt where joints that stand still, (w, 12) both, are said to move."""
+    if len(moved) < 3:
+        return []
+    still, said = (float(np.sqrt(np.mean(angles**2))) for angles in (moved, integrated))
+    if said < max(STILL, 5.0 * still):
+        return []
+    return [
+        f"dq moves joints by {said:.3f} rad at a time in which q moves them by {still:.4f}: deg/s?"
+    ]
 
 
 def _refuse_exchanged(log: SensorLog, moved: Array, integrated: Array) -> None:
