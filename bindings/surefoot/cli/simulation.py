@@ -23,11 +23,19 @@ def choose_graphics() -> None:
     os.environ.setdefault("MUJOCO_GL", "egl" if library else "disable")
 
 
-def missing_module(command: str, problem: ModuleNotFoundError) -> Error:
-    """Return the error that says how to get a module that a command needs."""
+def missing_module(command: str, problem: ModuleNotFoundError, *more: str) -> Error:
+    """Return the error that says how to get a module that a command needs.
+
+    Args:
+        command: Without "surefoot".
+        problem: Names the module.
+        more: Extras that the command needs besides "sim".
+    """
+    extras = ("sim", *more)
+    names = " and ".join(f"'{extra}'" for extra in extras)
     return Error(
-        f"module '{problem.name}' not found: surefoot {command} needs the extra 'sim'; "
-        "run: pip install 'surefoot[sim]'"
+        f"module '{problem.name}' not found: surefoot {command} needs the "
+        f"extra{'s' if more else ''} {names}; run: pip install 'surefoot[{','.join(extras)}]'"
     )
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from surefoot._core import Error, Gains
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.simulation import choose_graphics
+from surefoot.cli.simulation import choose_graphics, missing_module
 from surefoot.gain_files import load_gains
 from surefoot.protocol import default_generation
 from surefoot.robot_files import RobotDescription
@@ -55,10 +55,7 @@ def run(arguments: argparse.Namespace) -> None:
         from surefoot.tune.live.page import Page
         from surefoot.tune.live.server import close_server, open_server
     except ModuleNotFoundError as problem:
-        raise Error(
-            f"module '{problem.name}' not found: surefoot tune live needs the extras 'tune' and "
-            "'sim'; run: pip install 'surefoot[tune,sim]'"
-        ) from None
+        raise missing_module("tune live", problem, "tune") from None
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # there is a default
     own = build_robot(description)

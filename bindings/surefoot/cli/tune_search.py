@@ -11,17 +11,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from surefoot._core import Error
+from surefoot._core import Gains
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import (
     check_json_place,
     check_place,
     check_report_place,
     choose_graphics,
+    missing_module,
     write_json,
 )
-from surefoot.cli.stand import read_gains
-from surefoot.gain_files import save_gains
+from surefoot.gain_files import load_gains, save_gains
 from surefoot.robots import build_robot
 
 if TYPE_CHECKING:
@@ -86,16 +86,12 @@ def run(arguments: argparse.Namespace) -> None:
         from surefoot.tune.search.run import run_search
         from surefoot.tune.search.summary import origin, summarise, summary_text
     except ModuleNotFoundError as problem:
-        raise Error(
-            f"module '{problem.name}' not found: surefoot tune search needs the extras 'sim' and "
-            "'tune'; run: pip install 'surefoot[sim,tune]'"
-        ) from None
-
+        raise missing_module("tune search", problem, "tune") from None
     description = chosen_robot(arguments, default="go1")
     assert description is not None
     own = build_robot(description).config.gains
     try:
-        result = run_search(_settings(arguments), own, _progress())
+        result = run_search(_settings(arguments, own), own, _progress())
     except KeyboardInterrupt:
         where = f"in {arguments.store}: the same command goes on"
         kept = where if arguments.store else "lost; --store FILE would have kept them"
@@ -118,13 +114,11 @@ def run(arguments: argparse.Namespace) -> None:
             print(f"  report    {page}")
 
 
-def _settings(arguments: argparse.Namespace) -> SearchSettings:
+def _settings(arguments: argparse.Namespace, own: Gains) -> SearchSettings:
     from surefoot.tune.search.settings import MOST_JOBS, SearchSettings
     from surefoot.tune.search.space import default_space, parse_parameter
 
-    description = chosen_robot(arguments, default="go1")
-    assert description is not None
-    start = read_gains(arguments.start, description) or build_robot(description).config.gains
+    start = own if arguments.start is None else load_gains(arguments.start, own)
     robot: str | tuple[str, str] = arguments.robot or "go1"
     if arguments.urdf is not None:
         robot = (str(Path(arguments.urdf).resolve()), str(Path(arguments.config).resolve()))
