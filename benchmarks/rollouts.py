@@ -21,10 +21,11 @@ from statistics import median
 
 import mujoco
 from surefoot import load_robot
+from surefoot.gain_files import gain_values
 from surefoot.sim import PlantSettings
 from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.queue import Queue
-from surefoot.tune.search.rollout import Job, judged, named, plant_of
+from surefoot.tune.search.rollout import Job, judged, plant_of
 from surefoot.tune.search.workers import Cluster, Processes
 
 PORT = 8796
@@ -50,7 +51,7 @@ def main() -> None:
 def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
     """Return the medians over rounds."""
     job = Job(
-        named(load_robot(robot).config.gains),
+        gain_values(load_robot(robot).config.gains),
         tuple(Episode(robot, seed, PlantSettings()) for seed in range(SEEDS)),
         ("balance",),
     )

@@ -10,6 +10,26 @@ from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
 from surefoot.robot_table import read_toml
 
 
+def gain_values(gains: Gains) -> dict[str, float]:
+    """Return every gain by name: plain data, for files and pipes."""
+    return {info.name: get_gain(gains, info.name) for info in gain_table()}
+
+
+def changed_gains(gains: Gains, own: Gains) -> dict[str, float]:
+    """Return those gains by name that differ from a robot's own."""
+    values = gain_values(own)
+    return {name: value for name, value in gain_values(gains).items() if value != values[name]}
+
+
+def gains_of(values: dict[str, float]) -> Gains:
+    """Return the library's gains with values by name on top; raises Error."""
+    gains = Gains()
+    for name, value in values.items():
+        set_gain(gains, name, value)
+    gains.validate()
+    return gains
+
+
 def load_gains(path: str | Path, start: Gains | None = None) -> Gains:
     """Read gains from a TOML file with a ``[gains]`` table (or plain keys).
 

@@ -17,11 +17,12 @@ from pathlib import Path
 import optuna
 import pytest
 from surefoot import Error, Gains, get_gain, load_gains, load_robot
+from surefoot.gain_files import gain_values
 from surefoot.sim import PlantSettings
 from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.held_out import finals
 from surefoot.tune.search.queue import Queue
-from surefoot.tune.search.rollout import BROKEN, Job, Outcome, judged, named
+from surefoot.tune.search.rollout import BROKEN, Job, Outcome, judged
 from surefoot.tune.search.run import run_search
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply, default_space, parse_parameter
@@ -80,17 +81,17 @@ def test_what_cannot_be_searched_is_refused_by_name(text: str, words: str) -> No
 
 
 def test_an_episode_is_the_same_every_time_and_another_with_another_seed() -> None:
-    job = Job(named(OWN), (EPISODE,), ("balance",))
+    job = Job(gain_values(OWN), (EPISODE,), ("balance",))
     first, again = judged(job), judged(job)
     assert first.costs == again.costs and first.terms == again.terms
     assert first.ticks == 3300 and first.steps == 6600 and first.falls == 0
-    other = judged(Job(named(OWN), (Episode("go1", 2, PlantSettings()),), ("balance",)))
+    other = judged(Job(gain_values(OWN), (Episode("go1", 2, PlantSettings()),), ("balance",)))
     assert other.costs != first.costs
 
 
 def test_a_hopeless_trial_is_not_run_to_its_end() -> None:
     episodes = tuple(Episode("go1", seed, PlantSettings()) for seed in range(1, 4))
-    outcome = judged(Job(named(POOR), episodes, ("balance",), hopeless=1.0))
+    outcome = judged(Job(gain_values(POOR), episodes, ("balance",), hopeless=1.0))
     assert outcome.stopped and outcome.episodes == 1
     assert outcome.costs[0] > 1.0
 
@@ -123,7 +124,7 @@ def test_a_worker_that_is_killed_takes_no_trial_with_it() -> None:
     try:
         queue = Queue(crew)
         for number in range(6):
-            queue.put(number, Job(named(OWN), (EPISODE,), ("balance",)))
+            queue.put(number, Job(gain_values(OWN), (EPISODE,), ("balance",)))
         done = queue.take()
         victim = next(iter(crew._pool._processes))
         os.kill(victim, signal.SIGKILL)
@@ -153,7 +154,7 @@ def test_a_search_that_is_killed_goes_on_with_every_trial_it_had(tmp_path: Path)
     assert again.returncode == 0, again.stderr
     summary = json.loads(again.stdout)
     assert summary["trials"] == 12 == finished(store)
-    assert named(load_gains(gains)) == summary["gains"]
+    assert gain_values(load_gains(gains)) == summary["gains"]
 
 
 @pytest.mark.parametrize("content", ["no journal\n", "{}\n", "[1, 2]\n", "garbage without an end"])
@@ -310,7 +311,7 @@ def test_a_pool_that_breaks_between_trials_is_renewed() -> None:
     try:
         queue = Queue(crew)
         for number in range(2):
-            queue.put(number, Job(named(OWN), (EPISODE,), ("balance",)))
+            queue.put(number, Job(gain_values(OWN), (EPISODE,), ("balance",)))
             outcomes = queue.take()
             assert outcomes[0][1].costs[0] < BROKEN
             victim = next(iter(crew._pool._processes))
@@ -401,7 +402,7 @@ def test_nothing_that_stands_costs_more_than_a_fall(objective: str) -> None:
     limp.fall_tilt = 0.1
     limp.com_kp_horizontal = limp.com_kd_horizontal = 0.0
     limp.base_kp_tilt = limp.base_kd_tilt = 0.0
-    stood, fallen = (judged(Job(named(g), (EPISODE,), (objective,))) for g in (stiff, limp))
+    stood, fallen = (judged(Job(gain_values(g), (EPISODE,), (objective,))) for g in (stiff, limp))
     assert (stood.falls, fallen.falls) == (0, 1)
     assert stood.costs[0] <= 100.0 < fallen.costs[0] <= 300.0 < BROKEN
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 from typing import Any
 
-from surefoot._core import gain_table, get_gain
+from surefoot.gain_files import changed_gains
 from surefoot.stand.log import StandLog
 from surefoot.stand.references import AXES
 
@@ -60,8 +60,4 @@ def describe_conditions(log: StandLog) -> dict[str, Any]:
 
 def _gains_changed(log: StandLog) -> dict[str, float]:
     gains, own = log.settings.gains, log.robot.config.gains
-    if gains is None:
-        return {}
-    names = [row.name for row in gain_table()]
-    values = {name: get_gain(gains, name) for name in names}
-    return {name: value for name, value in values.items() if value != get_gain(own, name)}
+    return {} if gains is None else changed_gains(gains, own)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from surefoot._core import Gains, gain_table, get_gain, set_gain
+from surefoot._core import Gains, get_gain, set_gain
+from surefoot.gain_files import changed_gains
 
 _ONE_MOVE = 1.0  # [s]; changes of one gain that follow each other faster are undone at once
 _MOST = 200  # sets of gains that are remembered
@@ -116,7 +117,5 @@ class GainEditor:
 
 def differences(first: Gains, second: Gains) -> dict[str, tuple[float, float]]:
     """Return the gains whose values differ: first's and second's value by name."""
-    pairs = {
-        row.name: (get_gain(first, row.name), get_gain(second, row.name)) for row in gain_table()
-    }
-    return {name: pair for name, pair in pairs.items() if pair[0] != pair[1]}
+    changed = changed_gains(second, first)
+    return {name: (get_gain(first, name), value) for name, value in changed.items()}

@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 
 from surefoot._core import Error, Gains
+from surefoot.gain_files import gain_values
 from surefoot.robot_files import RobotDescription
 from surefoot.robots import build_robot, load_pinocchio_model
 from surefoot.sim.adapter import Adapter
@@ -24,7 +25,6 @@ from surefoot.tune.live.robot_process import (
     Place,
     Report,
     control,
-    gain_values,
 )
 from surefoot.tune.live.view import View
 

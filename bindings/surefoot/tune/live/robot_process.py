@@ -14,15 +14,12 @@ import numpy.typing as npt
 
 from surefoot._core import (
     Error,
-    Gains,
     RunOptions,
     RunSnapshot,
     StandRunner,
-    gain_table,
-    get_gain,
-    set_gain,
 )
 from surefoot.cli.run_text import why_damped
+from surefoot.gain_files import gains_of
 from surefoot.robot_files import RobotDescription
 from surefoot.robots import build_robot
 from surefoot.sim.rotations import Array
@@ -79,11 +76,6 @@ class Report:
     refused: int = 0
 
 
-def gain_values(gains: Gains) -> dict[str, float]:
-    """Return gains as a dict, which goes through a pipe."""
-    return {row.name: get_gain(gains, row.name) for row in gain_table()}
-
-
 def control(
     pipe: Connection, description: RobotDescription, place: Place, values: dict[str, float]
 ) -> None:
@@ -138,14 +130,7 @@ def _make_runner(
 ) -> StandRunner:
     options = RunOptions(power_level=place.power_level, patience=_PATIENCE)
     where = (place.host, place.port, place.generation)
-    return StandRunner(build_robot(description), *where, gains=_gains_of(values), options=options)
-
-
-def _gains_of(values: dict[str, float]) -> Gains:
-    gains = Gains()
-    for name, value in values.items():
-        set_gain(gains, name, value)
-    return gains
+    return StandRunner(build_robot(description), *where, gains=gains_of(values), options=options)
 
 
 def _obey(pipe: Connection, runner: StandRunner) -> bool:
@@ -157,7 +142,7 @@ def _obey(pipe: Connection, runner: StandRunner) -> bool:
     except (EOFError, OSError):  # the page is gone
         return False
     if word == "gains":
-        runner.set_gains(_gains_of(values))
+        runner.set_gains(gains_of(values))
     elif word == "reference":
         runner.set_body_reference(body_reference(values))
     elif word == "damp":

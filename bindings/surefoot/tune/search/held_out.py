@@ -5,9 +5,10 @@ from __future__ import annotations
 from optuna.trial import FrozenTrial
 
 from surefoot._core import Error, Gains
+from surefoot.gain_files import gain_values
 from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.queue import Queue
-from surefoot.tune.search.rollout import Job, Outcome, named
+from surefoot.tune.search.rollout import Job, Outcome
 from surefoot.tune.search.sampling import ranked, relative_cost
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply
@@ -46,7 +47,7 @@ def judge(
 ) -> list[Outcome]:
     """Run gains on episodes, each on its own for the workers to share them."""
     jobs = [
-        Job(named(gains), (episode,), settings.objectives)
+        Job(gain_values(gains), (episode,), settings.objectives)
         for gains in chosen
         for episode in episodes
     ]

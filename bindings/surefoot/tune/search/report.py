@@ -9,13 +9,15 @@ from typing import Any
 
 from PIL import Image
 
-from surefoot._core import Gains, StandController
+from surefoot._core import Gains
 from surefoot.gain_files import save_gains
 from surefoot.report_axes import draw_plots
 from surefoot.report_page import page_html, pictures_html, tiles_html
+from surefoot.sim import Plant
 from surefoot.sim.render import Renderer
-from surefoot.tune.search.episodes import LENGTH, Episode
+from surefoot.tune.search.episodes import Episode
 from surefoot.tune.search.plots import Drawn, plots_of
+from surefoot.tune.search.rollout import play
 from surefoot.tune.search.run import SearchResult
 from surefoot.tune.search.summary import origin, summary_text, term_lines
 from surefoot.tune.trace import Trace
@@ -57,32 +59,46 @@ def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, co
 def _play(episode: Episode, gains: Gains, film: Path | None) -> tuple[Trace, str | None]:
     """Run an episode, and film it; return its trace, and why there is no film."""
     plant = episode.plant()
-    ticks = round(LENGTH * plant.settings.control_rate)
-    trace = Trace(plant, ticks)
-    controller = StandController(plant.robot, gains)
-    state = plant.reset()
-    every = max(1, round(PICTURE * plant.settings.control_rate))
-    renderer, trouble, pictures = None, None, []
-    for k in range(ticks):
-        state = plant.step(controller.update(state))
-        trace.record()
-        if film is not None and trouble is None and k % every == 0:
-            try:
-                renderer = renderer or Renderer(plant, WIDTH, HEIGHT)
-                pictures.append(Image.fromarray(renderer.frame()))
-            except Exception as problem:  # graphics fail in as many ways as there are drivers
-                trouble = f"{type(problem).__name__}: {problem}"
-        if trace.fell and film is None:
-            break
-    if renderer is not None:
-        renderer.close()
-    if film is not None and pictures and trouble is None:
-        first, *rest = pictures
-        milliseconds = round(1000.0 * PICTURE)
-        first.save(
-            film, save_all=True, append_images=rest, duration=milliseconds, loop=0, quality=70
-        )
-    return trace, trouble
+    if film is None:
+        return play(plant, gains), None
+    camera = _Camera(plant)
+    trace = play(plant, gains, camera.watch)
+    camera.write(film)
+    return trace, camera.trouble
+
+
+class _Camera:
+    """Takes pictures of a run; graphics fail in as many ways as there are drivers.
+
+    Attributes:
+        trouble: Why there are no pictures, or None.
+    """
+
+    def __init__(self, plant: Plant) -> None:
+        self._plant = plant
+        self._every = max(1, round(PICTURE * plant.settings.control_rate))
+        self._renderer: Renderer | None = None
+        self._pictures: list[Image.Image] = []
+        self.trouble: str | None = None
+
+    def watch(self, tick: int) -> None:
+        """Take a picture now and then."""
+        if self.trouble is not None or tick % self._every:
+            return
+        try:
+            self._renderer = self._renderer or Renderer(self._plant, WIDTH, HEIGHT)
+            self._pictures.append(Image.fromarray(self._renderer.frame()))
+        except Exception as problem:
+            self.trouble = f"{type(problem).__name__}: {problem}"
+
+    def write(self, film: Path) -> None:
+        """Write what there is as a film; raises OSError."""
+        if self._renderer is not None:
+            self._renderer.close()
+        if self._pictures and self.trouble is None:
+            first, *rest = self._pictures
+            period = round(1000.0 * PICTURE)
+            first.save(film, save_all=True, append_images=rest, duration=period, loop=0, quality=70)
 
 
 def _page(

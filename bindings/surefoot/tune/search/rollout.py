@@ -5,9 +5,11 @@ from __future__ import annotations
 import functools
 import threading
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from surefoot._core import Error, Gains, StandController, gain_table, get_gain, set_gain
+from surefoot._core import Error, Gains, StandController
+from surefoot.gain_files import gains_of
 from surefoot.sim import Plant
 from surefoot.tune.cost import FALL, Cost, cost
 from surefoot.tune.search.episodes import LENGTH, Episode
@@ -71,13 +73,11 @@ def evaluate(job: Job) -> Outcome:
     Raises:
         Error: An episode that cannot be run whatever the gains.
     """
-    gains, outcome = Gains(), Outcome()
     try:
-        for name, value in job.gains.items():
-            set_gain(gains, name, value)
-        gains.validate()
+        gains = gains_of(job.gains)
     except Error:
         return broken(job)
+    outcome = Outcome()
     begin = time.process_time()
     sums: list[list[Cost]] = []
     for episode in job.episodes:
@@ -101,21 +101,39 @@ def run_episode(
 ) -> list[Cost]:
     """Run one episode and count what it took into outcome; return its cost per objective."""
     plant = plant_of(episode)
-    period = 1.0 / plant.settings.control_rate
-    ticks = round(LENGTH / period)
-    trace = Trace(plant, ticks)
-    controller = StandController(plant.robot, gains)
-    state = plant.reset()
-    for _ in range(ticks):
-        state = plant.step(controller.update(state))
-        trace.record()
-        if trace.fell:
-            break
+    period, ticks = 1.0 / plant.settings.control_rate, ticks_of(plant)
+    trace = play(plant, gains)
     outcome.ticks += len(trace)
     outcome.steps += len(trace) * plant.settings.steps_per_tick
     outcome.simulated += len(trace) * period
     outcome.falls += trace.fell
     return [cost(trace, objective, ticks) for objective in objectives]
+
+
+def play(plant: Plant, gains: Gains, watch: Callable[[int], None] | None = None) -> Trace:
+    """Run an episode on its plant, until the robot falls.
+
+    Args:
+        plant: Of Episode.plant(); begins anew.
+        gains: Of the controller.
+        watch: Is given the number of every tick that is over, those after a fall too.
+    """
+    trace = Trace(plant, ticks_of(plant))
+    controller = StandController(plant.robot, gains)
+    state = plant.reset()
+    for k in range(ticks_of(plant)):
+        state = plant.step(controller.update(state))
+        trace.record()
+        if watch is not None:
+            watch(k)
+        elif trace.fell:
+            break
+    return trace
+
+
+def ticks_of(plant: Plant) -> int:
+    """Return how many ticks an episode has on its plant."""
+    return round(LENGTH * plant.settings.control_rate)
 
 
 @functools.lru_cache(maxsize=64)
@@ -136,8 +154,3 @@ def judged(job: Job) -> Outcome:
 def broken(job: Job) -> Outcome:
     """Return the outcome of a job whose gains cannot be tried."""
     return Outcome(costs=(BROKEN,) * len(job.objectives), broken=True)
-
-
-def named(gains: Gains) -> dict[str, float]:
-    """Return every gain by name."""
-    return {info.name: get_gain(gains, info.name) for info in gain_table()}

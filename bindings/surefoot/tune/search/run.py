@@ -10,9 +10,10 @@ import optuna
 from optuna.trial import FrozenTrial, Trial, TrialState
 
 from surefoot._core import Error, Gains
+from surefoot.gain_files import gain_values
 from surefoot.tune.search.held_out import finals, judge
 from surefoot.tune.search.queue import Queue
-from surefoot.tune.search.rollout import Job, Outcome, broken, named
+from surefoot.tune.search.rollout import Job, Outcome, broken
 from surefoot.tune.search.sampling import importance, make_sampler
 from surefoot.tune.search.settings import SearchSettings
 from surefoot.tune.search.space import apply
@@ -149,7 +150,7 @@ class _Search:
         except Error:  # numbers that are each in range and do not go together
             self._tell(trial.number, broken(Job({}, (), objectives)))
             return
-        queue.put(trial.number, Job(named(gains), self._episodes, objectives, hopeless))
+        queue.put(trial.number, Job(gain_values(gains), self._episodes, objectives, hopeless))
 
     def _tell(self, number: int, outcome: Outcome) -> None:
         trial = self._asked.pop(number)

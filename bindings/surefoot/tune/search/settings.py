@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from surefoot._core import Error, Gains, gain_table, get_gain
+from surefoot._core import Error, Gains
+from surefoot.gain_files import gain_values
 from surefoot.sim import PlantSettings
 from surefoot.tune.cost import weights_of
 from surefoot.tune.search.episodes import FINAL, HELD_OUT, Episode
@@ -96,10 +97,9 @@ class SearchSettings:
 
     def described(self) -> dict[str, Any]:
         """Return as plain data what makes two searches the same."""
-        start = {info.name: get_gain(self.start, info.name) for info in gain_table()}
         return {
             "robot": self.robot if isinstance(self.robot, str) else list(self.robot),
-            "start": start,
+            "start": gain_values(self.start),
             "objectives": list(self.objectives),
             "space": [[p.name, p.low, p.high] for p in self.space],
             "episodes": self.episodes,

@@ -6,9 +6,9 @@ from typing import Any
 
 from optuna.trial import FrozenTrial
 
+from surefoot.gain_files import changed_gains, gain_values
 from surefoot.plain import plain
 from surefoot.tune.cost import TERMS
-from surefoot.tune.search.rollout import named
 from surefoot.tune.search.run import Candidate, SearchResult
 from surefoot.tune.search.space import apply
 
@@ -16,8 +16,6 @@ from surefoot.tune.search.space import apply
 def summarise(result: SearchResult) -> dict[str, Any]:
     """Return everything as plain JSON types; costs are lower where better."""
     settings, trials = result.settings, result.trials
-    own = named(result.own.gains)
-    best = named(result.best.gains)
     two = len(settings.objectives) == 2
     summary = {
         "robot": settings.robot if isinstance(settings.robot, str) else list(settings.robot),
@@ -38,8 +36,8 @@ def summarise(result: SearchResult) -> dict[str, Any]:
             "best": result.best.held.terms,
         },
         "parameters": {p.name: p.get(result.best.gains) for p in settings.space},
-        "gains": best,
-        "gains_changed": {name: best[name] for name in best if best[name] != own[name]},
+        "gains": gain_values(result.best.gains),
+        "gains_changed": changed_gains(result.best.gains, result.own.gains),
         "importance": result.importance,
         "rollouts": result.speed,
         "front": [_on_front(result, trial) for trial in result.front] if two else None,
@@ -105,4 +103,4 @@ def _shown(cost: float | list[float] | None) -> str:
 
 def _on_front(result: SearchResult, trial: FrozenTrial) -> dict[str, Any]:
     gains = apply(trial.params, result.settings.start)
-    return {"trial": trial.number, "costs": list(trial.values), "gains": named(gains)}
+    return {"trial": trial.number, "costs": list(trial.values), "gains": gain_values(gains)}
