@@ -11,7 +11,6 @@
 namespace nb = nanobind;
 using namespace nb::literals;
 using namespace surefoot::plant;
-using surefoot::LowCmd;
 
 namespace {
 

@@ -179,11 +179,10 @@ void check_gain(const GainInfo& info, double value) {
 GainTable gain_table() noexcept { return {kRows, static_cast<int>(std::size(kRows))}; }
 
 void Gains::validate() const {
+  if (valid()) return;
   for (const GainInfo& info : kRows) check_gain(info, this->*info.member);
-  if (contact_force_off >= contact_force_on) {
-    throw Error("gain 'contact_force_off' must be below 'contact_force_on': got " +
-                to_text(contact_force_off) + " and " + to_text(contact_force_on));
-  }
+  throw Error("gain 'contact_force_off' must be below 'contact_force_on': got " +
+              to_text(contact_force_off) + " and " + to_text(contact_force_on));
 }
 
 bool Gains::valid() const noexcept {

@@ -64,7 +64,6 @@ void StandLoop::begin() noexcept {
   controller_.reset();
   safety_.reset();
   asked_ = {};
-  controller_.set_body_reference(asked_);
   last_ = damping_;
   silence_.heard(now_.time, link_.state().tick);
   restarts_ = link_.counts().restarts;
