@@ -10,14 +10,16 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kSpeed = 1.8;          // [rad/s]
+constexpr double kSpeed = 1.2;          // [rad/s]
 constexpr double kAcceleration = 15.0;  // [rad/s^2]
 constexpr double kPull = 4.0;           // [1/s] how the reference ends
 constexpr double kLead = 0.4;           // [rad] that it may run ahead of its joint
 constexpr double kKneeBeside = 1.3;     // [rad] thigh: up to here the hip is turned outward ...
 constexpr double kKneeUp = 2.2;         // ... and from here on it is straight
-constexpr double kThere = 0.005;        // [rad] of the reference
-constexpr double kNear = 0.25;          // [rad] of the joints: friction and the ground hold them
+constexpr double kHipOff = 0.2;     // [rad] of a hip: beyond it the thigh slows, at twice it waits
+constexpr double kHipsFirst = 3.0;  // [s] after which thighs wait no longer
+constexpr double kThere = 0.005;    // [rad] of the reference
+constexpr double kNear = 0.25;      // [rad] of the joints: friction and the ground hold them
 
 }  // namespace
 
@@ -44,7 +46,11 @@ const JointReference& LegFolding::step(const Vector12& measured, double dt) noex
   for (int i = 0; i < kMotors; ++i) {
     double &q = reference_.q[i], &dq = reference_.dq[i];
     const double ahead = std::abs(q - measured[i]);
-    const double most = kSpeed * std::clamp(2.0 * (1.0 - ahead / kLead), 0.0, 1.0);
+    double most = kSpeed * std::clamp(2.0 * (1.0 - ahead / kLead), 0.0, 1.0);
+    if (i % kLegJoints == 1 && time_ < kHipsFirst) {
+      const double off = std::abs(wanted[i - 1] - measured[i - 1]);
+      most *= std::clamp(2.0 - off / kHipOff, 0.0, 1.0);
+    }
     const double speed = std::clamp(kPull * (wanted[i] - q), -most, most);
     dq += std::clamp(speed - dq, -kAcceleration * dt, kAcceleration * dt);
     q += dq * dt;

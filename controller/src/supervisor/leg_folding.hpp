@@ -15,7 +15,8 @@ struct JointReference {
 ///
 /// All joints go at once. While a knee is below its hip that hip is turned outward, so that the leg
 /// sweeps beside the body; once the knee is up the hip goes straight, or the knees of a pair would
-/// meet over the back. A joint that is held up makes its reference wait. Real-time: yes.
+/// meet over the back. Thighs wait for their hips: one that is turned while its knee leans on the
+/// body wedges itself there. A joint that is held up makes its reference wait. Real-time: yes.
 class LegFolding {
  public:
   explicit LegFolding(const RisePlan& plan) : plan_(plan) {}

@@ -41,13 +41,13 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
   state_.f_lasting = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
   const Vector12 hold = holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
   const Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
-  Vector12 tau = hold + stiffness_ * pull + damping_ * (reference.dq - dq_);
+  Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
   for (int i = 0; i < kMotors; ++i) {
     tau[i] = std::clamp(tau[i], -kTorqueShare * motor_torque_limit(config, i, dq_[i], -1.0),
                         kTorqueShare * motor_torque_limit(config, i, dq_[i], 1.0));
   }
-  return limit_power(tau, hold, dq_, watts_).torques;
+  return limit_power(tau, hold, dq_, watts_, damping_).torques;
 }
 
 }  // namespace surefoot

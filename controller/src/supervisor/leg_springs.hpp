@@ -9,9 +9,11 @@
 namespace surefoot {
 
 /// Torques of joints held by springs and dampers, on top of what gravity takes:
-///   tau = tau_hold(load) + K (q_ref - q) + D (dq_ref - dq)
-/// with the spring's reach, the motors' limits and the power bounded. Feet and body are weighed by
-/// joint angles and the IMU's attitude alone. Real-time: yes.
+///   tau = tau_hold(load) + K (q_ref - q) + D dq_ref   and  - D dq  by the motors' own damping
+/// with the spring's reach, the motors' limits and the power bounded. The damping is the motors'
+/// because a leg that slips off the ground is let go of by a taut spring: what comes two or three
+/// ticks later is too late for the power protection. Feet and body are weighed by joint
+/// angles and the IMU's attitude alone. Real-time: yes.
 class LegSprings {
  public:
   /// @param watts most that sum |tau dq| may be [W]
@@ -20,6 +22,7 @@ class LegSprings {
   /// Read joints and attitude out of a report.
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
+  double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
   double cos_tilt() const noexcept { return cos_tilt_; }
 
   /// @param load share of the robot's weight that the feet bear, 0 .. 1

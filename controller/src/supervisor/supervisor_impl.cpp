@@ -182,8 +182,10 @@ void Supervisor::Impl::latch(DampingReason why) noexcept {
 Drive Supervisor::Impl::drive(Source source, const LowState& state) noexcept {
   Drive out;
   if (source == Source::kDamping) out.kd = damping_kd;
-  if (source == Source::kSprings)
+  if (source == Source::kSprings) {
     out.tau = springs.torques(reference, folded ? motion.load() : 0.0);
+    out.kd = springs.damping();
+  }
   if (source != Source::kProgram) return out;
   const LowCmd& command = stand.update(state);
   for (int i = 0; i < kMotors; ++i) out.tau[i] = command.motorCmd[i].tau;
