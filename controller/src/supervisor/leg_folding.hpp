@@ -15,8 +15,9 @@ struct JointReference {
 ///
 /// All joints go at once. While a knee is below its hip that hip is turned outward, so that the leg
 /// sweeps beside the body; once the knee is up the hip goes straight, or the knees of a pair would
-/// meet over the back. Thighs wait for their hips: one that is turned while its knee leans on the
-/// body wedges itself there. A joint that is held up makes its reference wait. Real-time: yes.
+/// meet over the back. A knee that leans over the body is turned back until its hip is straight:
+/// upright it would wedge itself against the body's edge. A joint that is held up makes its
+/// reference wait. Real-time: yes.
 class LegFolding {
  public:
   explicit LegFolding(const RisePlan& plan) : plan_(plan) {}
@@ -28,8 +29,8 @@ class LegFolding {
   bool stuck() const noexcept { return !done_ && time_ > kPatience; }
 
  private:
-  static constexpr double kPatience = 8.0;  // [s]
-  Vector12 target() const noexcept;
+  static constexpr double kPatience = 10.0;  // [s]
+  Vector12 target(const Vector12& measured) const noexcept;
 
   RisePlan plan_;
   JointReference reference_;

@@ -13,6 +13,7 @@ namespace {
 constexpr double kPlannedShare = 0.5;  // of the power level: what the plan takes
 constexpr double kLimitedShare = 0.8;  // of the power level: what the springs may take
 constexpr double kFallTilt = 0.7;      // [rad] while rising and sitting
+constexpr double kComeToRest = 0.03;   // [s]
 constexpr int kBadMotorReports = 3;
 constexpr Button kStopButton = Button::kB;
 
@@ -132,6 +133,11 @@ void Supervisor::Impl::enter(Mode mode) noexcept {
 void Supervisor::Impl::move(double dt) noexcept {
   if (now.mode == Mode::kRise) rise(dt);
   if (now.mode == Mode::kSit) sit(dt);
+  // Springs that only fade out come to rest.
+  if (now.mode == Mode::kPassive) {
+    reference.dq *= std::exp(-dt / kComeToRest);
+    reference.q += dt * reference.dq;
+  }
 }
 
 void Supervisor::Impl::rise(double dt) noexcept {
@@ -166,7 +172,6 @@ void Supervisor::Impl::sit(double dt) noexcept {
 // On the ground, or as good as: the motors' own damping takes over.
 void Supervisor::Impl::lie() noexcept {
   now.mode = Mode::kPassive;
-  reference.dq.setZero();
   fade.to(Source::kDamping);
 }
 
