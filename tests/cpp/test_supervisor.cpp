@@ -141,7 +141,7 @@ BOOST_FIXTURE_TEST_CASE(reports_that_stop_damp_within_twenty_milliseconds, AtRes
 
 BOOST_AUTO_TEST_CASE(a_plan_stays_within_its_power_and_goes_slower_for_less) {
   const Robot robot = quadruped();
-  const RisePlan fast = plan_rise(robot, 1000.0), slow = plan_rise(robot, 10.0);
+  const RisePlan fast = plan_rise(robot, 1000.0), slow = plan_rise(robot, 5.0);
   BOOST_TEST(slow.time > 2.0 * fast.time);
   BOOST_TEST(fast.torque_share < 1.0);
   for (int i = 0; i < kMotors; ++i) {

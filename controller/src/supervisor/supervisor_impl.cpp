@@ -178,7 +178,8 @@ void Supervisor::Impl::lie() noexcept {
 void Supervisor::Impl::latch(DampingReason why) noexcept {
   if (now.mode == Mode::kDamping) return;
   now.mode = Mode::kDamping;
-  now.armed = false;
+  now.armed = now.ready = false;
+  arming.distrust();  // what it was before it was let go of says nothing: the second begins anew
   fade.jump(Source::kDamping);
   safety.reset();
   reason = why;
