@@ -63,6 +63,18 @@ def test_a_rise_is_aborted_to_lying_and_may_be_asked_for_again(name: str, height
     assert robot.mode_step < 0.05
 
 
+def test_a_rise_may_be_aborted_while_its_torques_fade_in() -> None:
+    robot = Watched("go1", 5)
+    robot.arm()
+    robot.ask(Mode.RISE)
+    robot.run(0.1)
+    robot.ask(Mode.SIT)
+    assert robot.supervisor.mode == Mode.PASSIVE
+    robot.run(0.5)
+    assert damped(robot.command)
+    assert robot.mode_step < 0.05
+
+
 def test_on_the_way_down_it_may_be_asked_to_stand_again() -> None:
     robot = risen("go1", 1)
     robot.run(0.5)

@@ -13,7 +13,9 @@ RequestStatus judge_request(const RequestContext& now, Mode mode) noexcept {
                     (mode == Mode::kStand && now.mode == Mode::kSit);
   if (!fits) return RequestStatus::kOutOfOrder;
   if (lying && !now.ready) return RequestStatus::kNotReady;
-  return now.fading ? RequestStatus::kBusy : RequestStatus::kAccepted;
+  // A rise may be aborted at any time: what fades in just fades out again.
+  const bool busy = now.fading && now.mode != Mode::kRise;
+  return busy ? RequestStatus::kBusy : RequestStatus::kAccepted;
 }
 
 RequestStatus judge_arming(const RequestContext& now) noexcept {

@@ -22,9 +22,11 @@ class TorqueFade {
   static constexpr double kTime = 0.25;  // [s]
 
   void to(Source next) noexcept {
+    if (next == to_) return;
+    // Back to where it came from: from the share that it still has.
+    left_ = moving() && next == from_ ? kTime - left_ : kTime;
     from_ = to_;
     to_ = next;
-    left_ = from_ == next ? 0.0 : kTime;
   }
   void jump(Source next) noexcept {
     from_ = to_ = next;
