@@ -14,3 +14,4 @@ void bind_run(nanobind::module_& m);
 void bind_estimator(nanobind::module_& m);
 void bind_stand(nanobind::module_& m);
 void bind_safety(nanobind::module_& m);
+void bind_supervisor(nanobind::module_& m);

@@ -22,4 +22,5 @@ NB_MODULE(_core, m) {
   bind_link(m);
   bind_run(m);
   bind_safety(m);
+  bind_supervisor(m);
 }

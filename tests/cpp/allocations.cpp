@@ -3,12 +3,14 @@
 // (benchmarks/ticks/heap.cpp) and the throw itself for the whole program.
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
 #include "kkt.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "surefoot/supervisor.hpp"
 #include "ticks/heap.hpp"
 #include "wbc/qp_solver.hpp"
 #include "weather.hpp"
@@ -87,6 +89,44 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   return seen;
 }
 
+// A robot without mass: its joints go where they are pulled, as fast as they are damped.
+void follow(const LowCmd& command, LowState& report) {
+  report.tick += 2;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorCmd& motor = command.motorCmd[i];
+    MotorState& joint = report.motorState[i];
+    joint.tauEst = motor.tau;
+    joint.dq = motor.Kd > 1.0F ? std::clamp(motor.tau / motor.Kd, -5.0F, 5.0F) : 0.0F;
+    joint.q += 0.002F * joint.dq;
+  }
+}
+
+struct Supervised {
+  std::array<long, 5> ticks{};  // in each mode
+  long allocations = 0, exceptions = 0;
+};
+
+// Up, down, up again, stopped, armed again, and so on; every call but the constructor counts.
+Supervised supervise(const Robot& robot) {
+  Supervisor supervisor(robot);
+  LowState report = resting_report(robot, 0);
+  for (int i = 0; i < kMotors; ++i) report.motorState[i].mode = kModeServo;
+  Supervised seen;
+  const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
+  for (int tick = 0; tick < 25000; ++tick) {
+    follow(supervisor.update(report), report);
+    const Mode mode = supervisor.mode();
+    ++seen.ticks[static_cast<int>(mode)];
+    if (!supervisor.armed()) supervisor.arm();
+    if (mode == Mode::kPassive) supervisor.request(Mode::kRise);
+    if (mode == Mode::kStand && tick % 700 == 0) supervisor.request(Mode::kSit);
+    if (tick % 9000 == 0) supervisor.stop();
+  }
+  seen.allocations = bench::heap_allocations() - allocations_before;
+  seen.exceptions = exceptions - exceptions_before;
+  return seen;
+}
+
 // What the ticks above hardly ever need: ProxQP, in the place of the active-set method.
 long fallback_allocations() {
   QpSolver solver(12, 0, 72, 1e-6, 0);
@@ -132,5 +172,11 @@ int main() {
              s.exceptions == 0;
     }
   }
-  return good ? 0 : 1;
+  const Supervised s = supervise(robot);
+  std::printf(
+      "supervised, 25000 ticks: %ld allocations, %ld exceptions; passive %ld, rise %ld, "
+      "stand %ld, sit %ld, damping %ld\n",
+      s.allocations, s.exceptions, s.ticks[0], s.ticks[1], s.ticks[2], s.ticks[3], s.ticks[4]);
+  for (const long ticks : s.ticks) good = good && ticks > 100;
+  return good && s.allocations == 0 && s.exceptions == 0 ? 0 : 1;
 }

@@ -15,8 +15,9 @@ from surefoot.sim.adapter import Adapter
 from surefoot.sim.handles import find_handles
 from surefoot.sim.hands import Hand, Lift
 from surefoot.sim.hanging import hang
+from surefoot.sim.lying import REST_TIME, drop, rests
 from surefoot.sim.model import build_model
-from surefoot.sim.motors import Law, Motors, command_law
+from surefoot.sim.motors import Law, Motors, command_law, damping_law
 from surefoot.sim.physics import make_physics
 from surefoot.sim.pushes import PushSchedule
 from surefoot.sim.rotations import Array
@@ -145,6 +146,29 @@ class Plant:
                 f"anything was controlled: slope {settings.slope_deg:g} deg, friction "
                 f"{settings.friction:g}, payload {settings.payload_kg:g} kg; ask for less"
             )
+        return self._begin()
+
+    def reset_lying(self, rng: np.random.Generator) -> LowState:
+        """Drop the robot with its legs anyhow, motors braking, and return the first LowState.
+
+        It is dropped again until it rests within 20 degrees of level, legs clear of each other (see
+        sim/lying.py). The motors brake until the first LowCmd takes effect.
+
+        Raises:
+            Error: It never came to rest so in 100 times.
+        """
+        self.reset()
+        self._motors.law = damping_law()
+        for _ in range(100):
+            drop(self.model, self.data, self.handles, self.robot, rng)
+            self._advance(round(REST_TIME / self.settings.physics_dt))
+            if rests(self.model, self.data, self.handles):
+                return self._begin()
+        raise Error(f"robot '{self.robot.name}': dropped 100 times, it never came to rest level")
+
+    def _begin(self) -> LowState:
+        """Start sensors and schedules from where the robot is."""
+        settings = self.settings
         self._sensors.start()
         first = self._next = self.read()
         self._first_truth = self.truth

@@ -2,6 +2,7 @@
 #pragma once
 
 /// Everything: #include <surefoot/surefoot.hpp>
+#include "surefoot/arming.hpp"
 #include "surefoot/body_reference.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/frames.hpp"
@@ -12,6 +13,7 @@
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/stand_runner.hpp"
 #include "surefoot/state_estimator.hpp"
+#include "surefoot/supervisor.hpp"
 #include "surefoot/task.hpp"
 #include "surefoot/udp_link.hpp"
 #include "surefoot/whole_body_controller.hpp"

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/stl/string.h>
+
+#include "bindings.hpp"
+#include "surefoot/supervisor.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+using namespace surefoot;
+
+namespace {
+
+void bind_enums(nb::module_& m) {
+  nb::enum_<Mode>(m, "Mode", "What a supervised robot is doing.")
+      .value("PASSIVE", Mode::kPassive, "The motors damp.")
+      .value("RISE", Mode::kRise, "On its way up from lying.")
+      .value("STAND", Mode::kStand, "A StandController at work.")
+      .value("SIT", Mode::kSit, "On its way down; also how a rise is aborted.")
+      .value("DAMPING", Mode::kDamping, "The motors damp, latched: only arm() leads out.");
+  nb::enum_<RequestStatus>(m, "RequestStatus",
+                           "What became of a request; nothing moves for a refused one.")
+      .value("ACCEPTED", RequestStatus::kAccepted, "The next update() takes it up.")
+      .value("NO_STATE", RequestStatus::kNoState, "No valid LowState has come yet.")
+      .value("NOT_ARMED", RequestStatus::kNotArmed, "arm() first.")
+      .value("NOT_READY", RequestStatus::kNotReady, "An arming check fails, or passed too briefly.")
+      .value("LATCHED", RequestStatus::kLatched, "Damping is latched: arm() first.")
+      .value("OUT_OF_ORDER", RequestStatus::kOutOfOrder, "Not from this mode.")
+      .value("BUSY", RequestStatus::kBusy, "Another request waits, or torques are fading.");
+  nb::enum_<DampingReason>(m, "DampingReason", "Why the damping latched last.")
+      .value("NONE", DampingReason::kNone)
+      .value("STOP", DampingReason::kStop, "stop().")
+      .value("BUTTON", DampingReason::kButton, "B on the remote.")
+      .value("BAD_STATE", DampingReason::kBadState, "LowStates stale or impossible for too long.")
+      .value("FALLEN", DampingReason::kFallen, "The body tilted too far.")
+      .value("MOTOR", DampingReason::kMotor, "A motor left servo mode.")
+      .value("POWER", DampingReason::kPower, "The power protection tripped.")
+      .value("CONTROLLER", DampingReason::kController, "The StandController gave up.");
+}
+
+void bind_arming(nb::module_& m) {
+  nb::class_<ArmingCheck>(m, "ArmingCheck", "One arming check: what was found.")
+      .def_ro("applies", &ArmingCheck::applies, "False: nothing to judge; counts as passed.")
+      .def_ro("passed", &ArmingCheck::passed)
+      .def_ro("value", &ArmingCheck::value, "The worst that was found; unit in the text.")
+      .def_ro("limit", &ArmingCheck::limit, "What it was held against.")
+      .def_ro("motor", &ArmingCheck::motor, "SDK number of the motor found at, or -1.")
+      .def_ro("other", &ArmingCheck::other, "Motor it seems swapped with, or -1.");
+  nb::class_<ArmingReport>(m, "ArmingReport", "All arming checks of one tick.")
+      .def_ro("held", &ArmingReport::held, "[s] that all have passed without a break.")
+      .def_ro("ready", &ArmingReport::ready, "Have they for the time that arming asks for?")
+      .def_prop_ro(
+          "checks",
+          [](const ArmingReport& report) {
+            nb::typed<nb::dict, nb::str, ArmingCheck> checks;
+            for (int i = 0; i < kArmingChecks; ++i) {
+              checks[to_string(static_cast<ArmingCheckId>(i))] = report.checks[i];
+            }
+            return checks;
+          },
+          "By name: link, motor_mode, temperature, quaternion, gyroscope, accelerometer, tilt, "
+          "joints, motor_order, foot_force, program.")
+      .def(
+          "failures",
+          [](const ArmingReport& report, const Robot& robot) {
+            return describe_failures(report, robot.config());
+          },
+          "robot"_a, "Return a sentence for every check that failed, one a line.");
+}
+
+void bind_machine(nb::module_& m) {
+  nb::class_<SupervisorOptions>(m, "SupervisorOptions", "What is set once for a Supervisor.")
+      .def(
+          "__init__",
+          [](SupervisorOptions* self, int power_level, double arming_time,
+             double temperature_warning, double joint_margin, const StandOptions& stand) {
+            new (self) SupervisorOptions{power_level, arming_time, temperature_warning,
+                                         joint_margin, stand};
+          },
+          "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
+          "joint_margin"_a = -0.15, "stand"_a = StandOptions())
+      .def_rw("power_level", &SupervisorOptions::power_level,
+              "1 .. 10, of power_protect(); plans keep below it.")
+      .def_rw("arming_time", &SupervisorOptions::arming_time, "[s] that all checks must pass.")
+      .def_rw("temperature_warning", &SupervisorOptions::temperature_warning, "[deg C].")
+      .def_rw("joint_margin", &SupervisorOptions::joint_margin,
+              "[rad] kept from the limits for arming; negative: beyond.")
+      .def_rw("stand", &SupervisorOptions::stand, "Of the StandController.");
+  nb::class_<Supervisor>(m, "Supervisor",
+                         "Takes a robot from lying to standing and back, behind arming, refusals "
+                         "and a stop.\n\n"
+                         "request(), arm() and stop() may be called from any thread; update() "
+                         "belongs to one.")
+      .def(
+          "__init__",
+          [](Supervisor* self, const Robot& robot, const Gains* gains,
+             const SupervisorOptions& options) {
+            new (self) Supervisor(robot, gains ? *gains : robot.config().gains, options);
+          },
+          "robot"_a, "gains"_a = nb::none(), "options"_a = SupervisorOptions(),
+          "Raise Error: not twelve joints, an invalid gain or option.")
+      .def(
+          "update", [](Supervisor& s, const LowState& state) { return LowCmd(s.update(state)); },
+          "low_state"_a, "Compute one tick: LowState in, a copy of the LowCmd out.")
+      .def("request", &Supervisor::request, "mode"_a,
+           "Ask for RISE (from PASSIVE), SIT (from RISE and STAND) or STAND (from SIT).")
+      .def("arm", &Supervisor::arm, "Allow requests, and leave latched damping.")
+      .def("stop", &Supervisor::stop, "Damp at once and latch, whatever the mode.")
+      .def_prop_ro("mode", &Supervisor::mode)
+      .def_prop_ro("armed", &Supervisor::armed)
+      .def_prop_ro("reason", &Supervisor::reason, "Why the damping latched last.")
+      .def_prop_ro("arming", &Supervisor::arming, "Every check of the last tick: a copy.")
+      .def_prop_ro("height", &Supervisor::height, "Way from lying (0) to standing (1).")
+      .def_prop_ro("rise_time", &Supervisor::rise_time, "[s] from legs folded to standing.")
+      .def_prop_ro("stuck", &Supervisor::stuck, "Did the last rise give up?")
+      .def("set_body_reference", &Supervisor::set_body_reference, "target"_a,
+           "Ask for another pose of the body while standing.")
+      .def_prop_ro("stand", &Supervisor::stand, nb::rv_policy::reference_internal,
+                   "The StandController, to look at.");
+}
+
+}  // namespace
+
+void bind_supervisor(nb::module_& m) {
+  bind_enums(m);
+  bind_arming(m);
+  bind_machine(m);
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "surefoot/arming.hpp"
+#include "surefoot/stand_controller.hpp"
+
+namespace surefoot {
+
+/// What the robot is doing.
+enum class Mode : int {
+  kPassive = 0,  ///< the motors damp; where it begins, and where sitting down ends
+  kRise,         ///< on its way up from lying
+  kStand,        ///< a StandController at work
+  kSit,          ///< on its way down; also how a rise is aborted
+  kDamping       ///< the motors damp, latched: only arm() leads out
+};
+const char* to_string(Mode mode) noexcept;
+
+/// What became of a request. Anything but kAccepted: nothing moves for it.
+enum class RequestStatus : int {
+  kAccepted = 0,  ///< the next update() takes it up
+  kNoState,       ///< no valid LowState has come yet
+  kNotArmed,      ///< arm() first
+  kNotReady,      ///< an arming check fails, or has not passed for long enough: arming()
+  kLatched,       ///< damping is latched: arm() first
+  kOutOfOrder,    ///< not from this mode: rise from passive, sit from rise and stand, ...
+  kBusy           ///< another request waits, or torques are on their way from mode to mode
+};
+const char* to_string(RequestStatus status) noexcept;
+
+/// Why the damping latched last.
+enum class DampingReason : int {
+  kNone = 0,
+  kStop,        ///< stop()
+  kButton,      ///< B on the remote
+  kBadState,    ///< LowStates were stale or impossible for longer than a command may live
+  kFallen,      ///< the body tilted too far
+  kMotor,       ///< a motor left servo mode
+  kPower,       ///< the power protection tripped
+  kController,  ///< the StandController gave up: stand().fault()
+};
+const char* to_string(DampingReason reason) noexcept;
+
+/// What is set once.
+struct SupervisorOptions {
+  int power_level = 1;                ///< 1 .. 10, of Safety::power_protect(); plans keep below it
+  double arming_time = 1.0;           ///< [s] that all checks must have passed
+  double temperature_warning = 60.0;  ///< [deg C]
+  /// [rad] kept from the limits for arming; negative: so far beyond. A calf at rest fully folded
+  /// lies on its stop, outside the limits that motions keep.
+  double joint_margin = -0.15;
+  StandOptions stand;
+
+  /// Throw surefoot::Error naming what is out of range.
+  void validate() const;
+};
+
+/// Takes a robot from lying to standing and back, behind arming, refusals and a stop: LowState in,
+/// LowCmd out.
+///
+/// Rising folds the legs from wherever they are, feet beside the body and knees up, then follows a
+/// straight line in the joints to the standing pose, all legs alike, so that feet stay where they
+/// are while the body goes up and forward. Its pace is what half of the power level allows by the
+/// torques that hold the robot. Sitting is the same line backwards. Torques fade from mode to mode
+/// in 0.25 s; only damping for a stop or a fault is at once.
+///
+/// update(), stand() and set_body_reference() belong to one thread. request(), arm(), stop(),
+/// mode(), armed(), arming() and reason() may be called from any; none of them waits.
+class Supervisor {
+ public:
+  /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
+  /// invalid.
+  explicit Supervisor(const Robot& robot);
+  Supervisor(const Robot& robot, const Gains& gains, const SupervisorOptions& options = {});
+  ~Supervisor();
+  Supervisor(Supervisor&&) noexcept;
+
+  /// Compute one tick; never throws, allocates, locks or logs. Real-time: yes.
+  const LowCmd& update(const LowState& low_state) noexcept;
+
+  /// Ask for a mode: kRise from passive; kSit from rise and stand; kStand while sitting down, to
+  /// come up again. Any thread. Real-time: yes.
+  RequestStatus request(Mode mode) noexcept;
+  /// Allow requests, and leave latched damping for passive. Any thread. Real-time: yes.
+  RequestStatus arm() noexcept;
+  /// Damp at once and latch, whatever the mode. Any thread, any number of times. Real-time: yes.
+  void stop() noexcept;
+
+  Mode mode() const noexcept;
+  bool armed() const noexcept;
+  DampingReason reason() const noexcept;
+  /// Every check with its verdict, a consistent copy of the last tick's. Any thread.
+  ArmingReport arming() const noexcept;
+
+  /// How far up the robot is on the way from lying (0) to standing (1), as commanded.
+  double height() const noexcept;
+  /// [s] that the plan takes from lying legs folded to standing.
+  double rise_time() const noexcept;
+  /// Did the last rise give up because a leg could not fold or the body could not follow?
+  bool stuck() const noexcept;
+
+  void set_body_reference(const BodyReference& target) noexcept;  ///< in force while standing
+  const StandController& stand() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace surefoot

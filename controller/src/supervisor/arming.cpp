@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/arming.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kLoss = 0.01;     // share of reports that may be missing
+constexpr double kWindow = 1.0;    // [s] over which that is counted
+constexpr double kUnit = 1e-3;     // that a quaternion may be off unit length: float's rounding
+constexpr double kTurning = 0.05;  // [rad/s]
+constexpr double kGravityShare = 0.05;  // that |a| may be off g
+constexpr double kSmoothing = 0.1;      // [s] over which the IMU's noise is averaged
+constexpr double kLevel = 0.44;         // [rad] 25 degrees: what a robot gets up from, and a little
+constexpr double kWeightShare = 0.25;   // that the feet's forces may be off m g
+constexpr double kStandingPose = 0.35;  // [rad] off the standing pose that is still standing
+constexpr double kSwapMargin = 0.2;     // [rad] outside its range by which an angle is another's
+
+void expect_below(ArmingCheck& check, double value, double limit) noexcept {
+  check.value = value;
+  check.limit = limit;
+  check.passed = value < limit;  // NaN fails
+}
+
+}  // namespace
+
+Arming::Arming(const Robot& robot, const ArmingLimits& limits) : robot_(robot), limits_(limits) {
+  expect_below(at(ArmingCheckId::kProgram), limits.torque_share, 1.0);
+}
+
+void Arming::update(const LowState& state, double step) noexcept {
+  count_link(step);
+  check_motors(state);
+  check_imu(state, step);
+  check_joints(state);
+  check_order(state);
+  check_feet(state);
+  conclude(step);
+}
+
+void Arming::missed() noexcept {
+  missing_ += 1.0;
+  ArmingCheck& link = at(ArmingCheckId::kLink);
+  expect_below(link, missing_ / (come_ + missing_), kLoss);
+  link.passed = false;  // fresh is what comes now
+  distrust();
+}
+
+void Arming::count_link(double step) noexcept {
+  // The shortest step of late is a period: it follows a faster link at once, a slower one in time.
+  if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
+  const double fade = std::exp(-step / kWindow);
+  come_ = fade * come_ + 1.0;
+  missing_ *= fade;
+  if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);
+  expect_below(at(ArmingCheckId::kLink), missing_ / (come_ + missing_), kLoss);
+}
+
+void Arming::check_motors(const LowState& state) noexcept {
+  ArmingCheck &mode = at(ArmingCheckId::kMotorMode), &heat = at(ArmingCheckId::kTemperature);
+  mode = {};
+  mode.passed = true;
+  mode.limit = kModeServo;
+  heat = {};
+  heat.value = -300.0;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorState& motor = state.motorState[i];
+    if (motor.mode != kModeServo && mode.passed) {
+      mode.passed = false;
+      mode.value = motor.mode;
+      mode.motor = i;
+    }
+    if (motor.temperature > heat.value) {
+      heat.motor = i;
+      heat.value = motor.temperature;
+    }
+  }
+  expect_below(heat, heat.value, limits_.temperature);
+}
+
+void Arming::check_imu(const LowState& state, double step) noexcept {
+  const std::array<float, 4> q = state.imu.quaternion;  // packed: copied
+  const std::array<float, 3> w = state.imu.gyroscope, a = state.imu.accelerometer;
+  const double share = started_ ? -std::expm1(-step / kSmoothing) : 1.0;
+  started_ = true;
+  const Vector3 gyro(w[0], w[1], w[2]), accelerometer(a[0], a[1], a[2]);
+  // What is no number must not stay in the average for ever.
+  const bool numbers = gyro.allFinite() && accelerometer.allFinite();
+  gyro_ = numbers && gyro_.allFinite() ? Vector3(gyro_ + share * (gyro - gyro_)) : gyro;
+  accelerometer_ = numbers && accelerometer_.allFinite()
+                       ? Vector3(accelerometer_ + share * (accelerometer - accelerometer_))
+                       : accelerometer;
+  const Eigen::Vector4d quaternion(q[0], q[1], q[2], q[3]);
+  expect_below(at(ArmingCheckId::kQuaternion), std::abs(quaternion.norm() - 1.0), kUnit);
+  expect_below(at(ArmingCheckId::kGyroscope), gyro_.norm(), kTurning);
+  expect_below(at(ArmingCheckId::kAccelerometer), std::abs(accelerometer_.norm() / kGravity - 1.0),
+               kGravityShare);
+  const Eigen::Vector4d mount = robot_.config().quat_base_imu;
+  const Quaternion R_base_imu(mount[0], mount[1], mount[2], mount[3]);
+  const Vector3 up = R_base_imu * accelerometer_;
+  expect_below(at(ArmingCheckId::kTilt), std::acos(std::clamp(up.z() / up.norm(), -1.0, 1.0)),
+               kLevel);
+}
+
+void Arming::check_joints(const LowState& state) noexcept {
+  const RobotConfig& config = robot_.config();
+  ArmingCheck worst;
+  worst.value = -1e9;
+  for (int i = 0; i < kMotors; ++i) {
+    const double q = state.motorState[i].q;
+    const double outside = std::max(q - config.q_upper[i], config.q_lower[i] - q);
+    if (!(outside <= worst.value)) {
+      worst.value = outside;
+      worst.motor = i;
+    }
+  }
+  expect_below(worst, worst.value, -limits_.joint_margin);
+  at(ArmingCheckId::kJoints) = worst;
+}
+
+// An angle that is far outside its own motor's range and inside another's of the same leg, while
+// that one's fits here: the two are swapped. Only what the ranges tell apart can be seen: calves.
+void Arming::check_order(const LowState& state) noexcept {
+  const RobotConfig& config = robot_.config();
+  const auto outside = [&](int angle_of, int motor) {
+    const double q = state.motorState[angle_of].q;
+    return std::max(q - config.q_upper[motor], config.q_lower[motor] - q);
+  };
+  ArmingCheck& check = at(ArmingCheckId::kMotorOrder);
+  check = {};
+  check.passed = true;
+  check.limit = kSwapMargin;
+  for (int i = 0; i < kMotors; ++i) {
+    if (outside(i, i) < kSwapMargin) continue;
+    check.passed = false;
+    check.motor = i;
+    check.value = outside(i, i);
+    const int leg = i - i % kLegJoints;
+    for (int k = leg; k < leg + kLegJoints; ++k) {
+      if (k != i && outside(i, k) < 0.0 && outside(k, i) < 0.0) check.other = k;
+    }
+    return;
+  }
+}
+
+void Arming::check_feet(const LowState& state) noexcept {
+  const RobotConfig& config = robot_.config();
+  double total = 0.0, off = 0.0;
+  for (int i = 0; i < kLegs; ++i) total += state.footForceEst[i];
+  for (int i = 0; i < kMotors; ++i) {
+    off = std::max(off, std::abs(state.motorState[i].q - config.q_standing[i]));
+  }
+  ArmingCheck& check = at(ArmingCheckId::kFootForce);
+  expect_below(check, std::abs(total / (robot_.mass() * kGravity) - 1.0), kWeightShare);
+  check.applies = off < kStandingPose && total != 0.0;
+}
+
+void Arming::conclude(double step) noexcept {
+  bool all = true;
+  for (const ArmingCheck& check : report_.checks) all = all && (check.passed || !check.applies);
+  report_.held = all ? report_.held + step : 0.0;
+  report_.ready = report_.held >= limits_.time;
+}
+
+}  // namespace surefoot

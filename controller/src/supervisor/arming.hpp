@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/arming.hpp"
+#include "surefoot/low_level.hpp"
+#include "surefoot/robot.hpp"
+
+namespace surefoot {
+
+/// What the checks are held against.
+struct ArmingLimits {
+  double time = 1.0;          // [s] that all must pass
+  double temperature = 60.0;  // [deg C]
+  double joint_margin = 0.0;  // [rad] inside the limits
+  double torque_share = 0.0;  // of tau_max that the plan takes; below 1 it is feasible
+};
+
+/// Runs the arming checks on every LowState. Real-time: update(), missed().
+class Arming {
+ public:
+  Arming(const Robot& robot, const ArmingLimits& limits);
+
+  /// Judge a report. @param step [s] since the one before
+  void update(const LowState& state, double step) noexcept;
+  /// A call that brought no new report, or an impossible one.
+  void missed() noexcept;
+  /// The report just judged is no good for reasons of its own.
+  void distrust() noexcept { report_.held = 0.0, report_.ready = false; }
+  const ArmingReport& report() const noexcept { return report_; }
+
+ private:
+  ArmingCheck& at(ArmingCheckId id) noexcept { return report_.checks[static_cast<int>(id)]; }
+  void count_link(double step) noexcept;
+  void check_motors(const LowState& state) noexcept;
+  void check_imu(const LowState& state, double step) noexcept;
+  void check_joints(const LowState& state) noexcept;
+  void check_order(const LowState& state) noexcept;
+  void check_feet(const LowState& state) noexcept;
+  void conclude(double step) noexcept;
+
+  Robot robot_;
+  ArmingLimits limits_;
+  ArmingReport report_;
+  Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();  // noise averaged out
+  bool started_ = false;
+  double period_ = 0.0;                // [s] between reports, the shortest of late
+  double come_ = 0.0, missing_ = 0.0;  // reports of the last second or so
+};
+
+}  // namespace surefoot

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/supervisor.hpp"
+
+#include "supervisor/supervisor_impl.hpp"
+#include "surefoot/error.hpp"
+#include "text.hpp"
+
+namespace surefoot {
+
+void SupervisorOptions::validate() const {
+  const auto expect = [](const char* name, double got, double lower, double upper) {
+    if (got >= lower && got <= upper) return;
+    throw Error(std::string("option '") + name + "' out of range: got " + to_text(got) +
+                ", expected " + to_text(lower) + " .. " + to_text(upper));
+  };
+  expect("power_level", power_level, 1.0, 10.0);
+  expect("arming_time", arming_time, 0.0, 60.0);
+  expect("temperature_warning", temperature_warning, 0.0, 127.0);
+  expect("joint_margin", joint_margin, -0.5, 0.5);
+  stand.validate();
+}
+
+Supervisor::Supervisor(const Robot& robot) : Supervisor(robot, robot.config().gains) {}
+Supervisor::Supervisor(const Robot& robot, const Gains& gains, const SupervisorOptions& options)
+    : impl_(std::make_unique<Impl>(robot, gains, options)) {}
+Supervisor::~Supervisor() = default;
+Supervisor::Supervisor(Supervisor&&) noexcept = default;
+
+const LowCmd& Supervisor::update(const LowState& low_state) noexcept {
+  return impl_->tick(low_state);
+}
+RequestStatus Supervisor::request(Mode mode) noexcept { return impl_->requests.ask(mode); }
+RequestStatus Supervisor::arm() noexcept { return impl_->requests.ask_to_arm(); }
+void Supervisor::stop() noexcept { impl_->requests.stop(); }
+
+Mode Supervisor::mode() const noexcept { return impl_->requests.context().mode; }
+bool Supervisor::armed() const noexcept { return impl_->requests.context().armed; }
+DampingReason Supervisor::reason() const noexcept { return impl_->reason; }
+ArmingReport Supervisor::arming() const noexcept { return impl_->report.read(); }
+double Supervisor::height() const noexcept { return impl_->height; }
+double Supervisor::rise_time() const noexcept { return impl_->plan.time; }
+bool Supervisor::stuck() const noexcept { return impl_->gave_up; }
+
+void Supervisor::set_body_reference(const BodyReference& target) noexcept {
+  impl_->stand.set_body_reference(target);
+}
+const StandController& Supervisor::stand() const noexcept { return impl_->stand; }
+
+const char* to_string(Mode mode) noexcept {
+  constexpr std::array<const char*, 5> names = {"passive", "rise", "stand", "sit", "damping"};
+  return names[static_cast<int>(mode)];
+}
+
+const char* to_string(RequestStatus status) noexcept {
+  constexpr std::array<const char*, 7> names = {
+      "accepted", "no_state", "not_armed", "not_ready", "latched", "out_of_order", "busy"};
+  return names[static_cast<int>(status)];
+}
+
+const char* to_string(DampingReason reason) noexcept {
+  constexpr std::array<const char*, 8> names = {"none",   "stop",  "button", "bad_state",
+                                                "fallen", "motor", "power",  "controller"};
+  return names[static_cast<int>(reason)];
+}
+
+}  // namespace surefoot

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How modes are entered, and what moves in them.
+#include <cmath>
+
+#include "supervisor/supervisor_impl.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kComeToRest = 0.03;  // [s]
+}
+
+void Supervisor::Impl::enter(Mode mode) noexcept {
+  if (mode == Mode::kRise) {
+    folding.start(springs.q());
+    folded = gave_up = false;
+    safety.reset();
+    bad_motors = 0;
+    fade.to(Source::kSprings);
+  } else if (mode == Mode::kSit && now.mode == Mode::kStand) {
+    motion.start(1.0, springs.q());
+    motion.go_to(0.0);
+    fade.to(Source::kSprings);
+  } else {
+    motion.go_to(mode == Mode::kSit ? 0.0 : 1.0);
+  }
+  // Standing is asked for on the way down: that is a rise from where it is.
+  now.mode = mode == Mode::kStand ? Mode::kRise : mode;
+}
+
+void Supervisor::Impl::move(double dt) noexcept {
+  if (now.mode == Mode::kRise) rise(dt);
+  if (now.mode == Mode::kSit) sit(dt);
+  // Springs that only fade out come to rest.
+  if (now.mode == Mode::kPassive) {
+    reference.dq *= std::exp(-dt / kComeToRest);
+    reference.q += dt * reference.dq;
+  }
+}
+
+void Supervisor::Impl::rise(double dt) noexcept {
+  if (!folded) {
+    reference = folding.step(springs.q(), dt);
+    if (folding.done()) {
+      folded = true;
+      motion.start(0.0, reference.q);
+      motion.go_to(1.0);
+    } else if (folding.stuck()) {
+      gave_up = true;
+      lie();
+    }
+    return;
+  }
+  reference = motion.step(springs.q(), dt);
+  if (motion.stuck()) {
+    gave_up = true;
+    enter(Mode::kSit);
+  } else if (motion.arrived()) {
+    stand.reset();
+    now.mode = Mode::kStand;
+    fade.to(Source::kProgram);
+  }
+}
+
+void Supervisor::Impl::sit(double dt) noexcept {
+  if (folded) reference = motion.step(springs.q(), dt);
+  if (!folded || motion.arrived()) lie();
+}
+
+// On the ground, or as good as: the motors' own damping takes over.
+void Supervisor::Impl::lie() noexcept {
+  now.mode = Mode::kPassive;
+  fade.to(Source::kDamping);
+}
+
+}  // namespace surefoot

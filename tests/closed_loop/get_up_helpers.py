@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A supervised robot on its plant: one tick at a time, watched."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import surefoot
+from surefoot import Mode, RequestStatus
+from surefoot.sim import Plant, PlantSettings
+
+LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # of the power protection
+
+
+class Watched:
+    """A lying robot with its supervisor.
+
+    Attributes:
+        refused: Ticks that the power protection would have stopped.
+        power: Greatest it judged, while torques were on [W].
+        mode_step: Greatest change of a motor's torque in the two ticks after a change of mode, as
+            a share of its limit; torque is what motors are told, their own damping included.
+        step_share: The same, over all ticks.
+    """
+
+    def __init__(self, name: str, seed: int) -> None:
+        self.plant = Plant(name, PlantSettings(seed=seed))
+        self.state = self.plant.reset_lying(np.random.default_rng([seed, 99]))
+        level = LEVELS[name]
+        options = surefoot.SupervisorOptions(power_level=level)
+        self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
+        self._safety, self._level = surefoot.Safety(self.plant.robot), level
+        self._tau_max = np.array(self.plant.robot.config.tau_max)
+        self._tau: np.ndarray | None = None
+        self._mode, self._since_change = self.supervisor.mode, 99
+        self.command = surefoot.LowCmd()
+        self.refused, self.power, self.mode_step, self.step_share = 0, 0.0, 0.0, 0.0
+
+    def tick(self) -> None:
+        self.command = self.supervisor.update(self.state)
+        refused = self._safety.power_protect(self.command, self.state, self._level) < 0
+        self.refused += refused
+        self.power = max(self.power, self._safety.power)
+        self._watch_torque()
+        self.state = self.plant.step(self.command)
+
+    def run(self, seconds: float, until: Callable[[], bool] = lambda: False) -> bool:
+        """Go on until a condition; return whether it came true."""
+        for _ in range(round(500 * seconds)):
+            if until():
+                return True
+            self.tick()
+        return until()
+
+    def reaches(self, mode: Mode, seconds: float) -> bool:
+        return self.run(seconds, lambda: self.supervisor.mode == mode)
+
+    def arm(self) -> None:
+        assert self.run(3.0, lambda: self.supervisor.arming.ready), self.failures
+        assert self.supervisor.arm() == RequestStatus.ACCEPTED
+        self.tick()
+
+    def ask(self, mode: Mode) -> None:
+        assert self.supervisor.request(mode) == RequestStatus.ACCEPTED
+        self.tick()
+
+    @property
+    def failures(self) -> str:
+        return str(self.supervisor.arming.failures(self.plant.robot))
+
+    def _watch_torque(self) -> None:
+        motors = [self.command.motorCmd[i] for i in range(12)]
+        speeds = [self.state.motorState[i].dq for i in range(12)]
+        tau = np.array([m.tau - m.Kd * dq for m, dq in zip(motors, speeds, strict=True)])
+        mode = self.supervisor.mode
+        self._since_change = 0 if mode != self._mode else self._since_change + 1
+        if self._tau is not None:
+            step = float(np.max(np.abs(tau - self._tau) / self._tau_max))
+            self.step_share = max(self.step_share, step)
+            if self._since_change < 2:
+                self.mode_step = max(self.mode_step, step)
+        self._tau, self._mode = tau, mode
+
+
+def damped(command: surefoot.LowCmd) -> bool:
+    """Return whether the motors brake by themselves and nothing else."""
+    motors = [command.motorCmd[i] for i in range(12)]
+    return all(m.Kd > 0 and m.dq == 0 and m.tau == 0 and m.Kp == 0 for m in motors)

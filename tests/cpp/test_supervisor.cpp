@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+#include <thread>
+
+#include "scenes.hpp"
+#include "supervisor/height_motion.hpp"
+#include "supervisor/leg_folding.hpp"
+#include "supervisor/published.hpp"
+#include "supervisor/rise_plan.hpp"
+#include "surefoot/error.hpp"
+#include "surefoot/supervisor.hpp"
+#include "surefoot/wireless_remote.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+bool damping(const LowCmd& command) {
+  bool good = true;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorCmd& m = command.motorCmd[i];
+    good = good && m.Kp == 0.0F && m.Kd > 0.0F && m.tau == 0.0F && m.dq == 0.0F;
+  }
+  return good;
+}
+
+/// A robot at rest in some pose, reports every 2 ms; nothing that it is told moves it.
+struct AtRest {
+  Robot robot = quadruped();
+  Supervisor supervisor{robot};
+  LowState report = resting_report(robot, 0);
+  LowCmd last = init_low_cmd();
+  AtRest() {
+    for (int i = 0; i < kMotors; ++i) {
+      report.motorState[i].mode = kModeServo;
+      report.motorState[i].temperature = 30;
+    }
+  }
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(500.0 * seconds); ++i) {
+      report.tick += 2;
+      last = supervisor.update(report);
+    }
+  }
+  std::string failures() const { return describe_failures(supervisor.arming(), robot.config()); }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(supervisor)
+
+BOOST_FIXTURE_TEST_CASE(all_checks_must_pass_for_a_second, AtRest) {
+  BOOST_TEST((supervisor.arm() == RequestStatus::kNoState));
+  run(0.9);
+  BOOST_TEST(failures() == "");
+  BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
+  run(0.2);
+  BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
+  BOOST_TEST(!supervisor.armed());
+  run(0.002);
+  BOOST_TEST(supervisor.armed());
+  BOOST_TEST(damping(last));
+}
+
+BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
+  const LowState good = report;
+  const auto expect = [&](const char* words) {
+    run(1.2);
+    BOOST_TEST(failures().find(words) != std::string::npos, failures() << " has no " << words);
+    BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
+    const std::uint32_t tick = report.tick;
+    report = good;
+    report.tick = tick;
+    run(1.2);
+    BOOST_TEST(supervisor.arming().ready);
+  };
+  run(0.1);
+  report.motorState[RR_2].temperature = 71;
+  expect("temperature: RR_2 at 71 deg C, expected below 60");
+  report.motorState[FL_1].mode = 0x08;
+  expect("motor_mode: FL_1 in mode 0x08");
+  report.imu.gyroscope = {0.0F, 0.1F, 0.0F};
+  expect("gyroscope: 0.100 rad/s");
+  report.imu.accelerometer = {0.0F, 0.0F, 9.0F};
+  expect("accelerometer");
+  report.imu.quaternion = {0.9F, 0.0F, 0.0F, 0.0F};
+  expect("quaternion");
+  std::swap(report.motorState[FR_1].q, report.motorState[FR_2].q);
+  expect("motor_order: FR_1 and FR_2 seem swapped");
+  report.imu.accelerometer = {6.0F, 0.0F, 7.8F};
+  expect("tilt");
+}
+
+BOOST_FIXTURE_TEST_CASE(a_link_that_loses_reports_is_not_armed, AtRest) {
+  run(1.5);
+  BOOST_TEST(supervisor.arming().ready);
+  for (int i = 0; i < 20; ++i) {
+    run(0.06);
+    report.tick += 4;
+  }
+  run(0.002);
+  BOOST_TEST(failures().find("link") != std::string::npos);
+}
+
+BOOST_FIXTURE_TEST_CASE(no_number_in_a_report_spoils_the_next, AtRest) {
+  run(1.2);
+  report.imu.accelerometer = {NAN, 0.0F, 9.81F};
+  run(0.1);
+  BOOST_TEST(damping(last));
+  BOOST_TEST(!supervisor.arming().ready);
+  report.imu.accelerometer = {0.0F, 0.0F, 9.81F};
+  run(1.2);
+  BOOST_TEST(supervisor.arming().ready);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_rise_that_nothing_follows_gives_up_and_damps, AtRest) {
+  run(1.1);
+  supervisor.arm();
+  run(0.002);
+  BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
+  run(0.002);
+  BOOST_TEST((supervisor.mode() == Mode::kRise));
+  run(12.0);
+  BOOST_TEST((supervisor.mode() == Mode::kPassive));
+  BOOST_TEST(supervisor.stuck());
+  BOOST_TEST(damping(last));
+}
+
+BOOST_FIXTURE_TEST_CASE(reports_that_stop_damp_within_twenty_milliseconds, AtRest) {
+  run(1.1);
+  supervisor.arm();
+  run(0.002);
+  supervisor.request(Mode::kRise);
+  run(0.5);
+  BOOST_TEST(!damping(last));
+  for (int i = 0; i < 10; ++i) last = supervisor.update(report);
+  BOOST_TEST(damping(last));
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.reason() == DampingReason::kBadState));
+}
+
+BOOST_AUTO_TEST_CASE(a_plan_stays_within_its_power_and_goes_slower_for_less) {
+  const Robot robot = quadruped();
+  const RisePlan fast = plan_rise(robot, 1000.0), slow = plan_rise(robot, 5.0);
+  BOOST_TEST(slow.time > 2.0 * fast.time);
+  BOOST_TEST(fast.torque_share < 1.0);
+  for (int i = 0; i < kMotors; ++i) {
+    BOOST_TEST(fast.folded[i] > robot.config().q_lower[i]);
+    BOOST_TEST(fast.folded[i] < robot.config().q_upper[i]);
+  }
+  const FeetMatrix feet = [&] {
+    Eigen::VectorXd q = robot.q_standing();
+    for (int i = 0; i < kMotors; ++i) q[robot.motor_to_q()[i]] = fast.folded[i];
+    return contact_points(robot, q);
+  }();
+  for (int leg = 0; leg < kLegs; ++leg) BOOST_TEST(feet(2, leg) > -0.15);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_turned_round_on_the_way_does_not_jump) {
+  const RisePlan plan = plan_rise(quadruped(), 50.0);
+  HeightMotion motion(plan);
+  motion.start(0.0, plan.folded);
+  motion.go_to(1.0);
+  JointReference before{plan.folded, Vector12::Zero()};
+  bool arrived = false;
+  for (int i = 0; i < 5000 && !arrived; ++i) {
+    if (i == 400) motion.go_to(0.0);
+    const JointReference now = motion.step(before.q, 0.002);
+    BOOST_TEST((now.dq - before.dq).cwiseAbs().maxCoeff() < 0.03);
+    before = now;
+    arrived = i > 400 && motion.arrived();
+  }
+  BOOST_TEST(arrived);
+  BOOST_TEST((before.q - plan.folded).norm() < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_published_is_read_whole) {
+  struct Pair {
+    std::array<long, 20> values{};
+  };
+  Published<Pair> published;
+  std::atomic<bool> over{false};
+  std::thread writer([&] {
+    for (long k = 0; k < 200000; ++k) {
+      Pair pair;
+      pair.values.fill(k);
+      published.write(pair);
+    }
+    over = true;
+  });
+  bool whole = true;
+  while (!over) {
+    const Pair pair = published.read();
+    for (const long value : pair.values) whole = whole && value == pair.values[0];
+  }
+  writer.join();
+  BOOST_TEST(whole);
+}
+
+BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused_by_name) {
+  SupervisorOptions options;
+  options.power_level = 11;
+  BOOST_CHECK_EXCEPTION(Supervisor(quadruped(), Gains{}, options), Error, [](const Error& e) {
+    return std::string(e.what()).find("power_level") != std::string::npos;
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()
