@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <cctype>
 
 #include "bindings.hpp"
 #include "surefoot/supervisor.hpp"
@@ -9,6 +12,13 @@ using namespace nb::literals;
 using namespace surefoot;
 
 namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+std::string upper(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::toupper(c));
+  return name;
+}
 
 void bind_enums(nb::module_& m) {
   nb::enum_<Mode>(m, "Mode", "What a supervised robot is doing.")
@@ -26,15 +36,55 @@ void bind_enums(nb::module_& m) {
       .value("LATCHED", RequestStatus::kLatched, "Damping is latched: arm() first.")
       .value("OUT_OF_ORDER", RequestStatus::kOutOfOrder, "Not from this mode.")
       .value("BUSY", RequestStatus::kBusy, "Another request waits, or torques are fading.");
-  nb::enum_<DampingReason>(m, "DampingReason", "Why the damping latched last.")
-      .value("NONE", DampingReason::kNone)
-      .value("STOP", DampingReason::kStop, "stop().")
-      .value("BUTTON", DampingReason::kButton, "B on the remote.")
-      .value("BAD_STATE", DampingReason::kBadState, "LowStates stale or impossible for too long.")
-      .value("FALLEN", DampingReason::kFallen, "The body tilted too far.")
-      .value("MOTOR", DampingReason::kMotor, "A motor left servo mode.")
-      .value("POWER", DampingReason::kPower, "The power protection tripped.")
-      .value("CONTROLLER", DampingReason::kController, "The StandController gave up.");
+}
+
+void bind_faults(nb::module_& m) {
+  nb::enum_<FaultReaction> reaction(m, "FaultReaction", "What is done about a fault.");
+  for (const FaultReaction value :
+       {FaultReaction::kNone, FaultReaction::kWatch, FaultReaction::kDegrade, FaultReaction::kSit,
+        FaultReaction::kDamp}) {
+    reaction.value(upper(to_string(value)).c_str(), value);
+  }
+  nb::enum_<FaultId> id(m, "FaultId", "What can be wrong; fault_table() says more.");
+  for (int k = 0; k < kFaults; ++k) {
+    const auto value = static_cast<FaultId>(k);
+    id.value(upper(to_string(value)).c_str(), value);
+  }
+  nb::class_<FaultInfo>(m, "FaultInfo", "One row of fault_table().")
+      .def_ro("id", &FaultInfo::id)
+      .def_ro("reaction", &FaultInfo::reaction)
+      .def_ro("detect", &FaultInfo::detect, "[s] from its begin to the reaction, at most.")
+      .def_prop_ro("name", [](const FaultInfo& info) { return std::string(to_string(info.id)); })
+      .def_prop_ro(
+          "clears", [](const FaultInfo& info) { return std::string(info.clears); },
+          "When it counts as gone.")
+      .def_prop_ro(
+          "meaning", [](const FaultInfo& info) { return std::string(info.meaning); },
+          "How it is seen and what is done, in a sentence.");
+  m.def(
+      "fault_table",
+      [] { return std::vector<FaultInfo>(fault_table().begin(), fault_table().end()); },
+      "Return every fault that a Supervisor tells, and its reaction.");
+  nb::class_<FaultReport>(m, "FaultReport", "Which faults there are, and have been.")
+      .def_prop_ro(
+          "active",
+          [](const FaultReport& report) {
+            std::vector<FaultId> ids;
+            for (const FaultInfo& info : fault_table()) {
+              if (report.has(info.id)) ids.push_back(info.id);
+            }
+            return ids;
+          },
+          "Those there are.")
+      .def(
+          "count",
+          [](const FaultReport& report, FaultId id) { return report.count[static_cast<int>(id)]; },
+          "id"_a, "Return how often a fault has begun.")
+      .def(
+          "motor",
+          [](const FaultReport& report, FaultId id) { return report.motor[static_cast<int>(id)]; },
+          "id"_a, "Return the SDK number of the motor it was last seen at, or -1.")
+      .def_ro("last", &FaultReport::last, "The fault that began last.");
 }
 
 void bind_arming(nb::module_& m) {
@@ -72,16 +122,29 @@ void bind_machine(nb::module_& m) {
       .def(
           "__init__",
           [](SupervisorOptions* self, int power_level, double arming_time,
-             double temperature_warning, double joint_margin, const StandOptions& stand) {
-            new (self) SupervisorOptions{power_level, arming_time, temperature_warning,
-                                         joint_margin, stand};
+             double temperature_warning, double temperature_stop, double battery_low,
+             double payload_limit, double operator_timeout, double joint_margin,
+             const StandOptions& stand) {
+            new (self) SupervisorOptions{power_level,      arming_time,  temperature_warning,
+                                         temperature_stop, battery_low,  payload_limit,
+                                         operator_timeout, joint_margin, stand};
           },
-          "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
-          "joint_margin"_a = -0.15, "stand"_a = StandOptions())
+          nb::kw_only(), "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
+          "temperature_stop"_a = 80.0, "battery_low"_a = 10.0, "payload_limit"_a = kUnlimited,
+          "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15, "stand"_a = StandOptions())
       .def_rw("power_level", &SupervisorOptions::power_level,
               "1 .. 10, of power_protect(); plans keep below it.")
       .def_rw("arming_time", &SupervisorOptions::arming_time, "[s] that all checks must pass.")
-      .def_rw("temperature_warning", &SupervisorOptions::temperature_warning, "[deg C].")
+      .def_rw("temperature_warning", &SupervisorOptions::temperature_warning,
+              "[deg C] torque limits fall from here on ...")
+      .def_rw("temperature_stop", &SupervisorOptions::temperature_stop,
+              "[deg C] ... to half, where the robot sits down.")
+      .def_rw("battery_low", &SupervisorOptions::battery_low,
+              "[%] of charge, below which it sits down.")
+      .def_rw("payload_limit", &SupervisorOptions::payload_limit,
+              "[kg] that it may bear before it sits down.")
+      .def_rw("operator_timeout", &SupervisorOptions::operator_timeout,
+              "[s] without heartbeat() before it sits down.")
       .def_rw("joint_margin", &SupervisorOptions::joint_margin,
               "[rad] kept from the limits for arming; negative: beyond.")
       .def_rw("stand", &SupervisorOptions::stand, "Of the StandController.");
@@ -105,9 +168,11 @@ void bind_machine(nb::module_& m) {
            "Ask for RISE (from PASSIVE), SIT (from RISE and STAND) or STAND (from SIT).")
       .def("arm", &Supervisor::arm, "Allow requests, and leave latched damping.")
       .def("stop", &Supervisor::stop, "Damp at once and latch, whatever the mode.")
+      .def("heartbeat", &Supervisor::heartbeat, "Say that the operator is there.")
       .def_prop_ro("mode", &Supervisor::mode)
       .def_prop_ro("armed", &Supervisor::armed)
       .def_prop_ro("reason", &Supervisor::reason, "Why the damping latched last.")
+      .def_prop_ro("faults", &Supervisor::faults, "Which faults there are: a copy.")
       .def_prop_ro("arming", &Supervisor::arming, "Every check of the last tick: a copy.")
       .def_prop_ro("height", &Supervisor::height, "Way from lying (0) to standing (1).")
       .def_prop_ro("rise_time", &Supervisor::rise_time, "[s] from legs folded to standing.")
@@ -122,6 +187,7 @@ void bind_machine(nb::module_& m) {
 
 void bind_supervisor(nb::module_& m) {
   bind_enums(m);
+  bind_faults(m);
   bind_arming(m);
   bind_machine(m);
 }

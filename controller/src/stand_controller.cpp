@@ -171,6 +171,9 @@ BodyReference StandController::body_reference() const noexcept {
   return impl_->reference.motion().position();
 }
 ReachStatus StandController::reach() const noexcept { return impl_->reference.motion().status(); }
+void StandController::set_torque_share(const Vector12& share) noexcept {
+  impl_->controller.set_torque_share(share);
+}
 void StandController::add_task(std::shared_ptr<Task> task) {
   impl_->controller.add_task(std::move(task));
 }

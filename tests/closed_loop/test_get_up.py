@@ -10,7 +10,7 @@ import pytest
 import surefoot
 from get_up_helpers import LEVELS, Watched, damped
 from plant_helpers import ROBOTS
-from surefoot import DampingReason, Mode, RequestStatus
+from surefoot import FaultId, Mode, RequestStatus
 
 
 def risen(name: str, seed: int) -> Watched:
@@ -154,7 +154,7 @@ def test_a_stop_damps_at_once_and_until_it_is_armed_again(mode: Mode, how: str) 
     robot.tick()
     assert damped(robot.command)
     assert robot.supervisor.mode == Mode.DAMPING
-    expected = DampingReason.STOP if how == "stop" else DampingReason.BUTTON
+    expected = FaultId.STOP if how == "stop" else FaultId.BUTTON
     assert robot.supervisor.reason == expected
     assert robot.supervisor.request(Mode.RISE) == RequestStatus.LATCHED
     robot.run(4.0)

@@ -15,7 +15,7 @@ struct Limited {
   Gains gains;
   JointLimits limits{kMotors};
   RobotState state = standing_state(robot);
-  void update() { joint_limits(robot.config(), joints, gains, state, limits); }
+  void update() { joint_limits(robot.config(), joints, gains, Vector12::Ones(), state, limits); }
 };
 
 }  // namespace

@@ -38,9 +38,15 @@ struct AtRest {
   }
   void run(double seconds) {
     for (int i = 0; i < static_cast<int>(500.0 * seconds); ++i) {
-      report.tick += 2;
-      last = supervisor.update(report);
+      step();
     }
+  }
+  /// One tick; sensors are never quite still, and motors give what they are told.
+  void step() {
+    report.tick += 2;
+    report.imu.accelerometer[0] = report.tick % 4 == 0 ? 1e-3F : -1e-3F;
+    for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
+    last = supervisor.update(report);
   }
   std::string failures() const { return describe_failures(supervisor.arming(), robot.config()); }
 };
@@ -136,7 +142,83 @@ BOOST_FIXTURE_TEST_CASE(reports_that_stop_damp_within_twenty_milliseconds, AtRes
   for (int i = 0; i < 10; ++i) last = supervisor.update(report);
   BOOST_TEST(damping(last));
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
-  BOOST_TEST((supervisor.reason() == DampingReason::kBadState));
+  BOOST_TEST((supervisor.reason() == FaultId::kStaleTick));
+}
+
+BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRest) {
+  const auto expect = [&](FaultId id, auto&& spoil) {
+    run(1.2);
+    BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
+    step();
+    BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
+    run(0.5);
+    BOOST_TEST((supervisor.mode() == Mode::kRise));
+    const LowState good = report;
+    int ticks = 0;
+    for (; ticks < 100 && supervisor.mode() != Mode::kDamping; ++ticks) {
+      report.tick += 2;
+      report.imu.accelerometer[0] = -report.imu.accelerometer[0];
+      for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
+      spoil(report, good);
+      last = supervisor.update(report);
+    }
+    BOOST_TEST(damping(last));
+    BOOST_TEST((supervisor.reason() == id), to_string(supervisor.reason())
+                                                << " for " << to_string(id));
+    BOOST_TEST(0.002 * ticks <= fault_info(id).detect + 1e-9, to_string(id) << ": " << ticks);
+    const std::uint32_t tick = report.tick;
+    report = good;
+    report.tick = tick;
+  };
+  expect(FaultId::kStateNotFinite, [](LowState& r, const LowState&) { r.imu.gyroscope[1] = NAN; });
+  expect(FaultId::kStateImplausible, [](LowState& r, const LowState&) { r.motorState[4].q = 50; });
+  expect(FaultId::kStaleTick, [](LowState& r, const LowState& good) { r.tick = good.tick; });
+  expect(FaultId::kFrozen, [](LowState& r, const LowState& good) {
+    const std::uint32_t tick = r.tick;
+    r = good;
+    r.tick = tick;
+  });
+  expect(FaultId::kAttitude,
+         [](LowState& r, const LowState&) { r.imu.quaternion = {0.966F, 0.259F, 0.0F, 0.0F}; });
+  expect(FaultId::kMotorMode, [](LowState& r, const LowState&) { r.motorState[7].mode = 0x08; });
+  expect(FaultId::kMotorWeak, [](LowState& r, const LowState&) { r.motorState[2].tauEst = 20.0F; });
+  expect(FaultId::kOverridden, [](LowState& r, const LowState&) {
+    r.motorState[2].tauEst = r.motorState[8].tauEst = 20.0F;
+  });
+  expect(FaultId::kJointStop, [](LowState& r, const LowState&) { r.motorState[1].q = -2.0F; });
+  expect(FaultId::kPower, [](LowState& r, const LowState&) {
+    r.motorState[0].dq = 15.0F;
+    r.motorState[0].tauEst = 8.0F;
+  });
+}
+
+BOOST_FIXTURE_TEST_CASE(a_fault_that_asks_for_it_sits_the_robot_down_and_keeps_it_down, AtRest) {
+  const auto expect = [&](FaultId id, auto&& spoil) {
+    const LowState good = report;
+    run(1.2);
+    supervisor.arm();
+    step();
+    BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
+    run(0.5);
+    spoil(report);
+    for (int i = 0; i < 1500 && supervisor.mode() == Mode::kRise; ++i) step();
+    run(0.1);
+    BOOST_TEST((supervisor.mode() == Mode::kSit || supervisor.mode() == Mode::kPassive));
+    BOOST_TEST(supervisor.faults().has(id), to_string(id));
+    run(6.0);
+    BOOST_TEST((supervisor.mode() == Mode::kPassive));
+    BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kNotReady));
+    const std::uint32_t tick = report.tick;
+    report = good;
+    report.tick = tick;
+    run(6.0);
+    BOOST_TEST(!supervisor.faults().has(id), to_string(id));
+  };
+  expect(FaultId::kTemperature, [](LowState& r) { r.motorState[5].temperature = 90; });
+  expect(FaultId::kBattery, [](LowState& r) {
+    r.bms.version_h = 1;
+    r.bms.SOC = 4;
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_plan_stays_within_its_power_and_goes_slower_for_less) {

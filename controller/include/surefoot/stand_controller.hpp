@@ -60,6 +60,9 @@ class StandController {
   BodyReference body_reference() const noexcept;  ///< where it is on the way
   ReachStatus reach() const noexcept;             ///< what keeps it from getting there
 
+  /// See WholeBodyController::set_torque_share(). Real-time: yes.
+  void set_torque_share(const Vector12& share) noexcept;
+
   /// Add a task of your own; not in the tick. Throws surefoot::Error.
   void add_task(std::shared_ptr<Task> task);
 

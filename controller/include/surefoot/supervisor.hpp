@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "surefoot/arming.hpp"
+#include "surefoot/fault.hpp"
 #include "surefoot/stand_controller.hpp"
 
 namespace surefoot {
@@ -30,24 +32,17 @@ enum class RequestStatus : int {
 };
 const char* to_string(RequestStatus status) noexcept;
 
-/// Why the damping latched last.
-enum class DampingReason : int {
-  kNone = 0,
-  kStop,        ///< stop()
-  kButton,      ///< B on the remote
-  kBadState,    ///< LowStates were stale or impossible for longer than a command may live
-  kFallen,      ///< the body tilted too far
-  kMotor,       ///< a motor left servo mode
-  kPower,       ///< the power protection tripped
-  kController,  ///< the StandController gave up: stand().fault()
-};
-const char* to_string(DampingReason reason) noexcept;
-
 /// What is set once.
 struct SupervisorOptions {
   int power_level = 1;                ///< 1 .. 10, of Safety::power_protect(); plans keep below it
   double arming_time = 1.0;           ///< [s] that all checks must have passed
-  double temperature_warning = 60.0;  ///< [deg C]
+  double temperature_warning = 60.0;  ///< [deg C] torque limits fall from here on ...
+  double temperature_stop = 80.0;     ///< [deg C] ... to half, where the robot sits down
+  double battery_low = 10.0;          ///< [%] of charge, below which it sits down
+  /// [kg] that it may bear besides itself before it sits down
+  double payload_limit = std::numeric_limits<double>::infinity();
+  /// [s] without heartbeat() before it sits down; infinite: nobody need be there
+  double operator_timeout = std::numeric_limits<double>::infinity();
   /// [rad] kept from the limits for arming; negative: so far beyond. A calf at rest fully folded
   /// lies on its stop, outside the limits that motions keep.
   double joint_margin = -0.15;
@@ -64,10 +59,12 @@ struct SupervisorOptions {
 /// straight line in the joints to the standing pose, all legs alike, so that feet stay where they
 /// are while the body goes up and forward. Its pace is what half of the power level allows by the
 /// torques that hold the robot. Sitting is the same line backwards. Torques fade from mode to mode
-/// in 0.25 s; only damping for a stop or a fault is at once.
+/// in 0.25 s; only damping for a stop or a fault is at once. What is wrong and what is done about
+/// it: fault_table().
 ///
 /// update(), stand() and set_body_reference() belong to one thread. request(), arm(), stop(),
-/// mode(), armed(), arming() and reason() may be called from any; none of them waits.
+/// heartbeat(), mode(), armed(), arming(), faults() and reason() may be called from any; none of
+/// them waits.
 class Supervisor {
  public:
   /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
@@ -87,10 +84,14 @@ class Supervisor {
   RequestStatus arm() noexcept;
   /// Damp at once and latch, whatever the mode. Any thread, any number of times. Real-time: yes.
   void stop() noexcept;
+  /// The operator is there: see the option operator_timeout. Any thread. Real-time: yes.
+  void heartbeat() noexcept;
 
   Mode mode() const noexcept;
   bool armed() const noexcept;
-  DampingReason reason() const noexcept;
+  FaultId reason() const noexcept;  ///< why the damping latched last
+  /// Which faults there are and have been, a consistent copy of the last tick's. Any thread.
+  FaultReport faults() const noexcept;
   /// Every check with its verdict, a consistent copy of the last tick's. Any thread.
   ArmingReport arming() const noexcept;
 

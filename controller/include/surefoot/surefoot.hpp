@@ -5,6 +5,7 @@
 #include "surefoot/arming.hpp"
 #include "surefoot/body_reference.hpp"
 #include "surefoot/error.hpp"
+#include "surefoot/fault.hpp"
 #include "surefoot/frames.hpp"
 #include "surefoot/low_level.hpp"
 #include "surefoot/robot.hpp"

@@ -26,6 +26,8 @@ class Arming {
   void missed() noexcept;
   /// The report just judged is no good for reasons of its own.
   void distrust() noexcept { report_.held = 0.0, report_.ready = false; }
+  /// Share of the reports of the last second or so that are missing.
+  double loss() const noexcept { return missing_ / (come_ + missing_ + 1e-9); }
   const ArmingReport& report() const noexcept { return report_; }
 
  private:

@@ -19,7 +19,10 @@ LegSprings::LegSprings(const Robot& robot, const RisePlan& plan, double watts)
       state_(robot.nq(), robot.nv()),
       stiffness_(plan.stiffness),
       damping_(plan.damping),
-      watts_(watts) {}
+      watts_(watts) {
+  const Eigen::Vector4d mount = robot.config().quat_base_imu;
+  R_base_imu_ = Quaternion(mount[0], mount[1], mount[2], mount[3]);
+}
 
 void LegSprings::read(const LowState& state) noexcept {
   for (int i = 0; i < kMotors; ++i) {
@@ -28,24 +31,35 @@ void LegSprings::read(const LowState& state) noexcept {
     state_.q[robot_.motor_to_q()[i]] = q_[i];
   }
   const std::array<float, 4> imu = state.imu.quaternion;  // packed: copied
-  const Eigen::Vector4d mount = robot_.config().quat_base_imu;
   const Quaternion R_world_imu(imu[0], imu[1], imu[2], imu[3]);
-  const Quaternion R_base_imu(mount[0], mount[1], mount[2], mount[3]);
-  const Quaternion R = (R_world_imu * R_base_imu.conjugate()).normalized();
-  state_.q.segment<4>(3) = R.coeffs();
-  cos_tilt_ = (R * Vector3::UnitZ()).z();
+  R_world_base_ = (R_world_imu * R_base_imu_.conjugate()).normalized();
+  state_.q.segment<4>(3) = R_world_base_.coeffs();
+}
+
+// At the pose that dynamics_ was last updated for.
+Vector12 LegSprings::hold(double load) noexcept {
+  state_.f_lasting = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
+  return holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
+}
+
+double LegSprings::borne(const LowState& state) noexcept {
+  dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
+  const Vector12 in_air = hold(0.0), way = hold(1.0) - in_air;
+  Vector12 measured;
+  for (int i = 0; i < kMotors; ++i) measured[i] = state.motorState[i].tauEst;
+  return way.dot(measured - in_air) / std::max(way.squaredNorm(), 1e-9);
 }
 
 Vector12 LegSprings::torques(const JointReference& reference, double load) noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
-  state_.f_lasting = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
-  const Vector12 hold = holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
+  const Vector12 hold = this->hold(load);
   const Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
   Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
   for (int i = 0; i < kMotors; ++i) {
-    tau[i] = std::clamp(tau[i], -kTorqueShare * motor_torque_limit(config, i, dq_[i], -1.0),
-                        kTorqueShare * motor_torque_limit(config, i, dq_[i], 1.0));
+    const double share = kTorqueShare * share_[i];
+    tau[i] = std::clamp(tau[i], -share * motor_torque_limit(config, i, dq_[i], -1.0),
+                        share * motor_torque_limit(config, i, dq_[i], 1.0));
   }
   return limit_power(tau, hold, dq_, watts_, damping_).torques;
 }

@@ -23,19 +23,27 @@ class LegSprings {
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
   double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
-  double cos_tilt() const noexcept { return cos_tilt_; }
+  const Quaternion& R_world_base() const noexcept { return R_world_base_; }
+  const Quaternion& R_base_imu() const noexcept { return R_base_imu_; }
+  /// Share of each motor's torque that may be used, SDK order.
+  void set_torque_share(const Vector12& share) noexcept { share_ = share; }
 
   /// @param load share of the robot's weight that the feet bear, 0 .. 1
   /// @return shape (12,), SDK motor order [N.m]
   Vector12 torques(const JointReference& reference, double load) noexcept;
+  /// Share of the robot's weight that the legs bear by the torques measured, about 0 .. 1.
+  double borne(const LowState& state) noexcept;
 
  private:
+  Vector12 hold(double load) noexcept;
+
   Robot robot_;
   Dynamics dynamics_;
   RobotState state_;
   Vector12 q_ = Vector12::Zero(), dq_ = Vector12::Zero();
   double stiffness_, damping_, watts_;
-  double cos_tilt_ = 1.0;
+  Vector12 share_ = Vector12::Ones();
+  Quaternion R_world_base_ = Quaternion::Identity(), R_base_imu_ = Quaternion::Identity();
 };
 
 }  // namespace surefoot

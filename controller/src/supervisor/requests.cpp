@@ -12,7 +12,9 @@ RequestStatus judge_request(const RequestContext& now, Mode mode) noexcept {
   const bool fits = (mode == Mode::kRise && lying) || (mode == Mode::kSit && up) ||
                     (mode == Mode::kStand && now.mode == Mode::kSit);
   if (!fits) return RequestStatus::kOutOfOrder;
-  if (lying && !now.ready) return RequestStatus::kNotReady;
+  if ((lying && !now.ready) || (mode != Mode::kSit && now.must_sit)) {
+    return RequestStatus::kNotReady;
+  }
   // A rise may be aborted at any time: what fades in just fades out again.
   const bool busy = now.fading && now.mode != Mode::kRise;
   return busy ? RequestStatus::kBusy : RequestStatus::kAccepted;
@@ -42,12 +44,12 @@ RequestStatus Requests::leave(int what) noexcept {
 
 int Requests::pack(const RequestContext& now) noexcept {
   return static_cast<int>(now.mode) | now.seen << 8 | now.armed << 9 | now.ready << 10 |
-         now.fading << 11;
+         now.fading << 11 | now.must_sit << 12;
 }
 
 RequestContext Requests::unpack(int bits) noexcept {
-  return {static_cast<Mode>(bits & 0xFF), (bits >> 8 & 1) != 0, (bits >> 9 & 1) != 0,
-          (bits >> 10 & 1) != 0, (bits >> 11 & 1) != 0};
+  return {static_cast<Mode>(bits & 0xFF), (bits >> 8 & 1) != 0,  (bits >> 9 & 1) != 0,
+          (bits >> 10 & 1) != 0,          (bits >> 12 & 1) != 0, (bits >> 11 & 1) != 0};
 }
 
 }  // namespace surefoot

@@ -12,8 +12,9 @@ struct RequestContext {
   Mode mode = Mode::kPassive;
   bool seen = false;  ///< has a valid LowState come?
   bool armed = false;
-  bool ready = false;   ///< have all arming checks passed for long enough?
-  bool fading = false;  ///< are torques on their way from mode to mode?
+  bool ready = false;     ///< have all arming checks passed for long enough?
+  bool must_sit = false;  ///< does a fault keep it down?
+  bool fading = false;    ///< are torques on their way from mode to mode?
 };
 
 /// May `mode` be entered from here?

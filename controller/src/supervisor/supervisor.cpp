@@ -7,6 +7,10 @@
 
 namespace surefoot {
 
+namespace {
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+}
+
 void SupervisorOptions::validate() const {
   const auto expect = [](const char* name, double got, double lower, double upper) {
     if (got >= lower && got <= upper) return;
@@ -15,7 +19,11 @@ void SupervisorOptions::validate() const {
   };
   expect("power_level", power_level, 1.0, 10.0);
   expect("arming_time", arming_time, 0.0, 60.0);
-  expect("temperature_warning", temperature_warning, 0.0, 127.0);
+  expect("temperature_warning", temperature_warning, 0.0, 126.0);
+  expect("temperature_stop", temperature_stop, temperature_warning + 1.0, 127.0);
+  expect("battery_low", battery_low, 0.0, 100.0);
+  expect("payload_limit", payload_limit, 0.0, kUnlimited);
+  expect("operator_timeout", operator_timeout, 0.01, kUnlimited);
   expect("joint_margin", joint_margin, -0.5, 0.5);
   stand.validate();
 }
@@ -35,8 +43,10 @@ void Supervisor::stop() noexcept { impl_->requests.stop(); }
 
 Mode Supervisor::mode() const noexcept { return impl_->requests.context().mode; }
 bool Supervisor::armed() const noexcept { return impl_->requests.context().armed; }
-DampingReason Supervisor::reason() const noexcept { return impl_->reason; }
+FaultId Supervisor::reason() const noexcept { return impl_->reason; }
 ArmingReport Supervisor::arming() const noexcept { return impl_->report.read(); }
+FaultReport Supervisor::faults() const noexcept { return impl_->faults.read(); }
+void Supervisor::heartbeat() noexcept { ++impl_->heartbeats; }
 double Supervisor::height() const noexcept { return impl_->height; }
 double Supervisor::rise_time() const noexcept { return impl_->plan.time; }
 bool Supervisor::stuck() const noexcept { return impl_->gave_up; }
@@ -55,12 +65,6 @@ const char* to_string(RequestStatus status) noexcept {
   constexpr std::array<const char*, 7> names = {
       "accepted", "no_state", "not_armed", "not_ready", "latched", "out_of_order", "busy"};
   return names[static_cast<int>(status)];
-}
-
-const char* to_string(DampingReason reason) noexcept {
-  constexpr std::array<const char*, 8> names = {"none",   "stop",  "button", "bad_state",
-                                                "fallen", "motor", "power",  "controller"};
-  return names[static_cast<int>(reason)];
 }
 
 }  // namespace surefoot

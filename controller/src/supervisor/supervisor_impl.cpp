@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kPlannedShare = 0.5;  // of the power level: what the plan takes
 constexpr double kLimitedShare = 0.8;  // of the power level: what the springs may take
-constexpr double kFallTilt = 0.7;      // [rad] while rising and sitting
-constexpr int kBadMotorReports = 3;
 constexpr Button kStopButton = Button::kB;
 
 double watts(const SupervisorOptions& options) {
@@ -33,6 +31,8 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       springs(r, plan, kLimitedShare * watts(o)),
       stand(r, gains, o.stand),
       safety(r),
+      motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
+      sensors(o.payload_limit),
       damping_kd(gains.damping_kd) {
   publish();
 }
@@ -42,15 +42,13 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   const double step = clock.advance(state.tick);
   const double dt = step > 0.0 ? std::min(step, TickClock::kMaxStep) : clock.period();
   const bool good = read(state, step);
-  if (requests.take_stop()) latch(DampingReason::kStop);
-  if (decode_wireless_remote(state.wirelessRemote).pressed(kStopButton)) {
-    latch(DampingReason::kButton);
-  }
+  log.set(FaultId::kStop, requests.take_stop());
+  log.set(FaultId::kButton, decode_wireless_remote(state.wirelessRemote).pressed(kStopButton));
+  if (good) judge(state, dt);
+  react();
   if (good) {
-    const DampingReason fault = active() ? find_fault(state) : DampingReason::kNone;
-    if (fault != DampingReason::kNone) latch(fault);
     obey(requests.take());
-    move(dt);
+    move(state, dt);
   }
   const LowCmd* out = nullptr;
   if (!active() && !fade.moving()) {
@@ -59,42 +57,44 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     out = &command(state, dt);
   } else {
     out = &keeper.refuse(dt, damping_kd);
-    if (keeper.latched()) latch(DampingReason::kBadState);
+    if (keeper.latched()) latch(bad);
   }
+  if (good) motors.sent(*out, state);
   publish();
   return *out;
 }
 
 bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
+  const FaultId before = bad;
+  bad = step < 0.0 ? FaultId::kStaleTick : find_bad(state, step);
+  if (bad != before) log.set(before, false);
+  if (bad != FaultId::kNone) log.set(bad, true);
   if (step < 0.0) {
     arming.missed();
-    now.ready = false;
-    return false;
-  }
-  arming.update(state, step);
-  const bool good =
-      check_low_state(state, robot.config()) == Status::kOk && has_quaternion(state.imu);
-  if (good) {
-    springs.read(state);
-    now.seen = true;
+    // Nothing hangs on its time now: a robot that began anew is taken as it is.
+    if (!active()) clock.reset();
   } else {
-    arming.distrust();
+    arming.update(state, step);
+    if (bad != FaultId::kNone) arming.distrust();
   }
-  now.ready = arming.report().ready;
-  return good;
+  if (bad == FaultId::kNone) {
+    if (has_quaternion(state.imu)) springs.read(state);
+    now.seen = true;
+  }
+  now.must_sit = log.first(FaultReaction::kSit) != FaultId::kNone;
+  now.ready = arming.report().ready && !now.must_sit;
+  return bad == FaultId::kNone;
 }
 
-DampingReason Supervisor::Impl::find_fault(const LowState& state) noexcept {
-  bool all_servo = true;
-  for (int i = 0; i < kMotors; ++i) all_servo &= state.motorState[i].mode == kModeServo;
-  bad_motors = all_servo ? 0 : bad_motors + 1;
-  if (bad_motors >= kBadMotorReports) return DampingReason::kMotor;
-  // The command is not read.
-  if (safety.power_protect(LowCmd{}, state, options.power_level) < 0) return DampingReason::kPower;
-  // While standing this is the controller's to judge, by its gain fall_tilt.
-  const bool standing = now.mode == Mode::kStand;
-  if (!standing && springs.cos_tilt() < std::cos(kFallTilt)) return DampingReason::kFallen;
-  return DampingReason::kNone;
+// What makes a report nothing to act upon.
+FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept {
+  const bool again = repeated.update(state, step);
+  const Status status = check_low_state(state, robot.config());
+  if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
+  if (status != Status::kOk) return FaultId::kStateImplausible;
+  // A controller that stands has an attitude of its own.
+  if (!attitude.update(state.imu, step) && !standing()) return FaultId::kAttitude;
+  return again && active() ? FaultId::kFrozen : FaultId::kNone;
 }
 
 // Judged again: since another thread asked, the robot has gone on.
@@ -104,14 +104,14 @@ void Supervisor::Impl::obey(int request) noexcept {
     now.mode = Mode::kPassive;
     now.armed = true;
     keeper.reset();
-    reason = DampingReason::kNone;
+    reason = FaultId::kNone;
   } else if (request != Requests::kNothing) {
     const Mode mode = static_cast<Mode>(request);
     if (judge_request(now, mode) == RequestStatus::kAccepted) enter(mode);
   }
 }
 
-void Supervisor::Impl::latch(DampingReason why) noexcept {
+void Supervisor::Impl::latch(FaultId why) noexcept {
   if (now.mode == Mode::kDamping) return;
   now.mode = Mode::kDamping;
   now.armed = now.ready = false;
@@ -145,7 +145,9 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     drive.kd = (1.0 - w) * before.kd + w * drive.kd;
   }
   if (fade.needs(Source::kProgram) && stand.status() == Status::kDamping) {
-    latch(DampingReason::kController);
+    const FaultId why = stand.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
+    log.set(why, true);
+    latch(why);
     return keeper.accept(damping_low_cmd(damping_kd));
   }
   LowCmd command = init_low_cmd();
@@ -164,6 +166,7 @@ void Supervisor::Impl::publish() noexcept {
   now.fading = fade.moving();
   requests.publish(now);
   report.write(arming.report());
+  faults.write(log.report());
   const bool on_the_way = active() && folded;
   height = on_the_way ? motion.position() : 0.0;
 }

@@ -4,11 +4,16 @@
 #include "safety/command_keeper.hpp"
 #include "safety/tick_clock.hpp"
 #include "supervisor/arming.hpp"
+#include "supervisor/attitude_watch.hpp"
+#include "supervisor/fault_log.hpp"
 #include "supervisor/height_motion.hpp"
 #include "supervisor/leg_folding.hpp"
 #include "supervisor/leg_springs.hpp"
+#include "supervisor/motor_faults.hpp"
 #include "supervisor/published.hpp"
+#include "supervisor/repeated_report.hpp"
 #include "supervisor/requests.hpp"
+#include "supervisor/sensor_faults.hpp"
 #include "supervisor/torque_fade.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/supervisor.hpp"
@@ -32,24 +37,31 @@ struct Supervisor::Impl {
   Safety safety;
   Requests requests;
   Published<ArmingReport> report;
-  std::atomic<DampingReason> reason{DampingReason::kNone};
+  Published<FaultReport> faults;
+  std::atomic<FaultId> reason{FaultId::kNone};
+  std::atomic<unsigned> heartbeats{0};
   std::atomic<bool> gave_up{false};
   std::atomic<double> height{0.0};
 
  private:
   bool read(const LowState& state, double step) noexcept;
-  DampingReason find_fault(const LowState& state) noexcept;
+  FaultId find_bad(const LowState& state, double step) noexcept;
+  void judge(const LowState& state, double dt) noexcept;
+  void judge_tilt(const LowState& state) noexcept;
+  void judge_rest(const LowState& state, double dt) noexcept;
+  void react() noexcept;
   void obey(int request) noexcept;
   void enter(Mode mode) noexcept;
-  void move(double dt) noexcept;
-  void rise(double dt) noexcept;
+  void move(const LowState& state, double dt) noexcept;
+  void rise(const LowState& state, double dt) noexcept;
   void sit(double dt) noexcept;
   void lie() noexcept;
-  void latch(DampingReason why) noexcept;
+  void latch(FaultId why) noexcept;
   Drive drive(Source source, const LowState& state) noexcept;
   const LowCmd& command(const LowState& state, double dt) noexcept;
   void publish() noexcept;
   bool active() const noexcept { return now.mode != Mode::kPassive && now.mode != Mode::kDamping; }
+  bool standing() const noexcept { return now.mode == Mode::kStand && !fade.moving(); }
 
   RequestContext now;
   TickClock clock;
@@ -57,7 +69,15 @@ struct Supervisor::Impl {
   TorqueFade fade;
   JointReference reference;  // of the springs
   bool folded = false;       // is the rise past folding the legs?
-  int bad_motors = 0;        // reports in a row
+  FaultLog log;
+  MotorFaults motors;
+  SensorFaults sensors;
+  RepeatedReport repeated;
+  AttitudeWatch attitude;
+  Lasting battery;
+  FaultId bad = FaultId::kNone;  // what is wrong with the report itself
+  unsigned heard = 0;            // heartbeats
+  double silence = 0.0;          // [s] since the last of them
   double damping_kd;
 };
 

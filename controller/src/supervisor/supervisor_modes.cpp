@@ -8,14 +8,15 @@ namespace surefoot {
 
 namespace {
 constexpr double kComeToRest = 0.03;  // [s]
-}
+constexpr double kBorne = 0.35;       // of the weight that legs bear which stand on something
+}  // namespace
 
 void Supervisor::Impl::enter(Mode mode) noexcept {
   if (mode == Mode::kRise) {
     folding.start(springs.q());
     folded = gave_up = false;
     safety.reset();
-    bad_motors = 0;
+    motors.reset();
     fade.to(Source::kSprings);
   } else if (mode == Mode::kSit && now.mode == Mode::kStand) {
     motion.start(1.0, springs.q());
@@ -28,8 +29,8 @@ void Supervisor::Impl::enter(Mode mode) noexcept {
   now.mode = mode == Mode::kStand ? Mode::kRise : mode;
 }
 
-void Supervisor::Impl::move(double dt) noexcept {
-  if (now.mode == Mode::kRise) rise(dt);
+void Supervisor::Impl::move(const LowState& state, double dt) noexcept {
+  if (now.mode == Mode::kRise) rise(state, dt);
   if (now.mode == Mode::kSit) sit(dt);
   // Springs that only fade out come to rest.
   if (now.mode == Mode::kPassive) {
@@ -38,7 +39,7 @@ void Supervisor::Impl::move(double dt) noexcept {
   }
 }
 
-void Supervisor::Impl::rise(double dt) noexcept {
+void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
   if (!folded) {
     reference = folding.step(springs.q(), dt);
     if (folding.done()) {
@@ -55,6 +56,9 @@ void Supervisor::Impl::rise(double dt) noexcept {
   if (motion.stuck()) {
     gave_up = true;
     enter(Mode::kSit);
+  } else if (motion.arrived() && springs.borne(state) < kBorne) {
+    log.set(FaultId::kHanging, true);
+    enter(Mode::kSit);
   } else if (motion.arrived()) {
     stand.reset();
     now.mode = Mode::kStand;
@@ -70,6 +74,7 @@ void Supervisor::Impl::sit(double dt) noexcept {
 // On the ground, or as good as: the motors' own damping takes over.
 void Supervisor::Impl::lie() noexcept {
   now.mode = Mode::kPassive;
+  log.set(FaultId::kHanging, false);
   fade.to(Source::kDamping);
 }
 

@@ -16,14 +16,18 @@ double by_belief(double lost, double held, double contact, const FootReference& 
 }  // namespace
 
 void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
-                  const RobotState& state, JointLimits& out) noexcept {
+                  const Vector12& share, const RobotState& state, JointLimits& out) noexcept {
   const double r = gains.joint_limit_rate;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const JointRow& joint = joints[k];
     const double dq = state.v[joint.v];
     const bool motor = joint.motor >= 0;
-    out.tau_upper[k] = motor ? motor_torque_limit(config, joint.motor, dq, 1.0) : joint.tau_max;
-    out.tau_lower[k] = motor ? -motor_torque_limit(config, joint.motor, dq, -1.0) : -joint.tau_max;
+    const auto most = [&](double sign) {
+      return motor ? share[joint.motor] * motor_torque_limit(config, joint.motor, dq, sign)
+                   : joint.tau_max;
+    };
+    out.tau_upper[k] = most(1.0);
+    out.tau_lower[k] = -most(-1.0);
 
     double lower = -r * (joint.dq_max + dq);
     double upper = r * (joint.dq_max - dq);

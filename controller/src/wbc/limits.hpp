@@ -20,8 +20,9 @@ struct JointLimits {
 /// Torques by the motors' torque-speed curve; accelerations by the approach to each limit,
 ///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),
 /// and the same below. Lower <= upper always. Real-time: yes.
+/// @param share of each motor's torque that may be used, 0 .. 1, SDK order
 void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
-                  const RobotState& state, JointLimits& out) noexcept;
+                  const Vector12& share, const RobotState& state, JointLimits& out) noexcept;
 
 /// Greatest normal force of each foot [N], FR FL RR RL. Real-time: yes.
 ///

@@ -66,7 +66,7 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
   terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
   const double fade = edge_fade(gains, dynamics, reference);
   terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);
-  joint_limits(robot_.config(), joints_, gains, state, terms_.limits);
+  joint_limits(robot_.config(), joints_, gains, torque_share_, state, terms_.limits);
   terms_.has_condensed =
       dynamics.condensable() && condense(dynamics, terms_.feet_acceleration, terms_.outside,
                                          units_.smallest_determinant, terms_.condensed);

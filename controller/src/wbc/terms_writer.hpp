@@ -22,6 +22,7 @@ class TermsWriter {
                const FeetMatrix* previous) noexcept;
 
   const ProgramTerms& terms() const noexcept { return terms_; }
+  void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }
 
  private:
   void write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
@@ -39,6 +40,7 @@ class TermsWriter {
   JointTable joints_;
   ProgramTerms terms_;
   Vector12 even_ = Vector12::Zero();
+  Vector12 torque_share_ = Vector12::Ones();  // of each motor, SDK order
 };
 
 }  // namespace surefoot

@@ -70,6 +70,12 @@ bool WholeBodyController::adopt_gains(const Gains& gains) noexcept {
   return true;
 }
 
+void WholeBodyController::set_torque_share(const Vector12& share) noexcept {
+  if ((share.array() >= 0.0).all() && (share.array() <= 1.0).all()) {
+    impl_->writer.set_torque_share(share);
+  }
+}
+
 void WholeBodyController::add_task(std::shared_ptr<Task> task) {
   const int rows = task == nullptr ? 0 : task->rows();
   if (rows < 1 || rows > kMostRows) {

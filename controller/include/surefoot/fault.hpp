@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace surefoot {
+
+/// What can be wrong with a robot that is supervised, or with the way it is talked to.
+enum class FaultId : int {
+  kNone = 0,
+  kStop,              ///< Supervisor::stop()
+  kButton,            ///< B on the remote
+  kStateNotFinite,    ///< a NaN or an infinity in a field that is used
+  kStateImplausible,  ///< a used field is beyond what the robot can do or measure
+  kStaleTick,         ///< tick stands still, runs backwards or leaps
+  kFrozen,            ///< tick advances, the sensors repeat themselves byte by byte
+  kLoss,              ///< too many reports are missing
+  kQuaternion,        ///< no unit length, or it contradicts gyroscope and legs
+  kAttitude,          ///< rising or sitting, when it is needed: none, or it jumps
+  kGyroscope,         ///< zero, constant, saturated or contradicted
+  kAccelerometer,     ///< zero, constant, saturated or contradicted
+  kFootForce,         ///< a foot's sensor is stuck, saturated or contradicted
+  kSlip,              ///< a standing foot slips
+  kLifted,            ///< no foot bears anything
+  kPayload,           ///< the robot bears more than it is allowed to
+  kTilt,              ///< the body is tilted too far, or about to be
+  kMotorMode,         ///< a motor left servo mode
+  kMotorWeak,         ///< a motor does not give the torque it is told
+  kOverridden,        ///< several legs do not: somebody else commands the robot too
+  kTemperature,       ///< a motor is hot: its torque is derated, then the robot sits down
+  kJointStop,         ///< a joint is beyond its stop
+  kPower,             ///< the power protection tripped
+  kController,        ///< the StandController gave up: stand().fault()
+  kHanging,           ///< on its way up the legs bear nothing
+  kBattery,           ///< low
+  kOperator           ///< no heartbeat from the operator
+};
+constexpr int kFaults = 27;  ///< kNone included
+const char* to_string(FaultId id) noexcept;
+
+/// What is done about a fault.
+enum class FaultReaction : int {
+  kNone = 0,
+  kWatch,    ///< it is said and counted
+  kDegrade,  ///< the robot goes on with what is left
+  kSit,      ///< the robot sits down, and does not get up while the fault lasts
+  kDamp      ///< the motors brake, latched until arm()
+};
+const char* to_string(FaultReaction reaction) noexcept;
+
+/// One row of fault_table().
+struct FaultInfo {
+  FaultId id = FaultId::kNone;
+  FaultReaction reaction = FaultReaction::kNone;
+  double detect = 0.0;       ///< [s] from its begin to the reaction, at most
+  std::string_view clears;   ///< when it counts as gone
+  std::string_view meaning;  ///< how it is seen and what is done, in a sentence
+};
+/// Every fault but kNone, in the order of FaultId.
+const std::array<FaultInfo, kFaults - 1>& fault_table() noexcept;
+/// The row of one fault; of kNone an empty one. Real-time: yes.
+FaultInfo fault_info(FaultId id) noexcept;
+
+/// Which faults there are, and have been. Plain data.
+struct FaultReport {
+  std::array<bool, kFaults> active{};
+  std::array<std::uint32_t, kFaults> count{};  ///< how often each has begun
+  std::array<int, kFaults> motor{};            ///< SDK number it was last seen at, or -1
+  FaultId last = FaultId::kNone;               ///< that began last
+
+  bool has(FaultId id) const noexcept { return active[static_cast<int>(id)]; }
+};
+
+}  // namespace surefoot

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surefoot/fault.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr auto kWatch = FaultReaction::kWatch;
+constexpr auto kDegrade = FaultReaction::kDegrade;
+constexpr auto kSit = FaultReaction::kSit;
+constexpr auto kDamp = FaultReaction::kDamp;
+
+constexpr std::string_view kArm = "arm()";
+constexpr std::string_view kGone = "by itself";
+
+constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
+    {FaultId::kStop, kDamp, 0.002, kArm, "stop() from any thread"},
+    {FaultId::kButton, kDamp, 0.002, kArm, "B on the remote"},
+    {FaultId::kStateNotFinite, kDamp, 0.020, kArm,
+     "a NaN or an infinity: the last good command for 10 ms, then damping"},
+    {FaultId::kStateImplausible, kDamp, 0.020, kArm,
+     "beyond what the robot can do or measure: the last good command for 10 ms, then damping"},
+    {FaultId::kStaleTick, kDamp, 0.020, kArm,
+     "tick does not advance: the last good command for 10 ms, then damping"},
+    {FaultId::kFrozen, kDamp, 0.020, kArm,
+     "IMU and joints repeat themselves byte by byte for 10 ms: held as long, then damping"},
+    {FaultId::kLoss, kWatch, 1.0, kGone, "more than 5 % of the reports of a second are missing"},
+    {FaultId::kQuaternion, kDegrade, 0.1, kGone,
+     "no unit length, or contradicted by gyroscope and legs: standing goes on without it"},
+    {FaultId::kAttitude, kDamp, 0.020, kArm,
+     "on the way up and down: no attitude, or it jumps: held for 10 ms, then damping"},
+    {FaultId::kGyroscope, kSit, 0.1, kGone,
+     "zero, constant, saturated or contradicted while standing: the robot sits down"},
+    {FaultId::kAccelerometer, kDegrade, 0.5, kGone,
+     "zero, constant, saturated or contradicted: attitude and velocity from the rest"},
+    {FaultId::kFootForce, kDegrade, 2.0, kGone,
+     "a foot's sensor is stuck, saturated or contradicted: contact from the rest"},
+    {FaultId::kSlip, kDegrade, 0.1, kGone, "a standing foot slips: less friction is counted on"},
+    {FaultId::kLifted, kDegrade, 0.1, kGone, "no foot bears anything: the pose is held softly"},
+    {FaultId::kPayload, kSit, 2.0, kGone, "more than the option payload_limit"},
+    {FaultId::kTilt, kDamp, 0.010, kArm,
+     "the body is tilted too far, or will be in a tenth of a second"},
+    {FaultId::kMotorMode, kDamp, 0.006, kArm, "a motor reports another mode than servo twice"},
+    {FaultId::kMotorWeak, kDamp, 0.15, kArm, "a motor's torque is off what it is told for 50 ms"},
+    {FaultId::kOverridden, kDamp, 0.15, kArm,
+     "the same in several legs at once: another program commands the robot, such as the sport "
+     "mode"},
+    {FaultId::kTemperature, kSit, 2.0, kGone,
+     "torque limits fall from temperature_warning on; the robot sits down at temperature_stop"},
+    {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},
+    {FaultId::kPower, kDamp, 0.014, kArm, "PowerProtect at the option power_level"},
+    {FaultId::kController, kDamp, 0.020, kArm, "no usable solution for longer than 10 ms"},
+    {FaultId::kHanging, kSit, 0.5, kGone, "up, and the legs bear less than a third of the weight"},
+    {FaultId::kBattery, kSit, 2.0, kGone, "charge below the option battery_low, where it is told"},
+    {FaultId::kOperator, kSit, 0.1, kGone, "no heartbeat() for the option operator_timeout"},
+}};
+
+constexpr bool ordered() {
+  for (int i = 0; i < kFaults - 1; ++i) {
+    if (static_cast<int>(kRows[i].id) != i + 1) return false;
+  }
+  return true;
+}
+static_assert(ordered());
+
+}  // namespace
+
+const std::array<FaultInfo, kFaults - 1>& fault_table() noexcept { return kRows; }
+
+FaultInfo fault_info(FaultId id) noexcept {
+  const int row = static_cast<int>(id) - 1;
+  return row >= 0 && row < kFaults - 1 ? kRows[row] : FaultInfo();
+}
+
+const char* to_string(FaultId id) noexcept {
+  constexpr std::array<const char*, kFaults> names = {"none",
+                                                      "stop",
+                                                      "button",
+                                                      "state_not_finite",
+                                                      "state_implausible",
+                                                      "stale_tick",
+                                                      "frozen",
+                                                      "loss",
+                                                      "quaternion",
+                                                      "attitude",
+                                                      "gyroscope",
+                                                      "accelerometer",
+                                                      "foot_force",
+                                                      "slip",
+                                                      "lifted",
+                                                      "payload",
+                                                      "tilt",
+                                                      "motor_mode",
+                                                      "motor_weak",
+                                                      "overridden",
+                                                      "temperature",
+                                                      "joint_stop",
+                                                      "power",
+                                                      "controller",
+                                                      "hanging",
+                                                      "battery",
+                                                      "operator"};
+  return names[static_cast<int>(id)];
+}
+
+const char* to_string(FaultReaction reaction) noexcept {
+  constexpr std::array<const char*, 5> names = {"none", "watch", "degrade", "sit", "damp"};
+  return names[static_cast<int>(reaction)];
+}
+
+}  // namespace surefoot

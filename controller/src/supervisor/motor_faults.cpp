@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/motor_faults.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kBadModes = 2;             // reports in a row
+constexpr int kBadAngles = 3;            // reports in a row
+constexpr double kTorqueTime = 0.03;     // [s] smoothing, longer than delay and lag of a motor
+constexpr double kTorqueOff = 0.12;      // of tau_max that a motor may be off ...
+constexpr double kTorqueOffShare = 0.4;  // ... and of what it is told
+constexpr double kWeakTime = 0.05;       // [s]
+constexpr double kHeatTime = 0.5;        // [s] smoothing: one mad report is no heat
+constexpr double kHotTime = 0.5;         // [s] before the robot sits down
+
+}  // namespace
+
+void MotorFaults::reset() noexcept {
+  told_.setZero();
+  expected_.setZero();
+  measured_.setZero();
+  weak_ = {};
+  hot_ = {};
+  bad_modes_ = bad_angles_ = 0;
+}
+
+void MotorFaults::update(const LowState& state, double dt, FaultLog& log) noexcept {
+  judge_modes(state, log);
+  judge_torques(state, dt, log);
+  judge_heat(state, dt, log);
+  judge_angles(state, log);
+}
+
+void MotorFaults::sent(const LowCmd& command, const LowState& state) noexcept {
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorCmd& motor = command.motorCmd[i];
+    const double dq = state.motorState[i].dq;
+    const double tau = motor.tau - (motor.Kd > 0.0F ? motor.Kd * dq : 0.0);
+    told_[i] = std::clamp(tau, -motor_torque_limit(robot_.config(), i, dq, -1.0),
+                          motor_torque_limit(robot_.config(), i, dq, 1.0));
+  }
+}
+
+void MotorFaults::judge_modes(const LowState& state, FaultLog& log) noexcept {
+  int bad = -1;
+  for (int i = 0; i < kMotors && bad < 0; ++i) {
+    if (state.motorState[i].mode != kModeServo) bad = i;
+  }
+  bad_modes_ = bad < 0 ? 0 : bad_modes_ + 1;
+  log.set(FaultId::kMotorMode, bad_modes_ >= kBadModes, bad);
+}
+
+// Told and measured through the same filter: what the motor's own delay and lag shift is small
+// beside what a dead motor leaves out.
+void MotorFaults::judge_torques(const LowState& state, double dt, FaultLog& log) noexcept {
+  const double share = -std::expm1(-dt / kTorqueTime);
+  int weak = -1, legs = 0, last_leg = -1;
+  for (int i = 0; i < kMotors; ++i) {
+    expected_[i] += share * (told_[i] - expected_[i]);
+    measured_[i] += share * (state.motorState[i].tauEst - measured_[i]);
+    const double allowed =
+        kTorqueOff * robot_.config().tau_max[i] + kTorqueOffShare * std::abs(expected_[i]);
+    const bool off = std::abs(measured_[i] - expected_[i]) > allowed;
+    if (!weak_[i].update(off, dt, kWeakTime)) continue;
+    if (weak < 0) weak = i;
+    if (i / kLegJoints != last_leg) ++legs;
+    last_leg = i / kLegJoints;
+  }
+  log.set(FaultId::kOverridden, legs > 1, weak);
+  log.set(FaultId::kMotorWeak, legs == 1, weak);
+}
+
+void MotorFaults::judge_heat(const LowState& state, double dt, FaultLog& log) noexcept {
+  const double share = started_ ? -std::expm1(-dt / kHeatTime) : 1.0;
+  started_ = true;
+  int hottest = 0;
+  for (int i = 0; i < kMotors; ++i) {
+    heat_[i] += share * (state.motorState[i].temperature - heat_[i]);
+    if (heat_[i] > heat_[hottest]) hottest = i;
+    const double over = std::clamp((heat_[i] - warning_) / (stop_ - warning_), 0.0, 1.0);
+    share_[i] = 1.0 - (1.0 - kLeastShare) * over;
+  }
+  log.set(FaultId::kTemperature, hot_.update(heat_[hottest] >= stop_, dt, kHotTime), hottest);
+}
+
+void MotorFaults::judge_angles(const LowState& state, FaultLog& log) noexcept {
+  const RobotConfig& config = robot_.config();
+  int bad = -1;
+  for (int i = 0; i < kMotors && bad < 0; ++i) {
+    const double q = state.motorState[i].q;
+    const bool inside =
+        q >= config.q_lower[i] + joint_margin_ && q <= config.q_upper[i] - joint_margin_;
+    if (!inside) bad = i;
+  }
+  bad_angles_ = bad < 0 ? 0 : bad_angles_ + 1;
+  log.set(FaultId::kJointStop, bad_angles_ >= kBadAngles, bad);
+}
+
+}  // namespace surefoot

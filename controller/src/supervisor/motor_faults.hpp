@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "supervisor/fault_log.hpp"
+#include "surefoot/robot.hpp"
+
+namespace surefoot {
+
+/// What is wrong with the motors by their own reports: mode, torque against what they were told,
+/// temperature, angle. Real-time: yes.
+class MotorFaults {
+ public:
+  /// @param warning, stop [deg C] torque is derated from one on, and the robot sits at the other
+  /// @param joint_margin [rad] inside the limits; negative: beyond
+  MotorFaults(const Robot& robot, double warning, double stop, double joint_margin)
+      : robot_(robot), warning_(warning), stop_(stop), joint_margin_(joint_margin) {}
+
+  /// Judge a report. @param dt [s] @param log is told
+  void update(const LowState& state, double dt, FaultLog& log) noexcept;
+  /// What the motors have just been told: compared with what they report from now on.
+  void sent(const LowCmd& command, const LowState& state) noexcept;
+  /// Share of each motor's torque that its temperature leaves it, kLeastShare .. 1.
+  const Vector12& torque_share() const noexcept { return share_; }
+  /// Forget torques and counts, not temperatures.
+  void reset() noexcept;
+
+  static constexpr double kLeastShare = 0.5;
+
+ private:
+  void judge_modes(const LowState& state, FaultLog& log) noexcept;
+  void judge_torques(const LowState& state, double dt, FaultLog& log) noexcept;
+  void judge_heat(const LowState& state, double dt, FaultLog& log) noexcept;
+  void judge_angles(const LowState& state, FaultLog& log) noexcept;
+
+  Robot robot_;
+  double warning_, stop_, joint_margin_;
+  Vector12 told_ = Vector12::Zero();      // [N.m] by the last command
+  Vector12 expected_ = Vector12::Zero();  // [N.m] told, smoothed
+  Vector12 measured_ = Vector12::Zero();  // [N.m] tauEst, smoothed
+  Vector12 heat_ = Vector12::Zero();      // [deg C] smoothed
+  Vector12 share_ = Vector12::Ones();
+  std::array<Lasting, kMotors> weak_;
+  Lasting hot_;
+  int bad_modes_ = 0, bad_angles_ = 0;  // reports in a row
+  bool started_ = false;
+};
+
+}  // namespace surefoot

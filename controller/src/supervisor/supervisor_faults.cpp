@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is found wrong in a good report, and what is done about it.
+#include <cmath>
+
+#include "supervisor/supervisor_impl.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kFallTilt = 0.7;      // [rad] while rising and sitting
+constexpr double kForesight = 0.1;     // [s] that the tilt is foreseen
+constexpr double kBatteryTime = 1.0;   // [s]
+constexpr double kLossWatched = 0.05;  // share of reports
+
+}  // namespace
+
+void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
+  motors.update(state, dt, log);
+  stand.set_torque_share(motors.torque_share());
+  springs.set_torque_share(motors.torque_share());
+  if (standing()) {
+    sensors.update(stand.estimator_report(), stand.state(), dt, log);
+  } else {
+    sensors.reset(log);
+  }
+  judge_tilt(state);
+  judge_rest(state, dt);
+}
+
+// Of the torque protections this is the last word; the command is not read.
+void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
+  log.set(FaultId::kPower,
+          active() && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
+  log.set(FaultId::kLoss, arming.loss() > kLossWatched);
+  const BmsState& bms = state.bms;
+  const bool told = bms.SOC > 0 || bms.bms_status > 0 || bms.version_h > 0;
+  log.set(FaultId::kBattery,
+          battery.update(told && bms.SOC < options.battery_low, dt, kBatteryTime));
+  const unsigned beats = heartbeats;
+  silence = beats == heard ? silence + dt : 0.0;
+  heard = beats;
+  log.set(FaultId::kOperator, silence > options.operator_timeout);
+}
+
+// With the rate at which it goes on: a body that falls fast is let go of early.
+void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
+  if (!active()) {
+    log.set(FaultId::kTilt, false);
+    return;
+  }
+  // A controller that stands knows better than the IMU, and judges by its own gain.
+  Quaternion R = springs.R_world_base();
+  double most = kFallTilt;
+  if (standing()) {
+    R = Quaternion(stand.state().q.segment<4>(3).data());
+    most = stand.gains().fall_tilt;
+  }
+  const std::array<float, 3> gyroscope = state.imu.gyroscope;  // packed: copied
+  const Vector3 w = springs.R_base_imu() * Vector3(gyroscope[0], gyroscope[1], gyroscope[2]);
+  const Vector3 up = R.conjugate() * Vector3::UnitZ();  // in base axes
+  const double tilt = std::acos(std::clamp(up.z(), -1.0, 1.0));
+  const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);
+  // d(up)/dt = up x w; the tilt grows as its z falls.
+  const double rate = -up.cross(w).z() / sine;
+  log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + kForesight * rate > most));
+}
+
+void Supervisor::Impl::react() noexcept {
+  for (const FaultId asked : {FaultId::kStop, FaultId::kButton}) {
+    if (log.report().has(asked)) latch(asked);
+  }
+  if (!active()) return;
+  const FaultId worst = log.first(FaultReaction::kDamp);
+  // What is wrong with the report alone is bridged first: see tick().
+  if (worst != FaultId::kNone && worst != bad) latch(worst);
+  const bool up = now.mode == Mode::kStand || now.mode == Mode::kRise;
+  if (up && log.first(FaultReaction::kSit) != FaultId::kNone) enter(Mode::kSit);
+}
+
+}  // namespace surefoot
