@@ -44,7 +44,7 @@ struct AtRest {
   /// One tick; sensors are never quite still, and motors give what they are told.
   void step() {
     report.tick += 2;
-    report.imu.accelerometer[0] = report.tick % 4 == 0 ? 1e-3F : -1e-3F;
+    report.motorState[3].dq = report.tick % 4 == 0 ? 1e-3F : -1e-3F;
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);
   }
@@ -157,7 +157,7 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
     int ticks = 0;
     for (; ticks < 100 && supervisor.mode() != Mode::kDamping; ++ticks) {
       report.tick += 2;
-      report.imu.accelerometer[0] = -report.imu.accelerometer[0];
+      report.motorState[3].dq = -report.motorState[3].dq;
       for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
       spoil(report, good);
       last = supervisor.update(report);
