@@ -89,14 +89,16 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   return seen;
 }
 
-// A robot without mass: its joints go where they are pulled, as fast as they are damped.
-void follow(const LowCmd& command, LowState& report) {
+// A robot without mass: its joints go where motors and the ground pull them, as fast as they are
+// damped. The ground pulls as it does on a robot that stands.
+void follow(const LowCmd& command, const LowState& standing, LowState& report) {
   report.tick += 2;
   for (int i = 0; i < kMotors; ++i) {
     const MotorCmd& motor = command.motorCmd[i];
     MotorState& joint = report.motorState[i];
-    joint.tauEst = motor.tau;
-    joint.dq = motor.Kd > 1.0F ? std::clamp(motor.tau / motor.Kd, -5.0F, 5.0F) : 0.0F;
+    const float pull = motor.tau - standing.motorState[i].tauEst;
+    joint.dq = motor.Kd > 1.0F ? std::clamp(pull / motor.Kd, -5.0F, 5.0F) : 0.0F;
+    joint.tauEst = motor.tau - (motor.Kd > 0.0F ? motor.Kd * joint.dq : 0.0F);
     joint.q += 0.002F * joint.dq;
   }
 }
@@ -109,12 +111,12 @@ struct Supervised {
 // Up, down, up again, stopped, armed again, and so on; every call but the constructor counts.
 Supervised supervise(const Robot& robot) {
   Supervisor supervisor(robot);
-  LowState report = resting_report(robot, 0);
-  for (int i = 0; i < kMotors; ++i) report.motorState[i].mode = kModeServo;
+  const LowState standing = resting_report(robot, 0);
+  LowState report = standing;
   Supervised seen;
   const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
   for (int tick = 0; tick < 25000; ++tick) {
-    follow(supervisor.update(report), report);
+    follow(supervisor.update(report), standing, report);
     const Mode mode = supervisor.mode();
     ++seen.ticks[static_cast<int>(mode)];
     if (!supervisor.armed()) supervisor.arm();

@@ -55,10 +55,10 @@ struct SupervisorOptions {
 /// Takes a robot from lying to standing and back, behind arming, refusals and a stop: LowState in,
 /// LowCmd out.
 ///
-/// Rising folds the legs from wherever they are, feet beside the body and knees up, then follows a
-/// straight line in the joints to the standing pose, all legs alike, so that feet stay where they
-/// are while the body goes up and forward. Its pace is what half of the power level allows by the
-/// torques that hold the robot. Sitting is the same line backwards. Torques fade from mode to mode
+/// Rising folds the legs from wherever they are, feet beside the body and knees up, then goes over a
+/// crouch to the standing pose, all legs alike, so that feet stay where they are while the body
+/// comes over them and up. Its pace is what half of the power level allows by the torques that hold
+/// the robot. Sitting is the same way backwards. Torques fade from mode to mode
 /// in 0.25 s; only damping for a stop or a fault is at once. What is wrong and what is done about
 /// it: fault_table().
 ///

@@ -71,10 +71,11 @@ class WholeBodyController {
   /// yes.
   bool adopt_gains(const Gains& gains) noexcept;
 
-  /// Forget the warm start.
   /// Let each motor use only a share of its torque, 0 .. 1, SDK order: a hot one, say. What is not
   /// a share changes nothing. Real-time: yes.
   void set_torque_share(const Vector12& share) noexcept;
+
+  /// Forget the warm start.
   void reset() noexcept;
 
  private:

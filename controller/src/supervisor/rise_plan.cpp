@@ -48,6 +48,12 @@ double foot_depth(Pose& pose, const Vector12& joints, int leg) {
   return -pose.at(joints).legs()[leg].p_world_contact.z();
 }
 
+// The calf as it is folded, the foot straight below the hip.
+void crouch_leg(int leg, const RisePlan& plan, Vector12& joints) {
+  joints[3 * leg + 2] = plan.folded[3 * leg + 2];
+  joints[3 * leg + 1] = -0.5 * joints[3 * leg + 2];
+}
+
 // The calf near its stop on the side that it bends to; the thigh turned back until the foot is up.
 void fold_leg(Pose& pose, const RobotConfig& config, int leg, double depth, Vector12& joints) {
   const int thigh = 3 * leg + 1, calf = 3 * leg + 2;
@@ -62,10 +68,9 @@ void fold_leg(Pose& pose, const RobotConfig& config, int leg, double depth, Vect
 }
 
 void plan_rates(const RobotConfig& config, Pose& pose, double watts, RisePlan& plan) {
-  const Vector12 way = plan.standing - plan.folded;
   for (int k = 0; k < RisePlan::kSamples; ++k) {
     const double s = double(k) / (RisePlan::kSamples - 1);
-    const Vector12 tau = pose.hold(plan.joints_at(s));
+    const Vector12 way = plan.direction_at(s), tau = pose.hold(plan.joints_at(s));
     double rate = kMaxRate;
     for (int i = 0; i < kMotors; ++i) {
       rate = std::min(rate, kSpeedShare * config.dq_max[i] / std::max(std::abs(way[i]), 1e-9));
@@ -93,7 +98,7 @@ RisePlan plan_rise(const Robot& robot, double watts) {
   }
   Pose pose(robot);
   RisePlan plan;
-  plan.standing = plan.folded = config.q_standing;
+  plan.standing = plan.folded = plan.crouched = config.q_standing;
   double depth = 0.0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double standing = foot_depth(pose, plan.standing, leg);
@@ -103,6 +108,7 @@ RisePlan plan_rise(const Robot& robot, double watts) {
     plan.wide[hip] = outward * std::min(kWidest, kWide * (outward < 0.0 ? -config.q_lower[hip]
                                                                         : config.q_upper[hip]));
     fold_leg(pose, config, leg, kFoldedDepth * standing, plan.folded);
+    crouch_leg(leg, plan, plan.crouched);
     depth += standing / kLegs;
   }
   plan.stiffness = kStiffness * robot.mass() * kGravity * depth;

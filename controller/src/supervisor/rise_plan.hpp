@@ -10,12 +10,17 @@ namespace surefoot {
 
 /// How one robot gets up, worked out once.
 ///
-/// From legs folded beside the lying body, knees up and feet behind the hips, to the standing pose
-/// along a straight line in the joints, q(s) = folded + s (standing - folded). Legs that move alike
-/// keep their feet at the same distances, so nothing slips while the body goes up and forward.
+/// From legs folded beside the lying body, knees up and feet behind the hips, over a crouch with
+/// the calves still folded and the feet below the hips, to the standing pose: a parabola in the
+/// joints,
+///   q(s) = (1 - s)^2 folded + 2 s (1 - s) crouched + s^2 standing
+/// that bends towards the crouch, for the body to come over its feet before it is up. (A straight
+/// line keeps it ahead of them on half of the way: with a load, or down a slope, it tips forward.)
+/// Legs that move alike keep their feet at the same distances, so nothing slips.
 struct RisePlan {
   static constexpr int kSamples = 65;
   Vector12 folded = Vector12::Zero();    ///< [rad] s = 0: feet just above the ground
+  Vector12 crouched = Vector12::Zero();  ///< [rad] what the way bends towards
   Vector12 standing = Vector12::Zero();  ///< [rad] s = 1
   Vector12 wide = Vector12::Zero();      ///< [rad] hips turned outward, 0 elsewhere
   std::array<double, kSamples> rate{};   ///< [1/s] greatest ds/dt at s = k / (kSamples - 1)
@@ -25,7 +30,14 @@ struct RisePlan {
   double time = 0.0;                     ///< [s] by the rates alone
 
   double rate_at(double s) const noexcept;
-  Vector12 joints_at(double s) const noexcept { return folded + s * (standing - folded); }
+  Vector12 joints_at(double s) const noexcept {
+    const double r = 1.0 - s;
+    return r * r * folded + 2.0 * s * r * crouched + s * s * standing;
+  }
+  /// dq/ds [rad].
+  Vector12 direction_at(double s) const noexcept {
+    return 2.0 * (1.0 - s) * (crouched - folded) + 2.0 * s * (standing - crouched);
+  }
 };
 
 /// Plan a rise whose motors take no more than a power, by the torques that hold the robot:
