@@ -90,13 +90,14 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
 }
 
 // A robot without mass: its joints go where motors and the ground pull them, as fast as they are
-// damped. The ground pulls as it does on a robot that stands.
+// damped. The ground pulls as it does on a robot that stands, but not at one that lies and brakes.
 void follow(const LowCmd& command, const LowState& standing, LowState& report) {
   report.tick += 2;
+  report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
   for (int i = 0; i < kMotors; ++i) {
     const MotorCmd& motor = command.motorCmd[i];
     MotorState& joint = report.motorState[i];
-    const float pull = motor.tau - standing.motorState[i].tauEst;
+    const float pull = motor.tau == 0.0F ? 0.0F : motor.tau - standing.motorState[i].tauEst;
     joint.dq = motor.Kd > 1.0F ? std::clamp(pull / motor.Kd, -5.0F, 5.0F) : 0.0F;
     joint.tauEst = motor.tau - (motor.Kd > 0.0F ? motor.Kd * joint.dq : 0.0F);
     joint.q += 0.002F * joint.dq;

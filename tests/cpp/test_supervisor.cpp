@@ -44,6 +44,7 @@ struct AtRest {
   /// One tick; sensors are never quite still, and motors give what they are told.
   void step() {
     report.tick += 2;
+    report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
     report.motorState[3].dq = report.tick % 4 == 0 ? 1e-3F : -1e-3F;
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);
@@ -157,6 +158,7 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
     int ticks = 0;
     for (; ticks < 100 && supervisor.mode() != Mode::kDamping; ++ticks) {
       report.tick += 2;
+      report.imu.gyroscope[2] = -report.imu.gyroscope[2];
       report.motorState[3].dq = -report.motorState[3].dq;
       for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
       spoil(report, good);
@@ -185,7 +187,7 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
   expect(FaultId::kOverridden, [](LowState& r, const LowState&) {
     r.motorState[2].tauEst = r.motorState[8].tauEst = 20.0F;
   });
-  expect(FaultId::kJointStop, [](LowState& r, const LowState&) { r.motorState[1].q = -2.0F; });
+  expect(FaultId::kJointJump, [](LowState& r, const LowState&) { r.motorState[1].q = -2.0F; });
   expect(FaultId::kPower, [](LowState& r, const LowState&) {
     r.motorState[0].dq = 15.0F;
     r.motorState[0].tauEst = 8.0F;

@@ -17,8 +17,9 @@ enum class FaultId : int {
   kStaleTick,         ///< tick stands still, runs backwards or leaps
   kFrozen,            ///< tick advances, the sensors repeat themselves byte by byte
   kLoss,              ///< too many reports are missing
+  kJointJump,         ///< a joint's angle jumps against its own speed
   kQuaternion,        ///< no unit length, or it contradicts gyroscope and legs
-  kAttitude,          ///< rising or sitting, when it is needed: none, or it jumps
+  kAttitude,          ///< attitude and gyroscope jump against each other, or there is none
   kGyroscope,         ///< zero, constant, saturated or contradicted
   kAccelerometer,     ///< zero, constant, saturated or contradicted
   kFootForce,         ///< a foot's sensor is stuck, saturated or contradicted
@@ -37,7 +38,7 @@ enum class FaultId : int {
   kBattery,           ///< low
   kOperator           ///< no heartbeat from the operator
 };
-constexpr int kFaults = 27;  ///< kNone included
+constexpr int kFaults = 28;  ///< kNone included
 const char* to_string(FaultId id) noexcept;
 
 /// What is done about a fault.

@@ -7,6 +7,8 @@ namespace surefoot {
 
 namespace {
 
+constexpr double kRounding = 1e-9;  // [s]
+
 // Unsigned subtraction wraps as the counter does; read as signed, half the range is the past.
 double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
   return 1e-3 * static_cast<std::int32_t>(to - from);
@@ -21,16 +23,19 @@ double TickClock::advance(std::uint32_t tick) noexcept {
     return 0.0;
   }
   double step = seconds_between(last_, tick);
-  if (step > kLeap) {
+  gap_ = 0.0;
+  if (step > kLeap + kRounding) {
     const double since_leap = seconds_between(leap_, tick);
-    const bool confirmed = leapt_ && since_leap > 0.0 && since_leap <= kLeap;
+    const bool confirmed = leapt_ && since_leap > 0.0 && since_leap <= kLeap + kRounding;
     leapt_ = true;
     leap_ = tick;
     if (!confirmed) return -1.0;
+    gap_ = step;
     step = kMaxStep;
   }
   if (step <= 0.0) return -1.0;
   leapt_ = false;
+  gap_ = std::max(gap_, step);
   last_ = tick;
   previous_step_ = step_;
   step_ = std::min(step, kMaxStep);

@@ -14,6 +14,9 @@ class TickClock {
   /// confirm it. A leap that is confirmed counts as kMaxStep.
   double advance(std::uint32_t tick) noexcept;
 
+  /// What advance() just told, before it was cut down to kMaxStep: how long no good tick came [s].
+  double gap() const noexcept { return gap_; }
+
   /// The longer of the last two steps [s], at most kMaxStep: what a tick that tells no time is
   /// taken to last. Reports may jitter; an old command must not live longer for it.
   double period() const noexcept;
@@ -21,13 +24,14 @@ class TickClock {
   void reset() noexcept { *this = TickClock(); }
 
   static constexpr double kMaxStep = 0.010;  ///< [s] a longer gap is integrated as this
-  static constexpr double kLeap = 0.100;     ///< [s]
+  static constexpr double kLeap = 0.010;     ///< [s] no command lives longer than that anyway
 
  private:
   bool started_ = false;
   bool leapt_ = false;
   std::uint32_t last_ = 0;
   std::uint32_t leap_ = 0;
+  double gap_ = 0.0;
   double step_ = 0.002, previous_step_ = 0.002;
 };
 

@@ -28,7 +28,8 @@ class RepeatedReport {
     words_ = words;
     return same_for_ >= kPatience - 1e-9;
   }
-  void reset() noexcept { *this = RepeatedReport(); }
+  /// Was the last report the same as the one before it?
+  bool repeats() const noexcept { return same_for_ > 0.0; }
 
  private:
   using Words = Eigen::Matrix<float, 42, 1>;

@@ -57,7 +57,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     out = &command(state, dt);
   } else {
     out = &keeper.refuse(dt, damping_kd);
-    if (keeper.latched()) latch(bad);
+    if (keeper.latched() || clock.gap() > kStaleTime) latch(bad);
   }
   if (good) motors.sent(*out, state);
   publish();
@@ -92,8 +92,14 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   const Status status = check_low_state(state, robot.config());
   if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
   if (status != Status::kOk) return FaultId::kStateImplausible;
-  // A controller that stands has an attitude of its own.
-  if (!attitude.update(state.imu, step) && !standing()) return FaultId::kAttitude;
+  const bool joints_fit = joints.update(state, step);
+  const bool imu_fits = imu.update(state.imu, step, !repeated.repeats());
+  if (!joints_fit) return FaultId::kJointJump;
+  // A controller that stands has an attitude of its own, and rates are all that it must have.
+  const bool needed = !standing() || has_quaternion(state.imu);
+  if (!imu_fits && needed) return FaultId::kAttitude;
+  // Between the last report and this one nobody was there to command.
+  if (active() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
   return again && active() ? FaultId::kFrozen : FaultId::kNone;
 }
 

@@ -4,9 +4,10 @@
 #include "safety/command_keeper.hpp"
 #include "safety/tick_clock.hpp"
 #include "supervisor/arming.hpp"
-#include "supervisor/attitude_watch.hpp"
 #include "supervisor/fault_log.hpp"
 #include "supervisor/height_motion.hpp"
+#include "supervisor/imu_watch.hpp"
+#include "supervisor/joint_watch.hpp"
 #include "supervisor/leg_folding.hpp"
 #include "supervisor/leg_springs.hpp"
 #include "supervisor/motor_faults.hpp"
@@ -73,7 +74,8 @@ struct Supervisor::Impl {
   MotorFaults motors;
   SensorFaults sensors;
   RepeatedReport repeated;
-  AttitudeWatch attitude;
+  ImuWatch imu;
+  JointWatch joints;
   Lasting battery;
   FaultId bad = FaultId::kNone;  // what is wrong with the report itself
   unsigned heard = 0;            // heartbeats

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "supervisor/fault_log.hpp"
+#include "surefoot/low_level.hpp"
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Holds the IMU's attitude and its gyroscope against each other, in every mode. Real-time: yes.
+class ImuWatch {
+ public:
+  /// May this report's attitude and rates be acted upon? One that jumps may not.
+  /// @param step [s] since the report before @param anew has anything in the report changed?
+  bool update(const IMU& imu, double step, bool anew) noexcept;
+  /// Has the gyroscope stopped, clipped, or gone its own way for long? Of the last update.
+  bool gyroscope_bad() const noexcept { return gyroscope_bad_; }
+
+ private:
+  void compare_rates(const Vector3& w, const Vector3& w_attitude, double step, bool anew) noexcept;
+
+  Quaternion R_ = Quaternion::Identity();     // world to IMU, carried on by the gyroscope
+  Quaternion last_ = Quaternion::Identity();  // as reported
+  Vector3 w_last_ = Vector3::Zero();          // [rad/s]
+  Vector3 off_ = Vector3::Zero();             // [rad/s] gyroscope less attitude's rate, smoothed
+  double against_ = 0.0;                      // [s] since the attitude was last believed
+  bool started_ = false, gyroscope_bad_ = false;
+  Lasting held_, clipped_, away_;
+};
+
+}  // namespace surefoot

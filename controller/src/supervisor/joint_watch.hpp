@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/low_level.hpp"
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Holds each joint's angle against its own speed: an angle that jumps is not to be acted upon.
+/// Real-time: yes.
+class JointWatch {
+ public:
+  static constexpr double kJump = 0.08;   ///< [rad] more than its speed explains
+  static constexpr double kShare = 0.5;   ///< of what its speed explains
+  static constexpr double kForget = 0.5;  ///< [s] after which new angles are taken as they are
+
+  /// May these angles be acted upon? @param step [s] since the report before
+  bool update(const LowState& state, double step) noexcept {
+    age_ += step;
+    Vector12 q, way;
+    for (int i = 0; i < kMotors; ++i) {
+      q[i] = state.motorState[i].q;
+      way[i] = state.motorState[i].dq * age_;
+    }
+    const auto off = (q - q_ - way).array().abs() - kShare * way.array().abs();
+    if (started_ && age_ < kForget && !(off < kJump).all()) return false;
+    q_ = q;
+    age_ = 0.0;
+    started_ = true;
+    return true;
+  }
+
+ private:
+  Vector12 q_ = Vector12::Zero();  // [rad] that were last believed
+  double age_ = 0.0;               // [s] of them
+  bool started_ = false;
+};
+
+}  // namespace surefoot
