@@ -99,14 +99,17 @@ RisePlan plan_rise(const Robot& robot, double watts) {
   Pose pose(robot);
   RisePlan plan;
   plan.standing = plan.folded = plan.crouched = config.q_standing;
+  plan.lower = config.q_lower.array() + kStop;
+  plan.upper = config.q_upper.array() - kStop;
   double depth = 0.0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double standing = foot_depth(pose, plan.standing, leg);
     const double outward =
         pose.at(plan.standing).legs()[leg].p_world_contact.y() < 0.0 ? -1.0 : 1.0;
     const int hip = 3 * leg;
-    plan.wide[hip] = outward * std::min(kWidest, kWide * (outward < 0.0 ? -config.q_lower[hip]
-                                                                        : config.q_upper[hip]));
+    plan.widest[hip] = outward < 0.0 ? plan.lower[hip] : plan.upper[hip];
+    const double range = outward < 0.0 ? -config.q_lower[hip] : config.q_upper[hip];
+    plan.wide[hip] = outward * std::min(kWidest, kWide * range);
     fold_leg(pose, config, leg, kFoldedDepth * standing, plan.folded);
     crouch_leg(leg, plan, plan.crouched);
     depth += standing / kLegs;
