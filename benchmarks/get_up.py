@@ -28,6 +28,7 @@ import numpy as np
 from get_up_helpers import LEVELS, Watched
 from surefoot import Error, Mode, RequestStatus, Status
 
+ARMING_TIME = 20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
 MOST_TIME = 60.0  # [s] that a rise may take, tries and all
 STANDS_FOR = 1.5  # [s]
 STILL = 0.05  # [m/s], [rad/s]
@@ -74,7 +75,7 @@ def run(job: tuple[str, int]) -> Outcome:
 def get_up(robot: Watched) -> tuple[str, float]:
     """Arm, rise, stand; return why not, and how long it took [s]."""
     supervisor = robot.supervisor
-    if not robot.run(3.0, lambda: supervisor.arming.ready):
+    if not robot.run(ARMING_TIME, lambda: supervisor.arming.ready):
         return f"not armed: {robot.failures}", 0.0
     robot.arm()
     if supervisor.request(Mode.RISE) != RequestStatus.ACCEPTED:

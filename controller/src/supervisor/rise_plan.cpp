@@ -90,6 +90,15 @@ double RisePlan::rate_at(double s) const noexcept {
   return rate[k] + (x - k) * (rate[k + 1] - rate[k]);
 }
 
+double RisePlan::nearest(const Vector12& joints) const noexcept {
+  double best = 0.0;
+  for (int k = 1; k < kSamples; ++k) {
+    const double s = double(k) / (kSamples - 1);
+    if ((joints_at(s) - joints).norm() < (joints_at(best) - joints).norm()) best = s;
+  }
+  return best;
+}
+
 RisePlan plan_rise(const Robot& robot, double watts) {
   const RobotConfig& config = robot.config();
   if (robot.nv() != 6 + kMotors) {

@@ -41,6 +41,8 @@ struct RisePlan {
   Vector12 direction_at(double s) const noexcept {
     return 2.0 * (1.0 - s) * (crouched - folded) + 2.0 * s * (standing - crouched);
   }
+  /// s of the sample whose joints are the nearest.
+  double nearest(const Vector12& joints) const noexcept;
 };
 
 /// Plan a rise whose motors take no more than a power, by the torques that hold the robot:
