@@ -22,6 +22,7 @@ class Watched:
         mode_step: Greatest change of a motor's torque in the two ticks after a change of mode, as
             a share of its limit; torque is what motors are told, their own damping included.
         step_share: The same, over all ticks.
+        tilt_deg: Greatest true tilt of the body [deg].
     """
 
     def __init__(self, name: str, seed: int) -> None:
@@ -36,6 +37,7 @@ class Watched:
         self._mode, self._since_change = self.supervisor.mode, 99
         self.command = surefoot.LowCmd()
         self.refused, self.power, self.mode_step, self.step_share = 0, 0.0, 0.0, 0.0
+        self.tilt_deg = 0.0
 
     def tick(self) -> None:
         self.command = self.supervisor.update(self.state)
@@ -44,6 +46,8 @@ class Watched:
         self.power = max(self.power, self._safety.power)
         self._watch_torque()
         self.state = self.plant.step(self.command)
+        upright = self.plant.data.xmat[self.plant.handles.root, 8]
+        self.tilt_deg = max(self.tilt_deg, float(np.degrees(np.arccos(min(upright, 1.0)))))
 
     def run(self, seconds: float, until: Callable[[], bool] = lambda: False) -> bool:
         """Go on until a condition; return whether it came true."""

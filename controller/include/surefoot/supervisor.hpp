@@ -55,12 +55,14 @@ struct SupervisorOptions {
 /// Takes a robot from lying to standing and back, behind arming, refusals and a stop: LowState in,
 /// LowCmd out.
 ///
-/// Rising folds the legs from wherever they are, feet beside the body and knees up, then goes over a
-/// crouch to the standing pose, all legs alike, so that feet stay where they are while the body
-/// comes over them and up. Its pace is what half of the power level allows by the torques that hold
-/// the robot. Sitting is the same way backwards. Torques fade from mode to mode
-/// in 0.25 s; only damping for a stop or a fault is at once. What is wrong and what is done about
-/// it: fault_table().
+/// Rising folds the legs from wherever they are, feet beside the body and knees up, then goes over
+/// a crouch to the standing pose, all legs alike, so that feet stay where they are while the body
+/// comes over them and up. A leg that catches on something backs out and tries again, up to eight
+/// times. A robot that crouches or stands already, joints within 0.35 rad of that way, does not
+/// fold but goes on from there. The pace is what half of the power level allows by the torques that
+/// hold the robot. Sitting is the same way backwards. Torques fade from mode to mode in 0.25 s;
+/// only damping for a stop or a fault is at once. What is wrong and what is done about it:
+/// fault_table().
 ///
 /// update(), stand() and set_body_reference() belong to one thread. request(), arm(), stop(),
 /// heartbeat(), mode(), armed(), arming(), faults() and reason() may be called from any; none of

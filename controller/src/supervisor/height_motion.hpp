@@ -10,14 +10,14 @@ class HeightMotion {
  public:
   explicit HeightMotion(const RisePlan& plan) : plan_(plan) {}
 
-  /// Begin at the lower end (0) or the upper (1), with joints that need not be exactly there: what
-  /// they are off fades out along the way.
+  /// Begin at s, with joints that need not be exactly there: what they are off fades out in a
+  /// second.
   void start(double s, const Vector12& joints) noexcept;
   void go_to(double s) noexcept { goal_ = s; }
   const JointReference& step(const Vector12& measured, double dt) noexcept;
 
   double position() const noexcept { return s_; }
-  bool arrived() const noexcept { return s_ == goal_; }
+  bool arrived() const noexcept;
   /// Share of the weight that the legs are meant to bear: none on the ground, all once they lift.
   double load() const noexcept;
   /// Have the joints been unable to follow for long?
@@ -29,8 +29,9 @@ class HeightMotion {
   RisePlan plan_;
   JointReference reference_;
   Vector12 offset_ = Vector12::Zero();  // [rad] of the joints where the motion began
-  double start_ = 0.0, goal_ = 0.0;
+  double goal_ = 0.0;
   double s_ = 0.0, ds_ = 0.0;  // ds_ in 1/s
+  double time_ = 0.0;          // [s] since the start
   double waited_ = 0.0;        // [s]
 };
 

@@ -14,45 +14,106 @@ constexpr double kSpeed = 1.2;          // [rad/s]
 constexpr double kAcceleration = 15.0;  // [rad/s^2]
 constexpr double kPull = 4.0;           // [1/s] how the reference ends
 constexpr double kLead = 0.4;           // [rad] that it may run ahead of its joint
-constexpr double kKneeBeside = 1.3;     // [rad] thigh: up to here the hip is turned outward ...
+constexpr double kKneeForward = -0.8;   // [rad] thigh: from here the hip is turned outward ...
+constexpr double kKneeBelow = 0.2;      // ... until it is wholly here ...
+constexpr double kKneeBeside = 1.3;     // ... up to here ...
 constexpr double kKneeUp = 2.2;         // ... and from here on it is straight
 constexpr double kKneeBack = 1.9;  // [rad] thigh: where a knee that leans over the body goes ...
 constexpr double kHipOff = 0.2;    // [rad] until its hip is as near as this ...
 constexpr double kGently = 4.0;    // [s] but no longer
 constexpr double kThere = 0.005;   // [rad] of the reference
 constexpr double kNear = 0.25;     // [rad] of the joints: friction and the ground hold them
+constexpr double kMoved = 0.1;     // [rad] by which a leg that has not caught moves ...
+constexpr double kWait = 1.0;      // [s] ... in this time
+constexpr double kBackTime = 1.5;  // [s] that a leg backs out for
+constexpr double kBackStep = 0.6;  // [rad] thigh: how far, on the first try
+constexpr double kOpenCalf = 1.2;  // [rad] while it does
+
+double turned_back(const Vector12& folded, const Vector12& q, int thigh) {
+  return std::copysign(1.0, folded[thigh]) * q[thigh];
+}
 
 }  // namespace
 
 void LegFolding::start(const Vector12& measured) noexcept {
   reference_.q = measured;
   reference_.dq.setZero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    legs_[leg] = {};
+    legs_[leg].q = measured.segment<kLegJoints>(kLegJoints * leg);
+  }
   time_ = 0.0;
   done_ = false;
 }
 
-Vector12 LegFolding::target(const Vector12& measured) const noexcept {
-  Vector12 target = plan_.folded;
-  for (int hip = 0; hip < kMotors; hip += kLegJoints) {
-    const double thigh = std::abs(reference_.q[hip + 1]);
-    target[hip] +=
-        plan_.wide[hip] * (1.0 - smooth((thigh - kKneeBeside) / (kKneeUp - kKneeBeside)));
-    const bool leans = thigh > kKneeBeside && std::abs(target[hip] - measured[hip]) > kHipOff;
-    if (leans && time_ < kGently) target[hip + 1] = std::copysign(kKneeBack, target[hip + 1]);
+int LegFolding::most_tries() const noexcept {
+  int most = 0;
+  for (const Leg& leg : legs_) most = std::max(most, leg.tries);
+  return most;
+}
+
+// A leg has caught that neither moves nor is where it is to be.
+void LegFolding::watch(int leg, const Vector12& measured, double dt) noexcept {
+  Leg& one = legs_[leg];
+  if (one.back > 0.0) {
+    one.back -= dt;
+    return;
   }
+  const int hip = kLegJoints * leg;
+  const Vector3 q = measured.segment<kLegJoints>(hip);
+  const Vector3 left = plan_.folded.segment<kLegJoints>(hip) - q;
+  const bool there = left.cwiseAbs().maxCoeff() < kNear;
+  if (there || (q - one.q).cwiseAbs().maxCoeff() > kMoved) {
+    one.q = q;
+    one.still = 0.0;
+  }
+  one.still += dt;
+  if (one.still < kWait) return;
+  one.still = 0.0;
+  one.back = kBackTime;
+  ++one.tries;
+}
+
+Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
+  const int hip = kLegJoints * leg, thigh = hip + 1;
+  const Leg& one = legs_[leg];
+  Vector3 target = plan_.folded.segment<kLegJoints>(hip);
+  if (one.back > 0.0) {
+    const double step = std::copysign(one.tries * kBackStep, target[1] - one.q[1]);
+    target[0] = plan_.widest[hip];
+    target[1] = std::clamp(one.q[1] - step, plan_.lower[thigh], plan_.upper[thigh]);
+    target[2] = std::copysign(kOpenCalf, target[2]);
+    return target;
+  }
+  const double at = turned_back(plan_.folded, measured, thigh);
+  const double to = turned_back(plan_.folded, reference_.q, thigh);
+  const double below = smooth((at - kKneeForward) / (kKneeBelow - kKneeForward));
+  const double beside = 1.0 - smooth((std::abs(to) - kKneeBeside) / (kKneeUp - kKneeBeside));
+  target[0] += plan_.wide[hip] * below * beside;
+  const bool leans = std::abs(to) > kKneeBeside && std::abs(target[0] - measured[hip]) > kHipOff;
+  if (leans && time_ < kGently) target[1] = std::copysign(kKneeBack, target[1]);
   return target;
+}
+
+void LegFolding::follow(int joint, double wanted, double measured, double dt) noexcept {
+  double &q = reference_.q[joint], &dq = reference_.dq[joint];
+  const double left = wanted - q;
+  const double ahead = std::copysign(1.0, left) * (q - measured) / kLead;
+  const double most = kSpeed * std::clamp(2.0 * (1.0 - ahead), 0.0, 1.0);
+  const double speed = std::clamp(kPull * left, -most, most);
+  dq += std::clamp(speed - dq, -kAcceleration * dt, kAcceleration * dt);
+  q += dq * dt;
 }
 
 const JointReference& LegFolding::step(const Vector12& measured, double dt) noexcept {
   time_ += dt;
-  const Vector12 wanted = target(measured);
-  for (int i = 0; i < kMotors; ++i) {
-    double &q = reference_.q[i], &dq = reference_.dq[i];
-    const double ahead = std::abs(q - measured[i]) / kLead;
-    const double most = kSpeed * std::clamp(2.0 * (1.0 - ahead), 0.0, 1.0);
-    const double speed = std::clamp(kPull * (wanted[i] - q), -most, most);
-    dq += std::clamp(speed - dq, -kAcceleration * dt, kAcceleration * dt);
-    q += dq * dt;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    watch(leg, measured, dt);
+    const Vector3 wanted = target(leg, measured);
+    for (int i = 0; i < kLegJoints; ++i) {
+      const int joint = kLegJoints * leg + i;
+      follow(joint, wanted[i], measured[joint], dt);
+    }
   }
   done_ = (plan_.folded - reference_.q).cwiseAbs().maxCoeff() < kThere &&
           (plan_.folded - measured).cwiseAbs().maxCoeff() < kNear;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "supervisor/rise_plan.hpp"
 
 namespace surefoot {
@@ -15,9 +17,11 @@ struct JointReference {
 ///
 /// All joints go at once. While a knee is below its hip that hip is turned outward, so that the leg
 /// sweeps beside the body; once the knee is up the hip goes straight, or the knees of a pair would
-/// meet over the back. A knee that leans over the body is turned back until its hip is straight:
-/// upright it would wedge itself against the body's edge. A joint that is held up makes its
-/// reference wait. Real-time: yes.
+/// meet over the back. So it is while a knee points forward: the foot is then up, and a leg that
+/// leans outward would lay it on the back. A knee that leans over the body is turned back until its
+/// hip is straight: upright it would wedge itself against the body's edge. A joint that is held up
+/// makes its reference wait. A leg that has caught on something backs out the way it came, hip
+/// outward and calf open, further from try to try. Real-time: yes.
 class LegFolding {
  public:
   explicit LegFolding(const RisePlan& plan) : plan_(plan) {}
@@ -26,14 +30,28 @@ class LegFolding {
   const JointReference& step(const Vector12& measured, double dt) noexcept;
   /// Is the reference there, and the legs with it?
   bool done() const noexcept { return done_; }
-  bool stuck() const noexcept { return !done_ && time_ > kPatience; }
+  /// Has a leg caught more often than makes sense to try?
+  bool stuck() const noexcept { return !done_ && (time_ > kPatience || most_tries() > kTries); }
 
  private:
-  static constexpr double kPatience = 10.0;  // [s]
-  Vector12 target(const Vector12& measured) const noexcept;
+  static constexpr double kPatience = 40.0;  // [s]
+  static constexpr int kTries = 8;           // of one leg
+
+  struct Leg {
+    Vector3 q = Vector3::Zero();  // [rad] where it moved last, or caught
+    double still = 0.0;           // [s] since
+    double back = 0.0;            // [s] that it still backs out for
+    int tries = 0;
+  };
+
+  int most_tries() const noexcept;
+  void watch(int leg, const Vector12& measured, double dt) noexcept;
+  Vector3 target(int leg, const Vector12& measured) const noexcept;
+  void follow(int joint, double wanted, double measured, double dt) noexcept;
 
   RisePlan plan_;
   JointReference reference_;
+  std::array<Leg, kLegs> legs_;
   double time_ = 0.0;  // [s]
   bool done_ = false;
 };

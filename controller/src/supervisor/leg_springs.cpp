@@ -2,6 +2,7 @@
 #include "supervisor/leg_springs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "safety/holding_torques.hpp"
 #include "safety/power_limiter.hpp"
@@ -11,6 +12,9 @@ namespace surefoot {
 namespace {
 constexpr double kReach = 0.45;       // [rad] beyond which a spring pulls no harder
 constexpr double kTorqueShare = 0.9;  // of what the motor can do
+constexpr double kLiftShare = 0.75;   // of it for holding, where there is to be some for lifting
+constexpr double kRuns = 2.0;         // [rad/s] faster than its reference: a joint lets go of ...
+constexpr double kLetGo = 2.0;        // ... its spring within this much more
 }  // namespace
 
 LegSprings::LegSprings(const Robot& robot, const RisePlan& plan, double watts)
@@ -42,6 +46,12 @@ Vector12 LegSprings::hold(double load) noexcept {
   return holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
 }
 
+bool LegSprings::can_hold() noexcept {
+  dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
+  const Vector12 most = kLiftShare * share_.cwiseProduct(robot_.config().tau_max);
+  return (hold(1.0).cwiseAbs() - most).maxCoeff() < 0.0;
+}
+
 double LegSprings::borne(const LowState& state) noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   const Vector12 in_air = hold(0.0), way = hold(1.0) - in_air;
@@ -53,7 +63,12 @@ double LegSprings::borne(const LowState& state) noexcept {
 Vector12 LegSprings::torques(const JointReference& reference, double load) noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   const Vector12 hold = this->hold(load);
-  const Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
+  Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
+  // What slips off an obstacle must not be flung: that alone takes more power than the rise.
+  for (int i = 0; i < kMotors; ++i) {
+    const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
+    pull[i] *= std::clamp(1.0 - (ahead - kRuns) / kLetGo, 0.0, 1.0);
+  }
   Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
   for (int i = 0; i < kMotors; ++i) {

@@ -31,6 +31,8 @@ class LegSprings {
   /// @param load share of the robot's weight that the feet bear, 0 .. 1
   /// @return shape (12,), SDK motor order [N.m]
   Vector12 torques(const JointReference& reference, double load) noexcept;
+  /// Can the motors hold the whole robot in the pose read?
+  bool can_hold() noexcept;
   /// Share of the robot's weight that the legs bear by the torques measured, about 0 .. 1.
   double borne(const LowState& state) noexcept;
 

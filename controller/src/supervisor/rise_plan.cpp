@@ -90,6 +90,15 @@ double RisePlan::rate_at(double s) const noexcept {
   return rate[k] + (x - k) * (rate[k + 1] - rate[k]);
 }
 
+double RisePlan::nearest(const Vector12& joints) const noexcept {
+  double best = 0.0;
+  for (int k = 1; k < kSamples; ++k) {
+    const double s = double(k) / (kSamples - 1);
+    if ((joints_at(s) - joints).norm() < (joints_at(best) - joints).norm()) best = s;
+  }
+  return best;
+}
+
 RisePlan plan_rise(const Robot& robot, double watts) {
   const RobotConfig& config = robot.config();
   if (robot.nv() != 6 + kMotors) {
@@ -99,14 +108,17 @@ RisePlan plan_rise(const Robot& robot, double watts) {
   Pose pose(robot);
   RisePlan plan;
   plan.standing = plan.folded = plan.crouched = config.q_standing;
+  plan.lower = config.q_lower.array() + kStop;
+  plan.upper = config.q_upper.array() - kStop;
   double depth = 0.0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double standing = foot_depth(pose, plan.standing, leg);
     const double outward =
         pose.at(plan.standing).legs()[leg].p_world_contact.y() < 0.0 ? -1.0 : 1.0;
     const int hip = 3 * leg;
-    plan.wide[hip] = outward * std::min(kWidest, kWide * (outward < 0.0 ? -config.q_lower[hip]
-                                                                        : config.q_upper[hip]));
+    plan.widest[hip] = outward < 0.0 ? plan.lower[hip] : plan.upper[hip];
+    const double range = outward < 0.0 ? -config.q_lower[hip] : config.q_upper[hip];
+    plan.wide[hip] = outward * std::min(kWidest, kWide * range);
     fold_leg(pose, config, leg, kFoldedDepth * standing, plan.folded);
     crouch_leg(leg, plan, plan.crouched);
     depth += standing / kLegs;

@@ -23,6 +23,9 @@ struct RisePlan {
   Vector12 crouched = Vector12::Zero();  ///< [rad] what the way bends towards
   Vector12 standing = Vector12::Zero();  ///< [rad] s = 1
   Vector12 wide = Vector12::Zero();      ///< [rad] hips turned outward, 0 elsewhere
+  Vector12 widest = Vector12::Zero();    ///< [rad] hips outward as far as they go, 0 elsewhere
+  Vector12 lower = Vector12::Zero();     ///< [rad] the joints' ends, with a little kept from them
+  Vector12 upper = Vector12::Zero();     ///< [rad]
   std::array<double, kSamples> rate{};   ///< [1/s] greatest ds/dt at s = k / (kSamples - 1)
   double stiffness = 0.0;                ///< [N.m/rad] of every joint on the way
   double damping = 0.0;                  ///< [N.m.s/rad]
@@ -38,6 +41,8 @@ struct RisePlan {
   Vector12 direction_at(double s) const noexcept {
     return 2.0 * (1.0 - s) * (crouched - folded) + 2.0 * s * (standing - crouched);
   }
+  /// s of the sample whose joints are the nearest.
+  double nearest(const Vector12& joints) const noexcept;
 };
 
 /// Plan a rise whose motors take no more than a power, by the torques that hold the robot:

@@ -53,6 +53,7 @@ struct Supervisor::Impl {
   void react() noexcept;
   void obey(int request) noexcept;
   void enter(Mode mode) noexcept;
+  void start_rise() noexcept;
   void move(const LowState& state, double dt) noexcept;
   void rise(const LowState& state, double dt) noexcept;
   void sit(double dt) noexcept;

@@ -8,13 +8,14 @@ namespace surefoot {
 
 namespace {
 constexpr double kComeToRest = 0.03;  // [s]
+constexpr double kOffGround = 0.2;    // of the way: feet below the body, on level ground
+constexpr double kOnTheWay = 0.35;    // [rad] that each joint may be off it
 constexpr double kBorne = 0.35;       // of the weight that legs bear which stand on something
 }  // namespace
 
 void Supervisor::Impl::enter(Mode mode) noexcept {
   if (mode == Mode::kRise) {
-    folding.start(springs.q());
-    folded = gave_up = false;
+    start_rise();
     safety.reset();
     motors.reset();
     fade.to(Source::kSprings);
@@ -27,6 +28,18 @@ void Supervisor::Impl::enter(Mode mode) noexcept {
   }
   // Standing is asked for on the way down: that is a rise from where it is.
   now.mode = mode == Mode::kStand ? Mode::kRise : mode;
+}
+
+// Who is on the way already, standing or crouching, goes on from there; anybody else folds first.
+void Supervisor::Impl::start_rise() noexcept {
+  const Vector12& q = springs.q();
+  const double s = plan.nearest(q);
+  const bool near = (q - plan.joints_at(s)).cwiseAbs().maxCoeff() < kOnTheWay;
+  folded = s > kOffGround && near && springs.can_hold();
+  gave_up = false;
+  if (!folded) return folding.start(q);
+  motion.start(s, q);
+  motion.go_to(1.0);
 }
 
 void Supervisor::Impl::move(const LowState& state, double dt) noexcept {

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Robots that lie anyhow are told to get up: how many stand, at what power, in what time.
+
+    python benchmarks/get_up.py --robot go1 --count 1000 --jobs 2 --json FILE
+
+Every seed drops the robot with its legs anyhow (Plant.reset_lying), real sensors, and lets a
+Supervisor at the small robots' lowest power level (b1: the highest) get it up. It counts when it
+stands still 1.5 s later and the power protection never tripped.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import multiprocessing
+import os
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+sys.path.insert(0, str(Path(__file__).parent.parent / "tests" / "closed_loop"))
+
+import mujoco
+import numpy as np
+from get_up_helpers import LEVELS, Watched
+from surefoot import Error, Mode, RequestStatus, Status
+
+ARMING_TIME = 20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
+MOST_TIME = 60.0  # [s] that a rise may take, tries and all
+STANDS_FOR = 1.5  # [s]
+STILL = 0.05  # [m/s], [rad/s]
+
+
+@dataclass
+class Outcome:
+    """What became of one seed."""
+
+    robot: str
+    seed: int
+    ok: bool
+    why: str  # it did not; empty if it did
+    seconds: float  # from the request to standing, or to giving up
+    watts: float  # greatest average that the power protection judged, all the while
+    tilt_deg: float  # greatest on the way
+    mode_step: float  # greatest torque step at a change of mode, share of tau_max
+    refused: int  # ticks that the power protection would have stopped
+
+
+def run(job: tuple[str, int]) -> Outcome:
+    """Drop one robot and let it get up."""
+    name, seed = job
+    try:
+        robot = Watched(name, seed)
+    except Error as error:
+        return Outcome(name, seed, False, f"no pose: {error}", 0.0, 0.0, 0.0, 0.0, 0)
+    why, seconds = get_up(robot)
+    if not why and robot.refused:
+        why = "power protection"
+    return Outcome(
+        name,
+        seed,
+        not why,
+        why,
+        round(seconds, 2),
+        round(robot.power, 1),
+        round(robot.tilt_deg, 1),
+        round(robot.mode_step, 4),
+        robot.refused,
+    )
+
+
+def get_up(robot: Watched) -> tuple[str, float]:
+    """Arm, rise, stand; return why not, and how long it took [s]."""
+    supervisor = robot.supervisor
+    if not robot.run(ARMING_TIME, lambda: supervisor.arming.ready):
+        return f"not armed: {robot.failures}", 0.0
+    robot.arm()
+    if supervisor.request(Mode.RISE) != RequestStatus.ACCEPTED:
+        return "rise refused", 0.0
+    start = robot.plant.time
+    robot.tick()
+    robot.run(MOST_TIME, lambda: supervisor.mode != Mode.RISE)
+    seconds = robot.plant.time - start
+    if supervisor.mode != Mode.STAND:
+        return f"{supervisor.mode}, {supervisor.reason}; {touching(robot)}", seconds
+    robot.run(STANDS_FOR)
+    truth = robot.plant.truth
+    stands = supervisor.mode == Mode.STAND and supervisor.stand.status == Status.OK
+    if not stands or truth.fell or np.abs(truth.v[:6]).max() > STILL:
+        return f"does not stand: {supervisor.mode}, {supervisor.stand.status}", seconds
+    return "", seconds
+
+
+def touching(robot: Watched) -> str:
+    """Return the links that press on each other or, but for feet, on the ground."""
+    model, data = robot.plant.model, robot.plant.data
+    feet = {int(body) for body in robot.plant.handles.foot_bodies}
+    found = set()
+    for i in range(data.ncon):
+        force = np.zeros(6)
+        mujoco.mj_contactForce(model, data, i, force)
+        bodies = [int(model.geom_bodyid[geom]) for geom in data.contact[i].geom]
+        if force[0] > 1.0 and not (0 in bodies and feet & set(bodies)):
+            names = [mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, b) for b in bodies]
+            found.add(f"{names[1]} on {names[0]} {force[0]:.0f} N")
+    return ", ".join(sorted(found)) or "nothing touches"
+
+
+def run_all(jobs: list[tuple[str, int]], processes: int) -> Iterator[Outcome]:
+    """Run every job, as they come."""
+    with multiprocessing.get_context("spawn").Pool(processes) as pool:
+        yield from pool.imap_unordered(run, jobs)
+
+
+def summarise(outcomes: list[Outcome]) -> dict[str, object]:
+    """Return one robot's figures."""
+    risen = [o for o in outcomes if o.ok]
+    seconds = [o.seconds for o in risen] or [float("nan")]
+    return {
+        "robot": outcomes[0].robot,
+        "level": LEVELS[outcomes[0].robot],
+        "count": len(outcomes),
+        "stand": len(risen),
+        "trips": sum(o.refused > 0 for o in outcomes),
+        "peak_watts": max(o.watts for o in outcomes),
+        "median_seconds": float(np.median(seconds)),
+        "longest_seconds": max(seconds),
+        "greatest_tilt_deg": max(o.tilt_deg for o in outcomes),
+        "greatest_mode_step": max(o.mode_step for o in outcomes),
+        "failures": [asdict(o) for o in sorted(outcomes, key=lambda o: o.seed) if not o.ok],
+    }
+
+
+def text_of(summary: dict[str, object]) -> str:
+    """Return one robot's line."""
+    return (
+        "{robot}: {stand} of {count} stand, level {level}, trips {trips}, peak {peak_watts:.0f} W, "
+        "time {median_seconds:.1f} s median {longest_seconds:.1f} s longest, tilt up to "
+        "{greatest_tilt_deg:.0f} deg, mode step {greatest_mode_step:.3f} of tau_max"
+    ).format(**summary)
+
+
+def main() -> int:
+    """Run and print; 3 if any robot did not get up."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--robot", action="append", choices=LEVELS, help="default: all")
+    parser.add_argument("--count", type=int, default=1000, help="seeds for each robot")
+    parser.add_argument("--first", type=int, default=0, help="the first seed")
+    parser.add_argument("--jobs", type=int, default=1, help="processes")
+    parser.add_argument("--json", type=Path, help="write every run's figures here")
+    options = parser.parse_args()
+    seeds = range(options.first, options.first + options.count)
+    jobs = [(robot, seed) for seed in seeds for robot in options.robot or LEVELS]
+    outcomes: list[Outcome] = []
+    begin = time.monotonic()
+    for outcome in run_all(jobs, options.jobs):
+        outcomes.append(outcome)
+        if not outcome.ok:
+            print(f"{outcome.robot} seed {outcome.seed}: {outcome.why}", flush=True)
+        stand = sum(o.ok for o in outcomes)
+        line = f"{len(outcomes)} of {len(jobs)}, {stand} stand, {time.monotonic() - begin:.0f} s"
+        if sys.stderr.isatty():
+            print(line, end="\r", file=sys.stderr, flush=True)
+        elif len(outcomes) % 50 == 0:
+            print(line, file=sys.stderr, flush=True)
+    robots = [[o for o in outcomes if o.robot == r] for r in options.robot or LEVELS]
+    summaries = [summarise(of_robot) for of_robot in robots]
+    print("\n".join(text_of(summary) for summary in summaries))
+    if options.json:
+        runs = [asdict(o) for o in sorted(outcomes, key=lambda o: (o.robot, o.seed))]
+        options.json.write_text(json.dumps({"robots": summaries, "runs": runs}, indent=1) + "\n")
+    return 0 if all(o.ok for o in outcomes) else 3
+
+
+if __name__ == "__main__":
+    sys.exit(main())
