@@ -35,9 +35,10 @@ enum class FaultId : int {
   kController,        ///< the StandController gave up: stand().fault()
   kHanging,           ///< on its way up the legs bear nothing
   kBattery,           ///< low
-  kOperator           ///< no heartbeat from the operator
+  kOperator,          ///< no heartbeat from the operator
+  kLink               ///< Supervisor::lose(): the robot is not heard, or began anew
 };
-constexpr int kFaults = 27;  ///< kNone included
+constexpr int kFaults = 28;  ///< kNone included
 const char* to_string(FaultId id) noexcept;
 
 /// What is done about a fault.
