@@ -33,6 +33,7 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("damping", &RunSnapshot::damping, "Why the supervisor damped last.")
       .def_ro("arming", &RunSnapshot::arming, "What passes and what does not.")
       .def_ro("armed", &RunSnapshot::armed)
+      .def_ro("stood", &RunSnapshot::stood, "Has it stood at all?")
       .def_ro("stuck", &RunSnapshot::stuck, "Has the last rise given up?")
       .def_ro("way_up", &RunSnapshot::way_up, "From lying (0) to standing (1).")
       .def_ro("status", &RunSnapshot::status, "Of the controller's last tick.")

@@ -60,6 +60,7 @@ struct RunSnapshot {
   FaultId damping = FaultId::kNone;     ///< the supervisor's, of the last damping
   ArmingReport arming;                  ///< what passes and what does not, and for how long
   bool armed = false;
+  bool stood = false;                ///< has it stood at all?
   bool stuck = false;                ///< has the last rise given up?
   double way_up = 0.0;               ///< from lying (0) to standing (1)
   Status status = Status::kWaiting;  ///< of the controller's last tick

@@ -249,6 +249,7 @@ const RunSnapshot& StandLoop::describe() noexcept {
   now_.damping = supervisor_.reason();
   now_.arming = supervisor_.arming();
   now_.armed = supervisor_.armed();
+  now_.stood = stands_since_ >= 0.0;
   now_.stuck = supervisor_.stuck();
   now_.way_up = supervisor_.height();
   now_.refused_rearms = refused_.load();
