@@ -240,6 +240,7 @@ void StandLoop::end(RunReason why) noexcept {
   if (now_.phase == RunPhase::kWaiting && why == RunReason::kAsked) why = RunReason::kNoState;
   if (now_.phase != RunPhase::kDamping) now_.reason = why;
   now_.phase = RunPhase::kEnded;
+  news_ = true;
 }
 
 const RunSnapshot& StandLoop::describe() noexcept {
