@@ -8,7 +8,7 @@ import socket
 import numpy as np
 import pytest
 import surefoot
-from surefoot import DampingReason, Mode, RequestStatus
+from surefoot import FaultId, Mode, RequestStatus
 from surefoot.sim import Push
 from surefoot.virtual_robot import RemoteEvent
 from wired_helpers import LEVELS, Wired
@@ -85,7 +85,7 @@ def test_a_stop_in_a_rise_damps_at_once_and_for_good(end: bool) -> None:
         assert wired.with_torque(since=before) <= IN_FLIGHT < IN_20_MS
         now = wired.now
         assert (now.phase, now.reason) == ("ended" if end else "damping", "asked")
-        assert end or now.damping == DampingReason.STOP
+        assert end or now.damping == FaultId.STOP
         before = len(wired.damped)
         wired.run(0.5)
         assert wired.with_torque(since=before) == 0
@@ -105,7 +105,7 @@ def test_silence_in_a_rise_damps_and_latches() -> None:
         before = len(wired.damped)
         wired.port.cut = False
         wired.run(0.2)
-        assert (wired.now.phase, wired.now.damping) == ("damping", DampingReason.LINK)
+        assert (wired.now.phase, wired.now.damping) == ("damping", FaultId.LINK)
         assert wired.runner.arm() == RequestStatus.NOT_READY
         assert wired.runner.request(Mode.SIT) == RequestStatus.LATCHED
         wired.arm()
@@ -120,7 +120,7 @@ def test_the_remotes_button_damps_in_a_rise() -> None:
         wired.robot.remote.apply(RemoteEvent(0.0, "press", surefoot.Button.B))
         wired.run(0.15)
         assert wired.with_torque(since=before) <= IN_20_MS
-        assert (wired.now.reason, wired.now.damping) == ("button", DampingReason.BUTTON)
+        assert (wired.now.reason, wired.now.damping) == ("button", FaultId.BUTTON)
 
 
 def test_a_peer_beyond_loopback_is_talked_to_when_told_so() -> None:
