@@ -31,6 +31,7 @@ void bind_snapshot(nb::module_& m) {
           "Why the last bad datagram was not taken.")
       .def_ro("mode", &RunSnapshot::mode, "Of the supervisor.")
       .def_ro("damping", &RunSnapshot::damping, "Why the supervisor damped last.")
+      .def_ro("faults", &RunSnapshot::faults, "Which there are and have been.")
       .def_ro("arming", &RunSnapshot::arming, "What passes and what does not.")
       .def_ro("armed", &RunSnapshot::armed)
       .def_ro("stood", &RunSnapshot::stood, "Has it stood at all?")

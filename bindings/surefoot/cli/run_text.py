@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from surefoot._core import Robot, RunSnapshot
+from surefoot._core import Robot, RunSnapshot, fault_table
 
 
 class Notices:
@@ -31,6 +31,21 @@ class Notices:
                 self._say(f"{now.time:7.2f} s {text}")
 
 
+class Faults:
+    """Says what the supervisor finds wrong, as often as it begins."""
+
+    def __init__(self, say: Callable[[str], None]) -> None:
+        self._say, self._counts = say, dict[str, int]()
+
+    def look(self, now: RunSnapshot) -> None:
+        """Look at the faults."""
+        for info in fault_table():
+            count = now.faults.count(info.id)
+            if count > self._counts.get(info.name, 0):
+                self._say(f"{now.time:7.2f} s fault {info.name}: {info.meaning}")
+            self._counts[info.name] = count
+
+
 def why_damped(now: RunSnapshot) -> str:
     """Return what the damping is for."""
     if now.reason == "stale":
@@ -42,7 +57,7 @@ def why_damped(now: RunSnapshot) -> str:
     if now.reason == "power_protect":
         return f"power protection: {now.power:.0f} W"
     if now.reason == "fault":
-        return f"the supervisor found {now.damping.name}"
+        return f"the supervisor found {now.damping.name.lower()}"
     return now.reason
 
 
@@ -71,6 +86,11 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
         "reason": end.reason,
         "mode": end.mode.name,
         "damping": end.damping.name,
+        "faults": {
+            info.name: end.faults.count(info.id)
+            for info in fault_table()
+            if end.faults.count(info.id)
+        },
         "armed": end.armed,
         "stood": end.stood,
         "not_ready": end.arming.failures(robot).splitlines(),

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 from surefoot._core import Robot, RunSnapshot, StandRunner
 from surefoot.cli.run_operator import Operator, Readiness, UnaskedRise
-from surefoot.cli.run_text import Notices, status_line, why_damped
+from surefoot.cli.run_text import Faults, Notices, status_line, why_damped
 
 _LOOK = 0.02  # [s] between looks at the loop
 _LINE = 1.0  # [s] between status lines
@@ -61,7 +61,8 @@ class _Watch:
 
     def __init__(self, runner: StandRunner, say: Callable[[str], None]) -> None:
         self._runner, self._say = runner, say
-        self._notices, self._operator = Notices(say), Operator(runner, say)
+        self._notices, self._faults = Notices(say), Faults(say)
+        self._operator = Operator(runner, say)
         self._said, self._phase = time.monotonic(), ""
         self._refused = self._pauses = 0
         self._stuck = self._ending = False
@@ -77,6 +78,7 @@ class _Watch:
         """Look at keys and loop; return whether a status line was due."""
         self._operator.look(now)
         self._notices.look(now)
+        self._faults.look(now)
         self._say_counts(now)
         if now.phase != self._phase and now.time > 0.0:
             if not self._phase:

@@ -58,6 +58,7 @@ struct RunSnapshot {
   RunReason reason = RunReason::kNone;  ///< of the last damping, or of the end
   Mode mode = Mode::kPassive;           ///< of the supervisor
   FaultId damping = FaultId::kNone;     ///< the supervisor's, of the last damping
+  FaultReport faults;                   ///< which there are and have been
   ArmingReport arming;                  ///< what passes and what does not, and for how long
   bool armed = false;
   bool stood = false;                ///< has it stood at all?

@@ -249,6 +249,7 @@ const RunSnapshot& StandLoop::describe() noexcept {
   now_.age = link_.age();
   now_.damping = supervisor_.reason();
   now_.arming = supervisor_.arming();
+  now_.faults = supervisor_.faults();
   now_.armed = supervisor_.armed();
   now_.stood = stands_since_ >= 0.0;
   now_.stuck = supervisor_.stuck();
