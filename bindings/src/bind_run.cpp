@@ -5,6 +5,7 @@
 #include <chrono>
 #include <future>
 #include <limits>
+#include <optional>
 
 #include "bindings.hpp"
 #include "surefoot/error.hpp"
@@ -20,14 +21,22 @@ void bind_snapshot(nb::module_& m) {
   nb::class_<RunSnapshot>(m, "RunSnapshot", "A look at a StandRunner's loop.")
       .def_prop_ro(
           "phase", [](const RunSnapshot& s) { return to_string(s.phase); },
-          "waiting, standing, damping or ended.")
+          "waiting, passive, rising, standing, sitting, damping or ended.")
       .def_prop_ro(
           "reason", [](const RunSnapshot& s) { return to_string(s.reason); },
           "Of the last damping or of the end: none, asked, no_state, wrong_generation, stale, "
-          "away, restart, controller, power_protect or button.")
+          "away, restart, controller, power_protect, button or fault (see damping).")
       .def_prop_ro(
           "reject", [](const RunSnapshot& s) { return to_text(s.reject); },
           "Why the last bad datagram was not taken.")
+      .def_ro("mode", &RunSnapshot::mode, "Of the supervisor.")
+      .def_ro("damping", &RunSnapshot::damping, "Why the supervisor damped last.")
+      .def_ro("faults", &RunSnapshot::faults, "Which there are and have been.")
+      .def_ro("arming", &RunSnapshot::arming, "What passes and what does not.")
+      .def_ro("armed", &RunSnapshot::armed)
+      .def_ro("stood", &RunSnapshot::stood, "Has it stood at all?")
+      .def_ro("stuck", &RunSnapshot::stuck, "Has the last rise given up?")
+      .def_ro("way_up", &RunSnapshot::way_up, "From lying (0) to standing (1).")
       .def_ro("status", &RunSnapshot::status, "Of the controller's last tick.")
       .def_ro("fault", &RunSnapshot::fault, "Of the controller.")
       .def_ro("link", &RunSnapshot::link, "Counts of the link.")
@@ -43,7 +52,8 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("pauses", &RunSnapshot::pauses,
               "Of those, left because the robot's clock had stood still with it.")
       .def_ro("rearms", &RunSnapshot::rearms, "Times that it began anew.")
-      .def_ro("refused_rearms", &RunSnapshot::refused_rearms, "Asked for while no state came.")
+      .def_ro("refused_rearms", &RunSnapshot::refused_rearms,
+              "By rearm(): no state came, or checks failed.")
       .def_ro("power", &RunSnapshot::power, "[W] that the protection judged last.")
       .def_ro("greatest_power", &RunSnapshot::greatest_power, "[W] that it ever judged.")
       .def_ro("height", &RunSnapshot::height, "[m] estimated.")
@@ -84,13 +94,13 @@ void run_and_heed_signals(StandRunner& runner) {
     const nb::gil_scoped_release others_may_run;
     return loop.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready;
   };
-  bool interrupted = false;
+  std::optional<nb::python_error> interruption;
   while (!ended()) {
-    if (interrupted || PyErr_CheckSignals() == 0) continue;
-    interrupted = true;
-    runner.stop();
+    if (PyErr_CheckSignals() == 0) continue;
+    interruption ? runner.stop() : runner.finish();
+    interruption.emplace();
   }
-  if (interrupted) throw nb::python_error();
+  if (interruption) throw *interruption;
   loop.get();
 }
 
@@ -99,48 +109,57 @@ void bind_runner(nb::module_& m) {
       .def(
           "__init__",
           [](RunOptions* o, double rate, double duration, int power_level, bool remote,
-             double patience) {
-            new (o) RunOptions{rate, duration, power_level, remote, patience};
+             double patience, Start start) {
+            new (o) RunOptions{rate, duration, power_level, remote, patience, start};
           },
           "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
-          "power_level"_a = 1, "remote"_a = true, "patience"_a = 5.0)
+          "power_level"_a = 1, "remote"_a = true, "patience"_a = 5.0, "start"_a = Start::kStanding)
       .def_rw("rate", &RunOptions::rate, "[Hz] of the control loop.")
       .def_rw("duration", &RunOptions::duration,
-              "[s] from the first tick of control; inf: until stop().")
+              "[s] from when it stands first, then finish(); inf: until finish() or stop().")
       .def_rw("power_level", &RunOptions::power_level, "Of power_protect(); 0 switches it off.")
       .def_rw("remote", &RunOptions::remote, "Sticks move the body, button B damps.")
-      .def_rw("patience", &RunOptions::patience, "[s] to wait for the first valid LowState.");
+      .def_rw("patience", &RunOptions::patience, "[s] to wait for the first valid LowState.")
+      .def_rw("start", &RunOptions::start, "STANDING: taken over at once; LYING: behind arming.");
   nb::class_<StandRunner>(m, "StandRunner",
-                          "Runs a StandController over UDP at a fixed rate, behind the power "
-                          "protection.\n\n"
+                          "Runs a Supervisor over UDP at a fixed rate.\n\n"
                           "It begins and ends with damping frames; a latched damping is left by "
-                          "rearm() alone.")
+                          "arm() alone.")
       .def(
           "__init__",
           [](StandRunner* self, const Robot& robot, const std::string& host, int port,
              const std::string& generation, int local_port, const Gains* gains,
-             const StandOptions& stand, const RunOptions& options) {
+             const StandOptions& stand, const RunOptions& options, bool real_robot) {
             const Gains& used = gains ? *gains : robot.config().gains;
             new (self) StandRunner(
                 robot, used, stand,
-                {host, port, local_port, to_generation(generation), used.damping_kd}, options);
+                {host, port, local_port, to_generation(generation), used.damping_kd, real_robot},
+                options);
           },
           "robot"_a, "host"_a = "127.0.0.1", "port"_a = 8007, "generation"_a = "go1-v3.8",
           "local_port"_a = 0, "gains"_a = nb::none(), "stand"_a = StandOptions(),
-          "options"_a = RunOptions(), "Raise Error: an invalid option, or what UdpLink raises.")
+          "options"_a = RunOptions(), "real_robot"_a = false,
+          "Raise Error: an invalid option, a real robot that is not started lying, or what UdpLink "
+          "raises.\nreal_robot: may the host be beyond this machine?")
       .def("run", &run_and_heed_signals,
-           "Run until stop(), the duration, or a robot that cannot be controlled.\n\n"
-           "The loop has a thread of its own; Ctrl-C damps and ends it, then raises "
-           "KeyboardInterrupt.")
+           "Run until stop(), finish(), or a robot that cannot be controlled.\n\n"
+           "The loop has a thread of its own; Ctrl-C is finish(), a second one stop(); then "
+           "KeyboardInterrupt is raised.")
+      .def("request", &StandRunner::request, "mode"_a,
+           "Ask for a mode as of a Supervisor; from any thread.")
+      .def("arm", &StandRunner::arm, "As a Supervisor's; from any thread.")
+      .def("finish", &StandRunner::finish,
+           "Sit down if it was started lying, then damp, and end; from any thread.")
       .def("stop", &StandRunner::stop, "Damp, and end; from any thread.")
       .def("damp", &StandRunner::damp, "Damp, and stay; from any thread.")
-      .def("rearm", &StandRunner::rearm, "Begin anew after a damping; from any thread.")
+      .def("rearm", &StandRunner::rearm, "arm() whose refusals the snapshot counts.")
       .def("set_gains", &StandRunner::set_gains, "gains"_a,
            "As StandController's, with the next tick; from any thread. Raise Error if one is "
            "invalid.")
-      .def("set_body_reference", &StandRunner::set_body_reference, "target"_a,
-           "As StandController's, with the next tick; the remote's sticks add to it, and rearm() "
-           "forgets it. From any thread.")
+      .def(
+          "set_body_reference", &StandRunner::set_body_reference, "target"_a,
+          "As StandController's, with the next tick; the remote's sticks add to it. Forgotten when "
+          "the robot stands anew. From any thread.")
       .def("snapshot", &StandRunner::snapshot, "What was last published, from any thread.")
       .def_prop_ro("real_time", &StandRunner::real_time, "Scheduling and memory it got, in words.")
       .def_prop_ro("local_port", &StandRunner::local_port, "Ours.");

@@ -27,10 +27,14 @@ void bind_enums(nb::module_& m) {
       .value("STAND", Mode::kStand, "A StandController at work.")
       .value("SIT", Mode::kSit, "On its way down; also how a rise is aborted.")
       .value("DAMPING", Mode::kDamping, "The motors damp, latched: only arm() leads out.");
+  nb::enum_<Start>(m, "Start", "How a robot is when it is taken on.")
+      .value("LYING", Start::kLying, "Motors damp; arming checks, arm(), then a rise.")
+      .value("STANDING", Start::kStanding,
+             "It stands already: taken over with its first good LowState, without checks.");
   nb::enum_<RequestStatus>(m, "RequestStatus",
                            "What became of a request; nothing moves for a refused one.")
       .value("ACCEPTED", RequestStatus::kAccepted, "The next update() takes it up.")
-      .value("NO_STATE", RequestStatus::kNoState, "No valid LowState has come yet.")
+      .value("NO_STATE", RequestStatus::kNoState, "No valid LowState comes, or none has yet.")
       .value("NOT_ARMED", RequestStatus::kNotArmed, "arm() first.")
       .value("NOT_READY", RequestStatus::kNotReady, "An arming check fails, or passed too briefly.")
       .value("LATCHED", RequestStatus::kLatched, "Damping is latched: arm() first.")
@@ -124,16 +128,25 @@ void bind_machine(nb::module_& m) {
           [](SupervisorOptions* self, int power_level, double arming_time,
              double temperature_warning, double temperature_stop, double battery_low,
              double payload_limit, double operator_timeout, double joint_margin,
-             const StandOptions& stand) {
-            new (self) SupervisorOptions{power_level,      arming_time,  temperature_warning,
-                                         temperature_stop, battery_low,  payload_limit,
-                                         operator_timeout, joint_margin, stand};
+             const StandOptions& stand, Start start, bool remote) {
+            new (self) SupervisorOptions{power_level,
+                                         arming_time,
+                                         temperature_warning,
+                                         temperature_stop,
+                                         battery_low,
+                                         payload_limit,
+                                         operator_timeout,
+                                         joint_margin,
+                                         stand,
+                                         start,
+                                         remote};
           },
           nb::kw_only(), "power_level"_a = 1, "arming_time"_a = 1.0, "temperature_warning"_a = 60.0,
           "temperature_stop"_a = 80.0, "battery_low"_a = 10.0, "payload_limit"_a = kUnlimited,
-          "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15, "stand"_a = StandOptions())
+          "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15, "stand"_a = StandOptions(),
+          "start"_a = Start::kLying, "remote"_a = true)
       .def_rw("power_level", &SupervisorOptions::power_level,
-              "1 .. 10, of power_protect(); plans keep below it.")
+              "1 .. 10, of power_protect(); plans keep below it. 0: off, plans keep below 1.")
       .def_rw("arming_time", &SupervisorOptions::arming_time, "[s] that all checks must pass.")
       .def_rw("temperature_warning", &SupervisorOptions::temperature_warning,
               "[deg C] torque limits fall from here on ...")
@@ -147,7 +160,9 @@ void bind_machine(nb::module_& m) {
               "[s] without heartbeat() before it sits down.")
       .def_rw("joint_margin", &SupervisorOptions::joint_margin,
               "[rad] kept from the limits for arming; negative: beyond.")
-      .def_rw("stand", &SupervisorOptions::stand, "Of the StandController.");
+      .def_rw("stand", &SupervisorOptions::stand, "Of the StandController.")
+      .def_rw("start", &SupervisorOptions::start)
+      .def_rw("remote", &SupervisorOptions::remote, "B on the remote stops.");
   nb::class_<Supervisor>(m, "Supervisor",
                          "Takes a robot from lying to standing and back, behind arming, refusals "
                          "and a stop.\n\n"
@@ -164,6 +179,12 @@ void bind_machine(nb::module_& m) {
       .def(
           "update", [](Supervisor& s, const LowState& state) { return LowCmd(s.update(state)); },
           "low_state"_a, "Compute one tick: LowState in, a copy of the LowCmd out.")
+      .def(
+          "bridge", [](Supervisor& s, double age) { return LowCmd(s.bridge(age)); }, "age"_a,
+          "Go on without a LowState, the newest `age` seconds old: a copy of the LowCmd.")
+      .def("lose", &Supervisor::lose, "The robot is not heard: latch, if armed.")
+      .def("count_reports", &Supervisor::count_reports, "come"_a, "missing"_a,
+           "Say what the link has counted since the last call, for the arming check.")
       .def("request", &Supervisor::request, "mode"_a,
            "Ask for RISE (from PASSIVE), SIT (from RISE and STAND) or STAND (from SIT).")
       .def("arm", &Supervisor::arm, "Allow requests, and leave latched damping.")
@@ -176,7 +197,11 @@ void bind_machine(nb::module_& m) {
       .def_prop_ro("arming", &Supervisor::arming, "Every check of the last tick: a copy.")
       .def_prop_ro("height", &Supervisor::height, "Way from lying (0) to standing (1).")
       .def_prop_ro("rise_time", &Supervisor::rise_time, "[s] from legs folded to standing.")
+      .def_prop_ro("fading", &Supervisor::fading, "Are torques on their way from mode to mode?")
       .def_prop_ro("stuck", &Supervisor::stuck, "Did the last rise give up?")
+      .def_prop_ro("fresh", &Supervisor::fresh, "Was the last command made from its LowState?")
+      .def_prop_ro("power", &Supervisor::power, "[W] that the power protection judged last.")
+      .def("set_gains", &Supervisor::set_gains, "gains"_a, "As StandController's; raise Error.")
       .def("set_body_reference", &Supervisor::set_body_reference, "target"_a,
            "Ask for another pose of the body while standing.")
       .def_prop_ro("stand", &Supervisor::stand, nb::rv_policy::reference_internal,

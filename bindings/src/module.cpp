@@ -20,7 +20,7 @@ NB_MODULE(_core, m) {
   bind_estimator(m);
   bind_stand(m);
   bind_link(m);
-  bind_run(m);
   bind_safety(m);
   bind_supervisor(m);
+  bind_run(m);
 }

@@ -44,6 +44,7 @@ def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
         sdk=arguments.sdk,
         rate=arguments.rate,
         hung=arguments.hung,
+        lying=arguments.lying,
         drop=arguments.drop,
         delay=arguments.delay_ms / 1000.0,
         jitter=arguments.jitter_ms / 1000.0,

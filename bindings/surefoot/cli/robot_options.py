@@ -46,7 +46,9 @@ def _add_robot_group(parser: argparse.ArgumentParser) -> None:
         help="generation of the frames (the robot's own; a go2 has none, so name one)",
     )
     add("--rate", type=float, default=1000.0, metavar="HZ", help="LowStates per second (1000)")
-    add("--hung", action="store_true", help="base fixed in the air, level, legs free")
+    pose = group.add_mutually_exclusive_group()
+    pose.add_argument("--hung", action="store_true", help="base fixed in the air, level, legs free")
+    pose.add_argument("--lying", action="store_true", help="on the ground, legs anyhow, no torque")
     add(
         "--timeout-ms",
         type=float,

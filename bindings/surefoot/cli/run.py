@@ -6,15 +6,16 @@ import argparse
 import math
 import sys
 
-from surefoot._core import RunOptions, StandOptions, StandRunner
+from surefoot._core import Error, Robot, RunOptions, StandOptions, StandRunner, Start
 from surefoot.cli.robot_choice import chosen_robot
+from surefoot.cli.run_operator import KEYS
 from surefoot.cli.run_text import closing_text, no_robot_text, run_summary
 from surefoot.cli.run_watch import supervise
 from surefoot.cli.simulation import check_json_place, write_json
 from surefoot.cli.stand import read_form, read_gains
 from surefoot.protocol import default_generation
 from surefoot.robots import build_robot
-from surefoot.terminal import Speaker
+from surefoot.terminal import Speaker, has_keyboard
 
 ENDED_DAMPED = 3
 NO_ROBOT = 1
@@ -25,28 +26,44 @@ def run(arguments: argparse.Namespace) -> int:
 
     Returns:
         Exit status: 0 it stood to the end, 1 no robot of the right generation answered, 3 it ended
-        damped.
+        damped or never stood.
     """
     check_json_place(arguments.json)
-    runner, generation = _make_runner(arguments)
+    _check_operator(arguments)
+    runner, robot, generation = _make_runner(arguments)
     say = Speaker(sys.stderr if arguments.json == "-" else sys.stdout)
     say(
         f"{arguments.host}:{arguments.port} from port {runner.local_port}, {generation}, "
-        f"{arguments.rate:g} Hz, power level {arguments.power_level}; Ctrl-C ends by damping, "
-        "r + Enter or SIGUSR1 re-arms"
+        f"{arguments.rate:g} Hz, power level {arguments.power_level}; {KEYS}; Ctrl-C "
+        + ("lies down and ends, twice it damps at once" if arguments.rise else "ends by damping")
     )
-    end = supervise(runner, say)
-    result = run_summary(end, generation, runner.real_time)
+    end = supervise(runner, robot, say, arguments.rise, arguments.yes)
+    result = run_summary(end, robot, generation, runner.real_time)
     write_json(arguments.json, result)
     say(closing_text(result))
     where = f"{arguments.host}:{arguments.port}"
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
         return NO_ROBOT
-    return 0 if end.reason == "asked" else ENDED_DAMPED
+    return 0 if end.reason == "asked" and end.stood else ENDED_DAMPED
 
 
-def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, str]:
+def _check_operator(arguments: argparse.Namespace) -> None:
+    if arguments.yes and not arguments.rise:
+        raise Error("--yes: got it without --rise, expected both: it rises without being asked")
+    if arguments.real_robot and not arguments.rise:
+        raise Error(
+            "--real-robot: got it without --rise, expected both: a real robot lies at first, and "
+            "gets torques when its arming checks have passed"
+        )
+    if arguments.rise and not arguments.yes and not has_keyboard():
+        raise Error(
+            "--rise: got no terminal to ask for it, expected one, or --yes to arm and rise as soon "
+            "as all checks pass"
+        )
+
+
+def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, Robot, str]:
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # there is a default
     robot = build_robot(description)
@@ -56,6 +73,7 @@ def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, str]:
         duration=math.inf if arguments.duration is None else arguments.duration,
         power_level=arguments.power_level,
         remote=not arguments.no_remote,
+        start=Start.LYING if arguments.rise else Start.STANDING,
     )
     stand = StandOptions(
         motor_damping=arguments.motor_damping,
@@ -73,5 +91,6 @@ def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, str]:
         read_gains(arguments.gains, description),
         stand,
         options,
+        arguments.real_robot,
     )
-    return runner, generation
+    return runner, robot, generation

@@ -9,7 +9,7 @@ from surefoot.cli.stand_options import add_form_option
 
 RUN_STATUS = (
     "exit status: 0 the robot stood to the end, 1 no robot of the right generation answered, 2 a "
-    "wrong argument, 3 it ended damped"
+    "wrong argument, 3 it ended damped, or never stood"
 )
 
 
@@ -18,12 +18,13 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
     add_robot_options(parser, "go1")
     parser.epilog = RUN_STATUS
     add = parser.add_argument
+    _add_start_group(parser)
     add("--host", default="127.0.0.1", metavar="ADDRESS", help="of the robot (127.0.0.1)")
     add("--port", type=int, default=8007, metavar="N", help="of the robot (8007)")
     add("--local-port", type=int, default=0, metavar="N", help="ours (0: any)")
     add("--sdk", metavar="GENERATION", help="of its frames (the robot's newest)")
     add("--rate", type=float, default=500.0, metavar="HZ", help="of the control loop (500)")
-    add("--duration", type=float, metavar="S", help="until it ends by itself (never)")
+    add("--duration", type=float, metavar="S", help="of standing, until it ends by itself (never)")
     add(
         "--power-level",
         type=int,
@@ -50,3 +51,25 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
     )
     add("--no-remote", action="store_true", help="do not obey the wireless remote")
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
+
+
+def _add_start_group(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument_group("start").add_argument
+    add(
+        "--rise",
+        action="store_true",
+        help="the robot lies: its motors brake while arming checks run; a + Enter arms, u + Enter "
+        "gets it up; it lies down again at the end. Without it a robot that stands is taken over "
+        "as it stands, unchecked",
+    )
+    add(
+        "--yes",
+        action="store_true",
+        help="with --rise: arm and rise unasked as soon as all checks pass, once",
+    )
+    add(
+        "--real-robot",
+        action="store_true",
+        help="with --rise: --host may be beyond this machine. Nothing here has been run on "
+        "hardware; read docs/first-day.md, hang the robot up, keep a hand on its switch",
+    )

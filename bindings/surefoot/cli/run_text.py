@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from surefoot._core import RunSnapshot
+from surefoot._core import Robot, RunSnapshot, fault_table
 
 
 class Notices:
@@ -31,6 +31,21 @@ class Notices:
                 self._say(f"{now.time:7.2f} s {text}")
 
 
+class Faults:
+    """Says what the supervisor finds wrong, as often as it begins."""
+
+    def __init__(self, say: Callable[[str], None]) -> None:
+        self._say, self._counts = say, dict[str, int]()
+
+    def look(self, now: RunSnapshot) -> None:
+        """Look at the faults."""
+        for info in fault_table():
+            count = now.faults.count(info.id)
+            if count > self._counts.get(info.name, 0):
+                self._say(f"{now.time:7.2f} s fault {info.name}: {info.meaning}")
+            self._counts[info.name] = count
+
+
 def why_damped(now: RunSnapshot) -> str:
     """Return what the damping is for."""
     if now.reason == "stale":
@@ -41,21 +56,27 @@ def why_damped(now: RunSnapshot) -> str:
         return f"the controller found {now.fault.name}"
     if now.reason == "power_protect":
         return f"power protection: {now.power:.0f} W"
+    if now.reason == "fault":
+        return f"the supervisor found {now.damping.name.lower()}"
     return now.reason
 
 
 def status_line(now: RunSnapshot) -> str:
     """Return how it is, on one line."""
     link = now.link
+    how = f"height {now.height:.3f} m, tilt {math.degrees(now.tilt):.1f} deg"
+    if now.phase in ("rising", "sitting"):
+        how = f"{100 * now.way_up:.0f} % of the way up"
+    elif now.phase == "passive":
+        how = "armed" if now.armed else "not armed"
     return (
-        f"{now.time:7.2f} s {now.phase:8} height {now.height:.3f} m, tilt "
-        f"{math.degrees(now.tilt):.1f} deg, {now.power:.0f} W; states {link.valid}, lost "
+        f"{now.time:7.2f} s {now.phase:8} {how}, {now.power:.0f} W; states {link.valid}, lost "
         f"{link.lost}, bad {link.corrupt + link.wrong_length + link.wrong_generation}, age "
         f"{1000 * now.age:.0f} ms; tick {now.tick_p50:.0f} us, {now.tick_p999:.0f} p99.9"
     )
 
 
-def run_summary(end: RunSnapshot, generation: str, real_time: str) -> dict[str, Any]:
+def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str) -> dict[str, Any]:
     """Return what --json writes."""
     names = [name for name in dir(end.link) if not name.startswith("_")]
     times = [name for name in dir(end) if name.startswith(("tick_", "wake_"))]
@@ -63,6 +84,17 @@ def run_summary(end: RunSnapshot, generation: str, real_time: str) -> dict[str, 
         "generation": generation,
         "phase": end.phase,
         "reason": end.reason,
+        "mode": end.mode.name,
+        "damping": end.damping.name,
+        "faults": {
+            info.name: end.faults.count(info.id)
+            for info in fault_table()
+            if end.faults.count(info.id)
+        },
+        "armed": end.armed,
+        "stood": end.stood,
+        "not_ready": end.arming.failures(robot).splitlines(),
+        "stuck": end.stuck,
         "fault": end.fault.name,
         "reject": end.reject,
         "time_s": end.time,

@@ -94,6 +94,7 @@ def summarise(
         "sdk": settings.generation,
         "rate": settings.rate,
         "hung": settings.hung,
+        "lying": settings.lying,
         "seed": settings.seed,
         "duration": round(robot.time, _DIGITS),
         "received": link.received,

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+import numpy as np
+
 from surefoot import protocol
 from surefoot._core import Error, FrameExtras, LowState
 from surefoot.robots import describe_robot
 from surefoot.sim import Plant
 from surefoot.sim.motors import command_law, damping_law
-from surefoot.sim.truth import has_fallen
+from surefoot.sim.truth import FALLEN_TILT_COS, has_fallen
 from surefoot.sim.wire import Command, measured_power
 from surefoot.virtual_robot.link import Link
 from surefoot.virtual_robot.port import Port
@@ -20,12 +22,14 @@ from surefoot.virtual_robot.shaking import Hands
 from surefoot.virtual_robot.watchdog import Watchdog
 
 _FALL_PERIOD = 0.02  # [s] between looks whether it fell
+_LYING_STREAM = 12  # of random numbers; the plant has 0 .. 3, the link 10 and 11
 
 
 class VirtualRobot:
     """A robot in MuJoCo behind a port. It knows simulated time only; cycle() moves it on.
 
-    Until the first valid command the motors hold the standing pose in position mode.
+    Until the first valid command the motors hold the standing pose in position mode; those of a
+    robot that lies brake.
 
     Args:
         settings: What it is asked to be.
@@ -44,7 +48,7 @@ class VirtualRobot:
         state: The latest report.
         command: The latest valid command as the motors got it; None before the first.
         power: Sum of |tauEst dq| in the latest report [W].
-        fell_at: When it fell [s], or None.
+        fell_at: When it fell [s], or None; for one that began lying, when it rolled over.
     """
 
     def __init__(
@@ -60,6 +64,8 @@ class VirtualRobot:
         )
         alive = description.table.get("simulation", {}).get("foot_force_est", False)
         self.plant = Plant(description, settings.plant_settings(alive))
+        if settings.lying:
+            self.plant.reset_lying(np.random.default_rng([settings.seed, _LYING_STREAM]))
         self.link = Link(port, settings)
         self.watchdog = Watchdog(settings.timeout)
         self.remote = Remote(settings.remote)
@@ -136,9 +142,14 @@ class VirtualRobot:
         return state
 
     def _look_for_fall(self) -> None:
-        if self.fell_at is None and has_fallen(self.plant.data, self.plant.handles):
+        if self.fell_at is None and self._is_down():
             self.fell_at = self.time
             self._say(f"{self.time:.3f} s: the robot fell")
+
+    def _is_down(self) -> bool:
+        if self.settings.lying:  # it touches the ground as it gets up and as it sits down
+            return math.cos(self.tilt) < FALLEN_TILT_COS
+        return has_fallen(self.plant.data, self.plant.handles)
 
 
 def _battery_extras() -> FrameExtras:

@@ -73,8 +73,8 @@ def run_robot(
         keyboard = stack.enter_context(Keyboard(robot.remote))
         stop = stack.enter_context(_StopSignals())
         host, bound = port.address
-        how = "hung up" if settings.hung else "standing"
-        say(f"listening on {host}:{bound} as {robot.plant.robot.name}, {generation}, {how}")
+        name = robot.plant.robot.name
+        say(f"listening on {host}:{bound} as {name}, {generation}, {settings.pose}")
         if keyboard.present:
             say(KEYS)
         say(stack.enter_context(RealTimePriority()).got)

@@ -22,7 +22,8 @@ class VirtualRobotSettings:
         robot: A name of surefoot.available_robots(), or a RobotDescription.
         sdk: Generation of the frames, of protocol.GENERATIONS; None takes the robot's own.
         rate: LowStates per second [Hz]; the period is a whole number of milliseconds.
-        hung: The base is fixed in the air, the legs are free; otherwise the robot stands.
+        hung: The base is fixed in the air, the legs are free.
+        lying: It lies with its legs anyhow, motors braking; neither hung nor lying it stands.
         drop: Datagrams lost each way [%].
         delay: Of every datagram, each way [s].
         jitter: Further delay each way, uniform from 0 to this [s]; no datagram overtakes another.
@@ -37,6 +38,7 @@ class VirtualRobotSettings:
     sdk: str | None = None
     rate: float = 1000.0
     hung: bool = False
+    lying: bool = False
     drop: float = 0.0
     delay: float = 0.0
     jitter: float = 0.0
@@ -51,12 +53,19 @@ class VirtualRobotSettings:
             one_of("sdk", self.sdk, protocol.GENERATIONS)
         number("rate", self.rate, 10.0, 1000.0)
         check_rate(self.rate)
+        if self.hung and self.lying:
+            raise Error("lying: got True, expected False for a hung robot")
         number("drop", self.drop, 0.0, 100.0)
         number("delay", self.delay, 0.0, 10.0)
         number("jitter", self.jitter, 0.0, 10.0)
         number("timeout", self.timeout, 0.0, 1e6)
         number("log_rate", self.log_rate, 0.0, self.rate)
         self.plant_settings(alive=False)  # it checks what is left
+
+    @property
+    def pose(self) -> str:
+        """How the robot is at the start, in words."""
+        return "hung up" if self.hung else "lying" if self.lying else "standing"
 
     @property
     def generation(self) -> str:

@@ -71,7 +71,7 @@ def rejected_text(rejected: dict[str, int]) -> str:
 def mode_text(robot: VirtualRobot) -> str:
     """Return what the motors do."""
     if not robot.watchdog.heard:
-        return "motors hold, no command yet"
+        return f"motors {'brake' if robot.settings.lying else 'hold'}, no command yet"
     times = len(robot.watchdog.intervals)
     if robot.watchdog.damping:
         return f"motors DAMP, commands missing ({times} times)"

@@ -36,7 +36,8 @@ enum class FaultId : int {
   kController,        ///< the StandController gave up: stand().fault()
   kHanging,           ///< on its way up the legs bear nothing
   kBattery,           ///< low
-  kOperator           ///< no heartbeat from the operator
+  kOperator,          ///< no heartbeat from the operator
+  kLink               ///< Supervisor::lose(): the robot is not heard, or began anew
 };
 constexpr int kFaults = 28;  ///< kNone included
 const char* to_string(FaultId id) noexcept;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "surefoot/stand_controller.hpp"
+#include "surefoot/supervisor.hpp"
 #include "surefoot/udp_link.hpp"
 
 namespace surefoot {
@@ -14,10 +14,11 @@ namespace surefoot {
 struct RunOptions {
   double rate = 500.0;  ///< [Hz] of the control loop
   double duration =
-      std::numeric_limits<double>::infinity();  ///< [s] from the first tick of control
-  int power_level = 1;    ///< of Safety::power_protect(), 1 .. 10; 0 switches it off
-  bool remote = true;     ///< sticks move the body, a button damps
-  double patience = 5.0;  ///< [s] to wait for the first valid LowState
+      std::numeric_limits<double>::infinity();  ///< [s] from when it stands first; then finish()
+  int power_level = 1;             ///< of Safety::power_protect(), 1 .. 10; 0 switches it off
+  bool remote = true;              ///< sticks move the body, a button damps
+  double patience = 5.0;           ///< [s] to wait for the first valid LowState
+  Start start = Start::kStanding;  ///< kLying: behind arming checks; power_level 1 .. 10
 
   /// Throw surefoot::Error naming what is out of range.
   void validate() const;
@@ -26,8 +27,11 @@ struct RunOptions {
 /// What the loop is doing.
 enum class RunPhase {
   kWaiting,   ///< for the first valid LowState; damping frames leave
+  kPassive,   ///< the motors brake until request(Mode::kRise)
+  kRising,    ///< on its way up
   kStanding,  ///< the controller's commands leave
-  kDamping,   ///< latched: the motors brake until rearm()
+  kSitting,   ///< on its way down
+  kDamping,   ///< latched: the motors brake until arm()
   kEnded
 };
 const char* to_string(RunPhase phase) noexcept;
@@ -43,7 +47,8 @@ enum class RunReason {
   kRestart,          ///< the robot began anew: it is not the one that was armed
   kController,       ///< the controller damps: see StandController::fault()
   kPowerProtect,
-  kButton
+  kButton,
+  kFault  ///< what else the supervisor damps for: RunSnapshot::damping
 };
 const char* to_string(RunReason reason) noexcept;
 
@@ -51,9 +56,17 @@ const char* to_string(RunReason reason) noexcept;
 struct RunSnapshot {
   RunPhase phase = RunPhase::kWaiting;
   RunReason reason = RunReason::kNone;  ///< of the last damping, or of the end
-  Status status = Status::kWaiting;     ///< of the controller's last tick
-  Status fault = Status::kOk;           ///< of the controller
-  FrameReport reject;                   ///< the last datagram that was not taken
+  Mode mode = Mode::kPassive;           ///< of the supervisor
+  FaultId damping = FaultId::kNone;     ///< the supervisor's, of the last damping
+  FaultReport faults;                   ///< which there are and have been
+  ArmingReport arming;                  ///< what passes and what does not, and for how long
+  bool armed = false;
+  bool stood = false;                ///< has it stood at all?
+  bool stuck = false;                ///< has the last rise given up?
+  double way_up = 0.0;               ///< from lying (0) to standing (1)
+  Status status = Status::kWaiting;  ///< of the controller's last tick
+  Status fault = Status::kOk;        ///< of the controller
+  FrameReport reject;                ///< the last datagram that was not taken
   LinkCounts link;
   double time = 0.0;          ///< [s] since run() began
   double age = 0.0;           ///< [s] of the newest LowState
@@ -66,7 +79,7 @@ struct RunSnapshot {
   std::uint64_t dampings = 0;  ///< times that it latched
   std::uint64_t pauses = 0;    ///< of those, left because the robot's clock had stood still as well
   std::uint64_t rearms = 0;
-  std::uint64_t refused_rearms = 0;  ///< asked for while no LowState came
+  std::uint64_t refused_rearms = 0;  ///< by rearm(): no LowState came, or checks failed
   double power = 0.0;                ///< [W] that the protection judged last
   double greatest_power = 0.0;
   double height = 0.0;              ///< [m] estimated
@@ -83,17 +96,20 @@ struct RunSnapshot {
   double wake_p50 = 0.0, wake_p99 = 0.0, wake_p999 = 0.0, wake_max = 0.0;
 };
 
-/// Runs a StandController over a UdpLink at a fixed rate, behind the power protection.
+/// Runs a Supervisor over a UdpLink at a fixed rate.
 ///
+/// With RunOptions::start kStanding a robot that stands is taken over with its first good LowState;
+/// with kLying it is armed, risen and sat down by arm() and request().
 /// Deadlines are absolute; SCHED_FIFO and locked memory are used where permitted. It begins and
 /// ends with damping frames. Without a new LowState the last command is repeated for at most 10 ms,
-/// then the motors damp, and after 20 ms for good: a latched damping is left by rearm() alone, or
+/// then the motors damp, and after 20 ms for good: a latched damping is left by arm() alone, or
 /// within 100 ms when LowState::tick says that the robot's clock stood still with it. A
 /// program that the system kept from running for 100 ms damps for good as well; after less it goes
 /// on with the report that is new.
 class StandRunner {
  public:
-  /// Throws surefoot::Error: an invalid option or gain, or what UdpLink throws.
+  /// Throws surefoot::Error: an invalid option or gain, a real robot that is not started lying, or
+  /// what UdpLink throws.
   StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
               const UdpLinkOptions& link, const RunOptions& options);
   ~StandRunner();
@@ -105,13 +121,17 @@ class StandRunner {
   void run();
 
   // From any thread, and from a signal handler:
-  void stop() noexcept;   ///< damp, and end
-  void damp() noexcept;   ///< damp, and stay
-  void rearm() noexcept;  ///< begin anew with the next LowState, if the robot is damped
+  RequestStatus request(Mode mode) noexcept;  ///< as Supervisor's
+  RequestStatus arm() noexcept;               ///< as Supervisor's
+  void rearm() noexcept;   ///< arm() whose refusals are counted: RunSnapshot::refused_rearms
+  void finish() noexcept;  ///< with start kLying: sit down, then damp, and end; else stop()
+  void stop() noexcept;    ///< damp, and end
+  void damp() noexcept;    ///< damp, and stay
 
   // From any thread; obeyed with the next tick:
   void set_gains(const Gains& gains);  ///< as StandController's; throws surefoot::Error
-  /// As StandController's, and the remote's sticks add to it. rearm() forgets it.
+  /// As StandController's, and the remote's sticks add to it. In force while the robot stands;
+  /// forgotten when it stands anew.
   void set_body_reference(const BodyReference& target);
 
   /// From any other thread; what was last published.

@@ -20,10 +20,20 @@ enum class Mode : int {
 };
 const char* to_string(Mode mode) noexcept;
 
+/// How the robot is when it is taken on.
+enum class Start : int {
+  kLying = 0,  ///< motors damp; arming checks, arm(), then a rise
+  /// It stands already, held by something else, and would sink in any pause: the first good
+  /// LowState is taken over, without arming checks. So is, after latched damping, the pose that
+  /// arm() finds.
+  kStanding
+};
+const char* to_string(Start start) noexcept;
+
 /// What became of a request. Anything but kAccepted: nothing moves for it.
 enum class RequestStatus : int {
   kAccepted = 0,  ///< the next update() takes it up
-  kNoState,       ///< no valid LowState has come yet
+  kNoState,       ///< no valid LowState comes, or none has yet
   kNotArmed,      ///< arm() first
   kNotReady,      ///< an arming check fails, or has not passed for long enough: arming()
   kLatched,       ///< damping is latched: arm() first
@@ -34,7 +44,9 @@ const char* to_string(RequestStatus status) noexcept;
 
 /// What is set once.
 struct SupervisorOptions {
-  int power_level = 1;                ///< 1 .. 10, of Safety::power_protect(); plans keep below it
+  /// 1 .. 10, of Safety::power_protect(); plans keep below it. 0 switches the protection off; plans
+  /// then keep below level 1.
+  int power_level = 1;
   double arming_time = 1.0;           ///< [s] that all checks must have passed
   double temperature_warning = 60.0;  ///< [deg C] torque limits fall from here on ...
   double temperature_stop = 80.0;     ///< [deg C] ... to half, where the robot sits down
@@ -47,6 +59,8 @@ struct SupervisorOptions {
   /// lies on its stop, outside the limits that motions keep.
   double joint_margin = -0.15;
   StandOptions stand;
+  Start start = Start::kLying;
+  bool remote = true;  ///< B on the remote stops
 
   /// Throw surefoot::Error naming what is out of range.
   void validate() const;
@@ -64,9 +78,8 @@ struct SupervisorOptions {
 /// only damping for a stop or a fault is at once. What is wrong and what is done about it:
 /// fault_table().
 ///
-/// update(), stand() and set_body_reference() belong to one thread. request(), arm(), stop(),
-/// heartbeat(), mode(), armed(), arming(), faults() and reason() may be called from any; none of
-/// them waits.
+/// update(), bridge(), lose(), count_reports(), set_gains(), set_body_reference(), stand(), fresh()
+/// and power() belong to one thread. All others may be called from any; none of them waits.
 class Supervisor {
  public:
   /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
@@ -78,6 +91,18 @@ class Supervisor {
 
   /// Compute one tick; never throws, allocates, locks or logs. Real-time: yes.
   const LowCmd& update(const LowState& low_state) noexcept;
+
+  /// Go on for a period that brought no LowState: the last command while it is no older than 10 ms,
+  /// then damping; requests are refused until update() is called again. Nothing latches but what
+  /// stop() asks for: see lose(). Real-time: yes.
+  /// @param age [s] of the newest LowState
+  const LowCmd& bridge(double age) noexcept;
+  /// The robot was not heard for too long, or what is heard now is another: what was armed damps
+  /// and latches, and what waits is forgotten. Real-time: yes.
+  void lose() noexcept;
+  /// Say what the link has counted since the last call, for the arming check kLink: it hears more
+  /// reports than are handed on to update(), whose own count this replaces. Real-time: yes.
+  void count_reports(double come, double missing) noexcept;
 
   /// Ask for a mode: kRise from passive; kSit from rise and stand; kStand while sitting down, to
   /// come up again. Any thread. Real-time: yes.
@@ -101,11 +126,16 @@ class Supervisor {
   double height() const noexcept;
   /// [s] that the plan takes from lying legs folded to standing.
   double rise_time() const noexcept;
+  /// Are torques on their way from mode to mode?
+  bool fading() const noexcept;
   /// Did the last rise give up because a leg could not fold or the body could not follow?
   bool stuck() const noexcept;
 
   void set_body_reference(const BodyReference& target) noexcept;  ///< in force while standing
+  void set_gains(const Gains& gains);  ///< as StandController's; throws surefoot::Error
   const StandController& stand() const noexcept;
+  bool fresh() const noexcept;    ///< was the last command made from its own LowState?
+  double power() const noexcept;  ///< [W] that the power protection judged last
 
  private:
   struct Impl;

@@ -15,6 +15,7 @@ struct UdpLinkOptions {
   int local_port = 0;  ///< 0: any; the SDK's examples use 8080 or 8090
   Generation generation = Generation::kGo1v38;
   double damping_kd = 3.0;  ///< [N.m.s/rad] 0.0625 .. 50, before the robot is known
+  bool real_robot = false;  ///< may the peer be beyond this machine's loopback?
 };
 
 /// What has come and gone since the link was opened.
@@ -44,9 +45,9 @@ struct LinkCounts {
 /// as old as it is.
 class UdpLink {
  public:
-  /// Throws surefoot::Error: an unknown host, a peer that is not on this machine's loopback (not
-  /// before there is arming), a port that is out of range, taken or forbidden, a damping_kd that is
-  /// out of range.
+  /// Throws surefoot::Error: an unknown host, a peer beyond this machine's loopback without
+  /// UdpLinkOptions::real_robot, a port that is out of range, taken or forbidden, a damping_kd that
+  /// is out of range.
   explicit UdpLink(const UdpLinkOptions& options);
   ~UdpLink();
   UdpLink(UdpLink&&) noexcept;

@@ -27,7 +27,9 @@ LowCmd checked_damping(double kd) {
 
 struct UdpLink::Impl {
   explicit Impl(const UdpLinkOptions& o)
-      : options(o), socket(o.host, o.port, o.local_port), damping(checked_damping(o.damping_kd)) {
+      : options(o),
+        socket(o.host, o.port, o.local_port, o.real_robot),
+        damping(checked_damping(o.damping_kd)) {
     encode_low_cmd(damping, FrameExtras{}, options.generation, damping_frame);
   }
   bool take(std::size_t size, double time) noexcept;

@@ -65,14 +65,15 @@ bool is_loopback(const in_addr& address) { return (ntohl(address.s_addr) >> 24) 
 
 }  // namespace
 
-UdpSocket::UdpSocket(const std::string& host, int port, int local_port) {
+UdpSocket::UdpSocket(const std::string& host, int port, int local_port, bool beyond) {
   check_port("port", port, 1);
   check_port("local port", local_port, 0);
   const in_addr address = resolve(host);
-  if (!is_loopback(address)) {
+  const bool loopback = is_loopback(address);
+  if (!loopback && !beyond) {
     throw Error("host '" + host +
-                "': got a peer beyond this machine, expected 127.x.x.x; robots are "
-                "talked to when there is arming");
+                "': got a peer beyond this machine, expected 127.x.x.x; a real robot is talked to "
+                "behind arming checks alone: surefoot run --rise --real-robot");
   }
   peer_address_ = address.s_addr;
   peer_port_ = htons(static_cast<std::uint16_t>(port));
@@ -83,7 +84,7 @@ UdpSocket::UdpSocket(const std::string& host, int port, int local_port) {
   setsockopt(fd_, SOL_SOCKET, SO_TIMESTAMPNS, &on, sizeof(on));
   sockaddr_in local{};
   local.sin_family = AF_INET;
-  local.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  local.sin_addr.s_addr = htonl(loopback ? INADDR_LOOPBACK : INADDR_ANY);
   local.sin_port = htons(static_cast<std::uint16_t>(local_port));
   if (bind(fd_, reinterpret_cast<const sockaddr*>(&local), sizeof(local)) != 0) {
     const std::string why = std::strerror(errno);

@@ -10,8 +10,8 @@ namespace surefoot {
 /// A non-blocking IPv4 socket that talks to one peer. Real-time: read() and write() yes.
 class UdpSocket {
  public:
-  /// Throws surefoot::Error.
-  UdpSocket(const std::string& host, int port, int local_port);
+  /// Throws surefoot::Error. @param beyond may the peer be beyond this machine?
+  UdpSocket(const std::string& host, int port, int local_port, bool beyond);
   ~UdpSocket();
   UdpSocket(const UdpSocket&) = delete;
   UdpSocket& operator=(const UdpSocket&) = delete;

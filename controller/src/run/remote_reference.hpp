@@ -11,7 +11,4 @@ namespace surefoot {
 /// pose. Real-time: yes.
 BodyReference remote_reference(const WirelessRemote& remote) noexcept;
 
-/// The button that damps.
-constexpr Button kDampingButton = Button::kB;
-
 }  // namespace surefoot

@@ -13,6 +13,9 @@ void RunOptions::validate() const {
   };
   check("rate", rate, 100.0, 1000.0, " [Hz]");
   check("power_level", power_level, 0, 10, " (0 switches the protection off)");
+  if (start == Start::kLying) {
+    check("power_level", power_level, 1, 10, " for a robot that is to get up");
+  }
   check("patience", patience, 0.0, 1e6, " [s]");
   if (!(duration > 0.0)) {
     throw Error("option 'duration' out of range: got " + to_text(duration) +
@@ -24,8 +27,14 @@ const char* to_string(RunPhase phase) noexcept {
   switch (phase) {
     case RunPhase::kWaiting:
       return "waiting";
+    case RunPhase::kPassive:
+      return "passive";
+    case RunPhase::kRising:
+      return "rising";
     case RunPhase::kStanding:
       return "standing";
+    case RunPhase::kSitting:
+      return "sitting";
     case RunPhase::kDamping:
       return "damping";
     case RunPhase::kEnded:
@@ -56,6 +65,8 @@ const char* to_string(RunReason reason) noexcept {
       return "power_protect";
     case RunReason::kButton:
       return "button";
+    case RunReason::kFault:
+      return "fault";
   }
   return "unknown";
 }

@@ -27,11 +27,14 @@ class Silence {
     return age > kStaleTime && listened_ > kListening;
   }
 
+  /// May it still be forgiven? @param time [s] of the loop
+  bool forgivable(double time) const noexcept { return time - time_ < kForgiven; }
+
   /// Was the robot's own clock silent as well, so that nothing has happened there meanwhile? A
   /// virtual robot that is held up knows this; for a real one time goes on.
   /// @param time [s] of the loop @param tick of the report after the silence
   bool stood_still(double time, std::uint32_t tick) const noexcept {
-    return time - time_ < kForgiven && 1e-3 * (tick - tick_) <= kHoldTime;
+    return forgivable(time) && 1e-3 * (tick - tick_) <= kHoldTime;
   }
 
  private:

@@ -5,6 +5,7 @@
 
 #include "run/remote_reference.hpp"
 #include "run/run_view.hpp"
+#include "surefoot/error.hpp"
 
 namespace surefoot {
 
@@ -12,13 +13,31 @@ namespace {
 
 constexpr std::uint64_t kConvinced = 10;  // datagrams of another generation
 
+const RunOptions& checked(const RunOptions& options, const UdpLinkOptions& link) {
+  options.validate();
+  if (link.real_robot && options.start != Start::kLying) {
+    throw Error(
+        "a real robot: got start 'standing', expected 'lying': it is not moved but behind arming "
+        "checks (surefoot run --rise --real-robot)");
+  }
+  return options;
+}
+
+SupervisorOptions supervised(const RunOptions& options, const StandOptions& stand) {
+  SupervisorOptions out;
+  out.power_level = options.power_level;
+  out.start = options.start;
+  out.remote = options.remote;
+  out.stand = stand;
+  return out;
+}
+
 }  // namespace
 
 StandLoop::StandLoop(const Robot& robot, const Gains& gains, const StandOptions& stand,
                      const UdpLinkOptions& link, const RunOptions& options)
-    : options_((options.validate(), options)),
-      controller_(robot, gains, stand),
-      safety_(robot),
+    : options_(checked(options, link)),
+      supervisor_(robot, gains, supervised(options, stand)),
       link_(link),
       tau_max_(robot.config().tau_max),
       damping_(damping_low_cmd(gains.damping_kd)) {}
@@ -28,105 +47,159 @@ void StandLoop::tick(double time, double elapsed) noexcept {
   obey_letters();
   const bool newer = link_.receive();
   if (stop_.load()) end(RunReason::kAsked);
-  const bool damped = damp_.exchange(false);
-  const bool rearmed = rearm_.exchange(false) && !damped;
-  if (damped) latch(RunReason::kAsked);
-  switch (now_.phase) {
-    case RunPhase::kWaiting:
-      wait_for_robot();
-      break;
-    case RunPhase::kStanding:
-      stand(newer, elapsed);
-      break;
-    case RunPhase::kDamping:
-      stay_damped(newer, rearmed);
-      break;
-    case RunPhase::kEnded:
-      send_damping();
-      break;
+  // Damped for something before, and asked for now: this is how it was wanted.
+  if (damp_.exchange(false) && now_.phase == RunPhase::kDamping) now_.reason = RunReason::kAsked;
+  if (ended()) {
+    send_damping();
+  } else if (link_.known()) {
+    supervise(newer, elapsed);
+  } else {
+    wait_for_robot();
   }
-  if (now_.ticks > 0 && time - begun_ > options_.duration) end(RunReason::kAsked);
+  const bool over = stands_since_ >= 0.0 && time - stands_since_ > options_.duration;
+  if (over) finish();
+  if (finish_.load() && !ended()) sit_down_and_end();
 }
 
 void StandLoop::wait_for_robot() noexcept {
   send_damping();
-  if (link_.known()) {
-    begun_ = now_.time;
-    begin();
-  } else if (link_.counts().wrong_generation >= kConvinced) {
+  if (link_.counts().wrong_generation >= kConvinced) {
     end(RunReason::kWrongGeneration);
   } else if (now_.time > options_.patience) {
     end(RunReason::kNoState);
   }
 }
 
-void StandLoop::begin() noexcept {
-  controller_.reset();
-  safety_.reset();
-  asked_ = {};
-  last_ = damping_;
-  silence_.heard(now_.time, link_.state().tick);
-  restarts_ = link_.counts().restarts;
-  now_.phase = RunPhase::kStanding;
-}
-
-void StandLoop::stand(bool newer, double elapsed) noexcept {
-  ++now_.ticks;
+void StandLoop::supervise(bool newer, double elapsed) noexcept {
+  now_.ticks += now_.phase != RunPhase::kDamping;
+  count_reports();
   if (elapsed > kAwayTime) {
-    now_.gap = elapsed;
-    latch(RunReason::kAway);
+    if (supervisor_.armed()) now_.gap = elapsed;
+    lose(RunReason::kAway);
   }
-  if (link_.counts().restarts != restarts_) latch(RunReason::kRestart);
+  if (link_.counts().restarts != restarts_) lose(RunReason::kRestart);
   const double age = link_.age();
-  if (newer && age < kHoldTime) {
-    control(link_.state());
-  } else {
-    bridge(age, elapsed);
-  }
-  link_.send(now_.phase == RunPhase::kStanding ? last_ : damping_);
+  if (silent_ && newer && age < kStaleTime) forgive_or_lose();
+  link_.send(newer && age < kHoldTime ? control(link_.state()) : bridge(age, elapsed));
+  watch();
 }
 
-void StandLoop::control(const LowState& state) noexcept {
+// The supervisor gets the newest report of a tick; the link heard them all.
+void StandLoop::count_reports() noexcept {
+  const LinkCounts& counts = link_.counts();
+  supervisor_.count_reports(static_cast<double>(counts.valid - valid_),
+                            static_cast<double>(counts.lost) - static_cast<double>(missing_));
+  valid_ = counts.valid;
+  missing_ = counts.lost;
+}
+
+const LowCmd& StandLoop::control(const LowState& state) noexcept {
   silence_.heard(now_.time, state.tick);
-  if (options_.remote) obey_remote();
-  last_ = controller_.update(state);
-  now_.status = controller_.status();
-  now_.fault = controller_.fault();
-  now_.usable += is_usable(now_.status);
-  now_.saturated += now_.status == Status::kSaturated;
-  if (options_.power_level > 0) {
-    const bool tripped = safety_.power_protect(last_, state, options_.power_level) < 0;
-    now_.power = safety_.power();
+  if (options_.remote) obey_sticks();
+  const LowCmd& command = supervisor_.update(state);
+  const StandController& controller = supervisor_.stand();
+  now_.status = controller.status();
+  now_.fault = controller.fault();
+  if (now_.phase != RunPhase::kDamping) {
+    const bool standing = supervisor_.mode() == Mode::kStand;
+    now_.usable += supervisor_.fresh();
+    now_.saturated += standing && now_.status == Status::kSaturated;
+    now_.power = supervisor_.power();
     now_.greatest_power = std::max(now_.greatest_power, now_.power);
-    if (tripped) latch(RunReason::kPowerProtect);
   }
-  if (now_.status == Status::kDamping) latch(RunReason::kController);
+  return command;
 }
 
 // No new report: the command before, then damping, then that for good.
-void StandLoop::bridge(double age, double elapsed) noexcept {
-  ++now_.bridged;
-  if (age > kHoldTime) last_ = damping_;
-  if (silence_.is_stale(age, elapsed, 1.0 / options_.rate)) {
+const LowCmd& StandLoop::bridge(double age, double elapsed) noexcept {
+  now_.bridged += now_.phase != RunPhase::kDamping;
+  const LowCmd& command = supervisor_.bridge(age);
+  if (silent_ && !silence_.forgivable(now_.time)) lose(RunReason::kStale);
+  if (!silent_ && supervisor_.armed() && silence_.is_stale(age, elapsed, 1.0 / options_.rate)) {
+    silent_ = true;
     now_.gap = age;
-    latch(RunReason::kStale);
+  }
+  return command;
+}
+
+// The robot is heard again.
+void StandLoop::forgive_or_lose() noexcept {
+  if (supervisor_.armed() && silence_.stood_still(now_.time, link_.state().tick)) {
+    silent_ = false;
+    ++now_.pauses;
+  } else {
+    lose(RunReason::kStale);
   }
 }
 
-void StandLoop::stay_damped(bool newer, bool rearmed) noexcept {
-  send_damping();
-  const bool fresh = link_.age() < kStaleTime;
-  const bool same_robot = link_.counts().restarts == restarts_;
-  if (newer && fresh && same_robot && now_.reason == RunReason::kStale &&
-      silence_.stood_still(now_.time, link_.state().tick)) {
-    ++now_.pauses;
-    now_.phase = RunPhase::kStanding;
-  } else if (rearmed && fresh) {
-    ++now_.rearms;
-    begin();
-  } else if (rearmed) {
-    ++now_.refused_rearms;
+void StandLoop::lose(RunReason why) noexcept {
+  lost_ = why;
+  silent_ = false;
+  restarts_ = link_.counts().restarts;
+  supervisor_.lose();
+}
+
+// What has become of it in this tick?
+void StandLoop::watch() noexcept {
+  const Mode before = now_.mode;
+  now_.mode = supervisor_.mode();
+  const RunPhase phase = this->phase();
+  if (phase == RunPhase::kDamping && now_.phase != RunPhase::kDamping) {
+    now_.reason = why_damped();
+    ++now_.dampings;
   }
+  now_.rearms += before == Mode::kDamping && now_.mode != Mode::kDamping;
+  if (now_.mode == Mode::kStand && before != Mode::kStand) {
+    asked_ = {};
+    if (stands_since_ < 0.0) stands_since_ = now_.time;
+  }
+  news_ = news_ || phase != now_.phase;
+  now_.phase = phase;
+}
+
+RunPhase StandLoop::phase() const noexcept {
+  if (silent_) return RunPhase::kDamping;
+  switch (now_.mode) {
+    case Mode::kPassive:
+      return RunPhase::kPassive;
+    case Mode::kRise:
+      return RunPhase::kRising;
+    case Mode::kStand:
+      return RunPhase::kStanding;
+    case Mode::kSit:
+      return RunPhase::kSitting;
+    case Mode::kDamping:
+      return RunPhase::kDamping;
+  }
+  return RunPhase::kDamping;
+}
+
+RunReason StandLoop::why_damped() const noexcept {
+  if (silent_) return RunReason::kStale;
+  switch (supervisor_.reason()) {
+    case FaultId::kLink:
+      return lost_;
+    case FaultId::kStop:
+      return RunReason::kAsked;
+    case FaultId::kButton:
+      return RunReason::kButton;
+    case FaultId::kPower:
+      return RunReason::kPowerProtect;
+    case FaultId::kController:
+      return RunReason::kController;
+    default:
+      return RunReason::kFault;
+  }
+}
+
+void StandLoop::rearm() noexcept {
+  const RequestStatus got = supervisor_.arm();
+  refused_ += got == RequestStatus::kNoState || got == RequestStatus::kNotReady;
+}
+
+void StandLoop::damp() noexcept {
+  damp_.store(true);
+  supervisor_.stop();
 }
 
 void StandLoop::set_gains(const Gains& gains) {
@@ -136,28 +209,29 @@ void StandLoop::set_gains(const Gains& gains) {
 
 void StandLoop::obey_letters() noexcept {
   if (gains_letter_.take(gains_)) {
-    controller_.set_gains(gains_);  // valid: see set_gains()
+    supervisor_.set_gains(gains_);  // valid: see set_gains()
     damping_ = damping_low_cmd(gains_.damping_kd);
   }
-  if (reference_letter_.take(asked_)) controller_.set_body_reference(asked_);
+  if (reference_letter_.take(asked_)) supervisor_.set_body_reference(asked_);
 }
 
-void StandLoop::obey_remote() noexcept {
+void StandLoop::obey_sticks() noexcept {
   const WirelessRemote remote = decode_wireless_remote(link_.state().wirelessRemote);
   const BodyReference sticks = remote_reference(remote);
-  controller_.set_body_reference({asked_.x + sticks.x, asked_.y + sticks.y,
+  supervisor_.set_body_reference({asked_.x + sticks.x, asked_.y + sticks.y,
                                   asked_.height + sticks.height, asked_.roll + sticks.roll,
                                   asked_.pitch + sticks.pitch, asked_.yaw + sticks.yaw});
-  if (remote.pressed(kDampingButton)) latch(RunReason::kButton);
 }
 
-void StandLoop::latch(RunReason why) noexcept {
-  if (now_.phase == RunPhase::kDamping && why == RunReason::kAsked) now_.reason = why;
-  if (now_.phase != RunPhase::kStanding) return;
-  now_.phase = RunPhase::kDamping;
-  now_.reason = why;
-  ++now_.dampings;
-  news_ = true;
+void StandLoop::sit_down_and_end() noexcept {
+  const Mode mode = now_.mode;
+  const bool up = mode == Mode::kRise || mode == Mode::kStand || mode == Mode::kSit;
+  if (options_.start == Start::kStanding || now_.phase == RunPhase::kDamping ||
+      (!up && !supervisor_.fading())) {
+    end(RunReason::kAsked);
+  } else if (mode == Mode::kRise || mode == Mode::kStand) {
+    supervisor_.request(Mode::kSit);  // refused while torques fade: the next tick asks again
+  }
 }
 
 void StandLoop::end(RunReason why) noexcept {
@@ -166,13 +240,22 @@ void StandLoop::end(RunReason why) noexcept {
   if (now_.phase == RunPhase::kWaiting && why == RunReason::kAsked) why = RunReason::kNoState;
   if (now_.phase != RunPhase::kDamping) now_.reason = why;
   now_.phase = RunPhase::kEnded;
+  news_ = true;
 }
 
 const RunSnapshot& StandLoop::describe() noexcept {
   now_.link = link_.counts();
   now_.reject = link_.last_reject();
   now_.age = link_.age();
-  view_robot(controller_, link_.state(), tau_max_, now_);
+  now_.damping = supervisor_.reason();
+  now_.arming = supervisor_.arming();
+  now_.faults = supervisor_.faults();
+  now_.armed = supervisor_.armed();
+  now_.stood = stands_since_ >= 0.0;
+  now_.stuck = supervisor_.stuck();
+  now_.way_up = supervisor_.height();
+  now_.refused_rearms = refused_.load();
+  view_robot(supervisor_.stand(), link_.state(), tau_max_, now_);
   return now_;
 }
 

@@ -5,12 +5,14 @@
 
 #include "run/mailbox.hpp"
 #include "run/silence.hpp"
-#include "surefoot/safety.hpp"
 #include "surefoot/stand_runner.hpp"
 
 namespace surefoot {
 
 /// What a StandRunner does in a tick: which commands leave, and why. It knows no clock of its own.
+///
+/// What the robot does is the Supervisor's to decide; here it is decided whether the robot is
+/// heard, and when to end.
 class StandLoop {
  public:
   /// Throws surefoot::Error.
@@ -25,9 +27,12 @@ class StandLoop {
   void send_damping() noexcept { link_.send(damping_); }
 
   // From any thread, and from a signal handler:
+  RequestStatus request(Mode mode) noexcept { return supervisor_.request(mode); }
+  RequestStatus arm() noexcept { return supervisor_.arm(); }
+  void rearm() noexcept;
+  void finish() noexcept { finish_.store(true); }
   void stop() noexcept { stop_.store(true); }
-  void damp() noexcept { damp_.store(true); }
-  void rearm() noexcept { rearm_.store(true); }
+  void damp() noexcept;
 
   // From any thread:
   void set_gains(const Gains& gains);  ///< throws surefoot::Error
@@ -35,38 +40,45 @@ class StandLoop {
 
   /// How it is, but for what only the clock knows. Real-time: yes.
   const RunSnapshot& describe() noexcept;
-  /// Has it latched since this was asked last? Real-time: yes.
+  /// Has its phase changed since this was asked last? Real-time: yes.
   bool has_news() noexcept;
   int local_port() const noexcept { return link_.local_port(); }
 
  private:
   void wait_for_robot() noexcept;
-  void stand(bool newer, double elapsed) noexcept;
-  void control(const LowState& state) noexcept;
-  void bridge(double age, double elapsed) noexcept;
-  void stay_damped(bool newer, bool rearmed) noexcept;
+  void supervise(bool newer, double elapsed) noexcept;
+  void count_reports() noexcept;
+  const LowCmd& control(const LowState& state) noexcept;
+  const LowCmd& bridge(double age, double elapsed) noexcept;
+  void forgive_or_lose() noexcept;
+  void lose(RunReason why) noexcept;
+  void watch() noexcept;
+  RunPhase phase() const noexcept;
+  RunReason why_damped() const noexcept;
   void obey_letters() noexcept;
-  void obey_remote() noexcept;
-  void begin() noexcept;
-  void latch(RunReason why) noexcept;
+  void obey_sticks() noexcept;
+  void sit_down_and_end() noexcept;
   void end(RunReason why) noexcept;
 
   RunOptions options_;
-  StandController controller_;
-  Safety safety_;
+  Supervisor supervisor_;
   UdpLink link_;
   Vector12 tau_max_;  // [N.m]
-  LowCmd damping_, last_ = damping_;
+  LowCmd damping_;    // before the robot is known, and at the end
   Gains gains_;
   BodyReference asked_;  // besides what the remote asks for
   Mailbox<Gains> gains_letter_;
   Mailbox<BodyReference> reference_letter_;
   Silence silence_;
+  bool silent_ = false;                // the robot is; it may yet be forgiven
+  RunReason lost_ = RunReason::kNone;  // why, when the supervisor damps for a lost link
   RunSnapshot now_;
-  double begun_ = 0.0;          // [s] when control began first
-  std::uint64_t restarts_ = 0;  // of the robot, when control began
+  double stands_since_ = -1.0;             // [s] when it stood first; negative: it has not
+  std::uint64_t restarts_ = 0;             // of the robot, that were taken in
+  std::uint64_t valid_ = 0, missing_ = 0;  // reports that the supervisor was told of
   bool news_ = false;
-  std::atomic<bool> stop_{false}, damp_{false}, rearm_{false};
+  std::atomic<bool> stop_{false}, damp_{false}, finish_{false};
+  std::atomic<std::uint64_t> refused_{0};
 };
 
 }  // namespace surefoot

@@ -58,6 +58,9 @@ StandRunner::StandRunner(const Robot& robot, const Gains& gains, const StandOpti
     : impl_(std::make_unique<Impl>(robot, gains, stand, link, options)) {}
 StandRunner::~StandRunner() = default;
 
+RequestStatus StandRunner::request(Mode mode) noexcept { return impl_->loop.request(mode); }
+RequestStatus StandRunner::arm() noexcept { return impl_->loop.arm(); }
+void StandRunner::finish() noexcept { impl_->loop.finish(); }
 void StandRunner::stop() noexcept { impl_->loop.stop(); }
 void StandRunner::damp() noexcept { impl_->loop.damp(); }
 void StandRunner::rearm() noexcept { impl_->loop.rearm(); }

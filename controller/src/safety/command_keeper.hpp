@@ -24,6 +24,7 @@ class CommandKeeper {
   /// @param elapsed [s] this tick's share of time
   const LowCmd& refuse(double elapsed, double damping_kd) noexcept;
 
+  const LowCmd& last() const noexcept { return command_; }  ///< that left
   bool latched() const noexcept { return latched_; }
   void reset() noexcept { *this = CommandKeeper(); }
 

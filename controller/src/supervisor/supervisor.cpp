@@ -17,7 +17,7 @@ void SupervisorOptions::validate() const {
     throw Error(std::string("option '") + name + "' out of range: got " + to_text(got) +
                 ", expected " + to_text(lower) + " .. " + to_text(upper));
   };
-  expect("power_level", power_level, 1.0, 10.0);
+  expect("power_level", power_level, 0.0, 10.0);
   expect("arming_time", arming_time, 0.0, 60.0);
   expect("temperature_warning", temperature_warning, 0.0, 126.0);
   expect("temperature_stop", temperature_stop, temperature_warning + 1.0, 127.0);
@@ -37,6 +37,11 @@ Supervisor::Supervisor(Supervisor&&) noexcept = default;
 const LowCmd& Supervisor::update(const LowState& low_state) noexcept {
   return impl_->tick(low_state);
 }
+const LowCmd& Supervisor::bridge(double age) noexcept { return impl_->bridge(age); }
+void Supervisor::lose() noexcept { impl_->lose(); }
+void Supervisor::count_reports(double come, double missing) noexcept {
+  impl_->arming.count(come, missing);
+}
 RequestStatus Supervisor::request(Mode mode) noexcept { return impl_->requests.ask(mode); }
 RequestStatus Supervisor::arm() noexcept { return impl_->requests.ask_to_arm(); }
 void Supervisor::stop() noexcept { impl_->requests.stop(); }
@@ -49,16 +54,24 @@ FaultReport Supervisor::faults() const noexcept { return impl_->faults.read(); }
 void Supervisor::heartbeat() noexcept { ++impl_->heartbeats; }
 double Supervisor::height() const noexcept { return impl_->height; }
 double Supervisor::rise_time() const noexcept { return impl_->plan.time; }
+bool Supervisor::fading() const noexcept { return impl_->requests.context().fading; }
 bool Supervisor::stuck() const noexcept { return impl_->gave_up; }
 
 void Supervisor::set_body_reference(const BodyReference& target) noexcept {
   impl_->stand.set_body_reference(target);
 }
+void Supervisor::set_gains(const Gains& gains) { impl_->set_gains(gains); }
 const StandController& Supervisor::stand() const noexcept { return impl_->stand; }
+bool Supervisor::fresh() const noexcept { return impl_->fresh; }
+double Supervisor::power() const noexcept { return impl_->safety.power(); }
 
 const char* to_string(Mode mode) noexcept {
   constexpr std::array<const char*, 5> names = {"passive", "rise", "stand", "sit", "damping"};
   return names[static_cast<int>(mode)];
+}
+
+const char* to_string(Start start) noexcept {
+  return start == Start::kStanding ? "standing" : "lying";
 }
 
 const char* to_string(RequestStatus status) noexcept {

@@ -31,8 +31,9 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
 
 // Of the torque protections this is the last word; the command is not read.
 void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
+  const bool protect = active() && options.power_level > 0;
   log.set(FaultId::kPower,
-          active() && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
+          protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
   log.set(FaultId::kLoss, arming.loss() > kLossWatched);
   const BmsState& bms = state.bms;
   const bool told = bms.SOC > 0 || bms.bms_status > 0 || bms.version_h > 0;

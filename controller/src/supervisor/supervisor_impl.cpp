@@ -16,7 +16,7 @@ constexpr Button kStopButton = Button::kB;
 
 double watts(const SupervisorOptions& options) {
   options.validate();
-  return Safety::kWattsPerLevel * options.power_level;
+  return Safety::kWattsPerLevel * std::max(options.power_level, 1);
 }
 
 }  // namespace
@@ -34,6 +34,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
       sensors(o.payload_limit),
       damping_kd(gains.damping_kd) {
+  now.trusted = o.start == Start::kStanding;
   publish();
 }
 
@@ -42,12 +43,15 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   const double step = clock.advance(state.tick);
   const double dt = step > 0.0 ? std::min(step, TickClock::kMaxStep) : clock.period();
   const bool good = read(state, step);
+  log.set(FaultId::kLink, false);
   log.set(FaultId::kStop, requests.take_stop());
-  log.set(FaultId::kButton, decode_wireless_remote(state.wirelessRemote).pressed(kStopButton));
+  const bool pressed = decode_wireless_remote(state.wirelessRemote).pressed(kStopButton);
+  log.set(FaultId::kButton, pressed && options.remote);
   if (good) judge(state, dt);
   react();
   if (good) {
     obey(requests.take());
+    if (now.trusted && now.mode == Mode::kPassive && !now.armed) take_over();
     move(state, dt);
   }
   const LowCmd* out = nullptr;
@@ -60,6 +64,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     if (keeper.latched() || clock.gap() > kStaleTime) latch(bad);
   }
   if (good) motors.sent(*out, state);
+  fresh = good && (!fade.needs(Source::kProgram) || is_usable(stand.status()));
   publish();
   return *out;
 }
@@ -107,17 +112,30 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
 void Supervisor::Impl::obey(int request) noexcept {
   if (request == Requests::kArm) {
     if (judge_arming(now) != RequestStatus::kAccepted) return;
+    const bool take = now.trusted && now.mode == Mode::kDamping;
     now.mode = Mode::kPassive;
     now.armed = true;
     keeper.reset();
     reason = FaultId::kNone;
+    if (take) take_over();
   } else if (request != Requests::kNothing) {
     const Mode mode = static_cast<Mode>(request);
     if (judge_request(now, mode) == RequestStatus::kAccepted) enter(mode);
   }
 }
 
+// A robot that stands by itself would sink in any fade.
+void Supervisor::Impl::take_over() noexcept {
+  stand.reset();
+  safety.reset();
+  motors.reset();
+  now.mode = Mode::kStand;
+  now.armed = true;
+  fade.jump(Source::kProgram);
+}
+
 void Supervisor::Impl::latch(FaultId why) noexcept {
+  requests.take();  // what was asked before is void
   if (now.mode == Mode::kDamping) return;
   now.mode = Mode::kDamping;
   now.armed = now.ready = false;

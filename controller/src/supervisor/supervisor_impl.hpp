@@ -26,6 +26,9 @@ struct Supervisor::Impl {
   Impl(const Robot& robot, const Gains& gains, const SupervisorOptions& options);
 
   const LowCmd& tick(const LowState& state) noexcept;
+  const LowCmd& bridge(double age) noexcept;
+  void lose() noexcept;
+  void set_gains(const Gains& gains);
 
   Robot robot;
   SupervisorOptions options;
@@ -43,6 +46,7 @@ struct Supervisor::Impl {
   std::atomic<unsigned> heartbeats{0};
   std::atomic<bool> gave_up{false};
   std::atomic<double> height{0.0};
+  bool fresh = false;
 
  private:
   bool read(const LowState& state, double step) noexcept;
@@ -52,6 +56,7 @@ struct Supervisor::Impl {
   void judge_rest(const LowState& state, double dt) noexcept;
   void react() noexcept;
   void obey(int request) noexcept;
+  void take_over() noexcept;
   void enter(Mode mode) noexcept;
   void start_rise() noexcept;
   void move(const LowState& state, double dt) noexcept;

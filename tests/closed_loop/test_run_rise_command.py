@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""surefoot run --rise against surefoot robot --lying, two processes: keys, signals, words."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from surefoot.cli import main
+from virtual_robot_helpers import controller, start, wait_for
+
+LYING = ("--lying", "--seed", "9")
+
+
+class Terminal:
+    """surefoot run with a terminal of its own, whose keys a test presses."""
+
+    def __init__(self, port: int, *words: str) -> None:
+        command = [sys.executable, "-m", "surefoot.cli", "run", "--port", str(port), *words]
+        self.pid, self.keys = pty.fork()
+        if self.pid == 0:
+            os.execv(sys.executable, command)
+        self._screen = b""
+
+    def press(self, keys: str) -> None:
+        os.write(self.keys, keys.encode())
+
+    def shows(self, words: str, seconds: float = 30.0) -> str:
+        """Read on until a line has the words; return that."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            line, found, rest = self._screen.partition(b"\r\n")
+            if not found:
+                self._screen += os.read(self.keys, 4096)
+                continue
+            self._screen = rest
+            if words in line.decode():
+                return line.decode()
+        raise AssertionError(f"'{words}' was not shown in {seconds:g} s")
+
+    def status(self) -> int:
+        """Wait for its end; return the exit status."""
+        try:
+            while os.read(self.keys, 4096):
+                pass
+        except OSError:  # the other end is closed
+            os.close(self.keys)
+        return os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
+
+
+@contextmanager
+def lying_robot(*words: str) -> Iterator[tuple[subprocess.Popen[str], int]]:
+    robot, port = start(*LYING, *words)
+    try:
+        yield robot, port
+    finally:
+        robot.kill()
+        robot.wait(timeout=20)
+
+
+def test_an_operator_gets_it_up_and_down_by_keys() -> None:
+    with lying_robot() as (_, port):
+        terminal = Terminal(port, "--rise")
+        terminal.shows(" passive")
+        terminal.press("u\n")
+        terminal.shows("up refused: not armed")
+        terminal.shows(" ready")
+        terminal.press("a\n")
+        terminal.shows("ready, armed")
+        terminal.press("wave\n")
+        terminal.shows("'wave' is no key: a + Enter arms, u goes up")
+        terminal.press("u\n")
+        terminal.shows(" rising")
+        terminal.shows(" standing")
+        time.sleep(0.5)  # its torques have faded in
+        terminal.press("d\n")
+        terminal.shows(" sitting")
+        terminal.shows(" passive")
+        terminal.press("x\n")
+        terminal.shows(" damping: asked")
+        terminal.press("\x03")
+        terminal.shows("ended")
+        assert terminal.status() == 0
+
+
+def test_unasked_it_rises_once_stands_its_time_and_lies_down(tmp_path: Path) -> None:
+    with lying_robot("--json", str(tmp_path / "robot.json")) as (robot, port):
+        words = ("--rise", "--yes", "--duration", "1", "--json", str(tmp_path / "run.json"))
+        run = controller(port, *words)
+        out, err = run.communicate(timeout=60)
+        robot.send_signal(signal.SIGTERM)
+        robot.wait(timeout=20)
+    assert (run.returncode, err) == (0, ""), out
+    phases = re.findall(r"s (passive|rising|standing|sitting|ended)$", out, re.MULTILINE)
+    assert phases == ["passive", "rising", "standing", "sitting", "passive", "ended"]
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert (result["reason"], result["mode"], result["stood"]) == ("asked", "PASSIVE", True)
+    record = json.loads((tmp_path / "robot.json").read_text())
+    assert record["lying"] and not record["fell"] and record["rejected"] == {}
+    assert record["log"]["height"][-1] < 0.1 < 0.25 < max(record["log"]["height"])
+
+
+def test_ctrl_c_lies_down_first_and_damps_when_pressed_again(tmp_path: Path) -> None:
+    with lying_robot() as (_, port):
+        run = controller(port, "--rise", "--yes", "--json", str(tmp_path / "run.json"))
+        wait_for(run, " standing")
+        time.sleep(0.5)
+        run.send_signal(signal.SIGINT)
+        wait_for(run, " sitting")
+        run.send_signal(signal.SIGINT)
+        wait_for(run, " ended")
+        run.communicate(timeout=20)
+    result = json.loads((tmp_path / "run.json").read_text())
+    assert (result["reason"], result["mode"]) == ("asked", "SIT")
+
+
+def test_what_keeps_it_from_being_armed_is_said_check_by_check() -> None:
+    with lying_robot("--drop", "5") as (_, port):
+        run = controller(port, "--rise", "--yes", "--duration", "1")
+        line = wait_for(run, "not ready")
+        assert re.search(r"not ready: link: \S+ % of the reports missing, expected below 1 %", line)
+        time.sleep(2.0)
+        run.send_signal(signal.SIGUSR1)
+        wait_for(run, "not re-armed: arming checks fail")
+        run.send_signal(signal.SIGINT)
+        out, _ = run.communicate(timeout=20)
+    assert run.returncode == 3 and "rising" not in out
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--rise"], "--yes"),
+        (["--yes"], "--rise"),
+        (["--rise", "--yes", "--power-level", "0"], "power_level"),
+        (["--real-robot", "--host", "192.168.123.10"], "--rise"),
+        (["--rise", "--yes", "--host", "192.168.123.10"], "--real-robot"),
+    ],
+)
+def test_a_rise_that_cannot_be_asked_for_is_one_clear_line(
+    words: list[str],
+    said: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+
+    monkeypatch.setattr("surefoot.cli.run.has_keyboard", bool)
+    assert main(["run", *words]) == 2
+    error = capsys.readouterr().err
+    assert said in error and error.count("\n") == 1

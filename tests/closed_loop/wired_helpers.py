@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A lying robot and a StandRunner at the two ends of a UDP link, the robot's time in our hands."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import numpy as np
+from surefoot import RequestStatus, RunOptions, RunSnapshot, StandRunner, Start
+from surefoot.sim.wire import Command
+from surefoot.virtual_robot import UdpPort, VirtualRobot, VirtualRobotSettings
+from surefoot.virtual_robot.clock import RealTime
+from surefoot.virtual_robot.port import Address
+
+LEVELS = {"go1": 1, "b1": 10}  # of the power protection
+SEEDS = {"go1": 9, "b1": 1}  # that lie after few drops
+
+
+class CutPort(UdpPort):
+    """A port whose reports can be cut off."""
+
+    cut = False
+
+    def send(self, data: bytes, address: Address) -> bool:
+        return True if self.cut else super().send(data, address)
+
+
+class Wired:
+    """A context that ends the runner.
+
+    Attributes:
+        runner: In a thread of its own.
+        robot: Moves on in cycle(), a millisecond at a time, by the clock.
+        damped: For each cycle that got a command: do the motors brake by it, and nothing else?
+    """
+
+    def __init__(self, name: str = "go1", host: str = "127.0.0.1", **options: object) -> None:
+        self.port = CutPort(host, 0)
+        settings = VirtualRobotSettings(robot=name, lying=True, seed=SEEDS[name])
+        self.robot = VirtualRobot(settings, self.port)
+        self.runner = StandRunner(
+            self.robot.plant.robot,
+            *self.port.address,
+            settings.generation,
+            options=RunOptions(power_level=LEVELS[name], start=Start.LYING, **options),
+            real_robot=host != "127.0.0.1",
+        )
+        self.damped: list[bool] = []
+        self._heard = 0
+        self._thread = threading.Thread(target=self.runner.run)
+
+    def __enter__(self) -> Wired:
+        self._thread.start()
+        self._clock = RealTime(0.001)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.runner.stop()
+        self._thread.join()
+        self.port.close()
+
+    @property
+    def now(self) -> RunSnapshot:
+        return self.runner.snapshot()
+
+    def cycle(self) -> None:
+        self.robot.cycle()
+        if self.robot.link.commands > self._heard:
+            self._heard = self.robot.link.commands
+            assert self.robot.command is not None
+            self.damped.append(is_damping(self.robot.command))
+        self._clock.wait()
+
+    def run(self, seconds: float) -> None:
+        for _ in range(round(1000 * seconds)):
+            self.cycle()
+
+    def until(self, condition: Callable[[RunSnapshot], bool], seconds: float) -> bool:
+        """Go on until a condition, or for a while; return whether it came true."""
+        for k in range(round(1000 * seconds)):
+            if k % 20 == 0 and condition(self.now):
+                return True
+            self.cycle()
+        return condition(self.now)
+
+    def reaches(self, phase: str, seconds: float = 15.0) -> bool:
+        return self.until(lambda now: now.phase == phase, seconds)
+
+    def arm(self) -> None:
+        ready = self.until(lambda now: now.arming.ready, 5.0)
+        assert ready, self.now.arming.failures(self.robot.plant.robot)
+        assert self.runner.arm() == RequestStatus.ACCEPTED
+        assert self.until(lambda now: now.armed, 1.0)
+
+    def with_torque(self, since: int) -> int:
+        """Return how many cycles since `since` were commanded anything but braking."""
+        return self.damped[since:].count(False)
+
+
+def is_damping(command: Command) -> bool:
+    braking = np.all(command.kd > 0) and np.all(command.dq == 0)
+    return bool(braking and np.all(command.tau == 0) and np.all(command.kp == 0))
