@@ -24,6 +24,7 @@ class Case:
         expect: By mode; modes that are not in it make no sense.
         says: Must be in the text of the arming checks that failed, where arming is refused.
         level: Of the power protection, where not the robot's usual one.
+        gentle: Must it go down slowly, even where the motors damp?
     """
 
     injection: str
@@ -32,6 +33,7 @@ class Case:
     expect: Mapping[str, Expectation]
     says: str = ""
     level: int | None = None
+    gentle: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,7 @@ def case(
     modes: tuple[str, ...] = MODES,
     says: str = "",
     level: int | None = None,
+    gentle: bool = False,
 ) -> Case:
     """Return a case.
 
@@ -72,6 +75,7 @@ def case(
         modes: In which it makes sense.
         says: See Case.
         level: See Case.
+        gentle: See Case.
     """
     expected = {mode: up for mode in modes}
     if "rising" in expected and rising is not None:
@@ -80,4 +84,4 @@ def case(
         del expected["lying"]
         if lying is not None:
             expected = {"lying": lying, **expected}
-    return Case(injection, what, make, expected, says, level)
+    return Case(injection, what, make, expected, says, level, gentle)

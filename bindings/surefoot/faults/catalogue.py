@@ -9,11 +9,24 @@ from fnmatch import fnmatchcase
 from surefoot._core import Error
 from surefoot.faults.case import Case, Row
 from surefoot.faults.reaction import Expectation
-from surefoot.faults.rows import body, healthy, link, motors, operation, power, report, sensors
+from surefoot.faults.rows import (
+    attitude,
+    body,
+    feet,
+    healthy,
+    imu,
+    joints,
+    link,
+    motors,
+    operation,
+    power,
+    report,
+    wiring,
+)
 
 ROWS: tuple[Row, ...] = (
-    *(*healthy.ROWS, *report.ROWS, *link.ROWS, *sensors.ROWS),
-    *(*motors.ROWS, *power.ROWS, *body.ROWS, *operation.ROWS),
+    *(*healthy.ROWS, *report.ROWS, *link.ROWS, *attitude.ROWS, *imu.ROWS, *feet.ROWS),
+    *(*joints.ROWS, *wiring.ROWS, *motors.ROWS, *power.ROWS, *body.ROWS, *operation.ROWS),
 )
 
 

@@ -9,8 +9,9 @@ from surefoot.faults.approach import ASKED_TO_RISE, approach
 from surefoot.faults.catalogue import Cell, find_cell
 from surefoot.faults.observe import Observed, observe
 from surefoot.faults.reaction import Reaction
-from surefoot.faults.scene import Scene, Setup
-from surefoot.faults.verdict import reaction_time, shortcomings
+from surefoot.faults.scene import Scene
+from surefoot.faults.setting import Setup
+from surefoot.faults.verdict import falls_fast, reaction_time, shortcomings, untold
 from surefoot.plain import plain
 
 
@@ -29,21 +30,26 @@ def run_cell(setup: Setup, name: str) -> dict[str, Any]:
         tick0 = fault.tick0(onset)
     scene = Scene(setup, fault, cell.case.level, tick0 or 0)
     try:
-        return plain(_run(scene, cell))
+        record: dict[str, Any] = plain(_run(scene, cell, setup.height))
+        return record
     finally:
         scene.close()
 
 
-def _run(scene: Scene, cell: Cell) -> dict[str, Any]:
+def _run(scene: Scene, cell: Cell, height: float) -> dict[str, Any]:
     refused_from_start = cell.expect.reaction == Reaction.REFUSE and scene.fault.from_start
     problem = ""
     if not (refused_from_start and cell.mode == "lying"):
         problem = approach(scene, cell.mode if not refused_from_start else ASKED_TO_RISE)
     seen = Observed() if problem else observe(scene, cell.expect, cell.mode)
-    height = float(scene.plant.robot.q_standing()[2])
     found = [problem] if problem else shortcomings(seen, cell.expect, cell.mode, height)
     if not problem and cell.case.says and cell.case.says not in scene.failures:
         found.append(f"the refusal does not name {cell.case.says}: {scene.failures or 'nothing'}")
+    if not problem:
+        found += untold(seen, cell.expect)
+        found += falls_fast(seen, height) if cell.case.gentle else []
+    if cell.row.id == "healthy":
+        found += [f"a false {fault}" for fault in scene.told]
     found += scene.fault.complaints() + scene.judge.violations()
     return _record(scene, cell, seen, found)
 
@@ -60,6 +66,9 @@ def _record(scene: Scene, cell: Cell, seen: Observed, found: list[str]) -> dict[
         "within_s": expect.within,
         "reaction_s": reaction_time(seen, expect),
         "damped_s": seen.damped,
+        "told_s": seen.told,
+        "fault": expect.fault,
+        "faults_told": scene.told,
         "ended": seen.mode.name.lower(),
         "damping_reason": scene.supervisor.reason.name.lower(),
         "not_finite": judge.not_finite,

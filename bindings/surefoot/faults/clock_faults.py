@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+
 from surefoot._core import LowCmd, LowState, Supervisor, damping_low_cmd
 from surefoot.faults.fault import Fault
 from surefoot.sim import Plant

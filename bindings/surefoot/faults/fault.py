@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-from surefoot._core import LowCmd, LowState, Robot, Supervisor
+from surefoot._core import LowCmd, LowState, Robot, Supervisor, SupervisorOptions
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.rotations import Array
 
@@ -33,6 +32,9 @@ class Fault:
         """Return LowState.tick of the first report, from that at the fault's begin if that is 0."""
         return None
 
+    def options(self, options: SupervisorOptions) -> None:
+        """Change the supervisor's options, in place."""
+
     def start(self, plant: Plant, lying: Array) -> LowState:
         """Put the robot where it is at first, and return its first report.
 
@@ -52,8 +54,8 @@ class Fault:
         """Return whether the control loop comes to its turn."""
         return True
 
-    def healthy(self, state: LowState) -> None:
-        """Change a report of before it begins, in place."""
+    def before(self, supervisor: Supervisor) -> None:
+        """Do what is done in every period until it begins."""
 
     def state(self, state: LowState, k: int) -> None:
         """Change a report, in place."""

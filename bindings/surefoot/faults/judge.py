@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+
 from surefoot._core import LowCmd, LowState, Robot, Safety
 from surefoot.faults.reaction import HOLD
 from surefoot.low_state_layout import MOTORS
@@ -50,8 +51,8 @@ class CommandJudge:
         not_finite: Commands with a number that is none.
         torque_share: Greatest feed-forward torque, of its motor's limit.
         rate_share: Greatest change of torque in a period, of its motor's limit.
-        power_trips: Reports by which the power protection refused while torques were on.
-        power: Greatest that was measured while torques were on [W].
+        power_trips: Commands with torques that left although the power protection refused them.
+        power: Greatest power that was measured while torques were on [W].
         held: Longest time for which the same torques were repeated [s].
         position_mode: Commands that ask a joint for a position.
     """
@@ -60,7 +61,6 @@ class CommandJudge:
         self._safety, self._level = Safety(robot), level
         self._tau_max = np.array(robot.config.tau_max)
         self._before: npt.NDArray[Any] | None = None
-        self._torques_on = False
         self._repeats = 0
         self.not_finite = self.power_trips = self.position_mode = 0
         self.torque_share = self.rate_share = self.power = self.held = 0.0
@@ -88,10 +88,9 @@ class CommandJudge:
 
     def _look_at_power(self, command: LowCmd, report: LowState, damps: bool) -> None:
         refused = self._safety.power_protect(command, report, self._level) < 0
-        if self._torques_on:
+        if not damps:
             self.power = max(self.power, self._safety.power)
             self.power_trips += refused
-        self._torques_on = not damps
 
     def _look_at_step(self, m: npt.NDArray[Any], dq: npt.NDArray[Any], damps: bool) -> None:
         before = self._before
@@ -115,7 +114,8 @@ class CommandJudge:
         if self.rate_share > RATE_SHARE:
             found.append(f"torque step {self.rate_share:.2f} of the limit in a period")
         if self.power_trips:
-            found.append(f"power protection trips with torques on ({self.power:.0f} W)")
+            refused = f"{self.power_trips} commands that the power protection refused"
+            found.append(f"{refused} ({self.power:.0f} W)")
         if self.position_mode:
             found.append(f"{self.position_mode} commands in position mode")
         if self.held > HOLD + _ROUNDING:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+
 from surefoot._core import LowCmd, LowState
 from surefoot.faults.fault import Fault
 from surefoot.faults.signals import signal

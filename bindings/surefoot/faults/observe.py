@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from surefoot._core import Mode, RequestStatus
+from surefoot._core import FaultId, Mode, RequestStatus
 from surefoot.faults.approach import RISE_TIME
 from surefoot.faults.judge import is_damping
 from surefoot.faults.reaction import Expectation, Reaction
@@ -35,6 +35,8 @@ class Observed:
         mode: At the end.
         speed: Greatest speed of the body downwards [m/s].
         time: Seen for so long.
+        told: When the fault expected was told.
+        why: Name of the fault that the damping latched for.
         answers: What a request to rise and one to arm were told last.
     """
 
@@ -49,6 +51,8 @@ class Observed:
     mode: Mode = Mode.PASSIVE
     speed: float = 0.0
     time: float = 0.0
+    told: float | None = None
+    why: str = ""
     answers: str = ""
 
 
@@ -57,12 +61,15 @@ def observe(scene: Scene, expect: Expectation, mode: str) -> Observed:
     seen, periods = Observed(), 0
     refuses = expect.reaction == Reaction.REFUSE and mode == "lying"
     scene.begin()
+    count = _count(scene, expect)
     for k in range(round(_longest(expect, mode) / PERIOD)):
         if refuses and k % ASK_EVERY == 0 and (k * PERIOD >= expect.within or not scene.armed):
             _ask(scene, seen, k * PERIOD)
         scene.step()
         if periods or scene.fault.judged(scene.plant):
             _look(scene, seen, periods * PERIOD)
+            if seen.told is None and _count(scene, expect) > count:
+                seen.told = periods * PERIOD
             periods += 1
         if _enough(seen, expect, mode):
             break
@@ -109,8 +116,15 @@ def _look(scene: Scene, seen: Observed, time: float) -> None:
     plant = scene.plant
     if now == Mode.STAND and seen.fell is None and has_fallen(plant.data, plant.handles):
         seen.fell = time
-    seen.mode, seen.time = now, time
+    seen.mode, seen.time, seen.why = now, time, scene.supervisor.reason.name.lower()
     seen.speed = max(seen.speed, -float(plant.data.qvel[2]))
+
+
+def _count(scene: Scene, expect: Expectation) -> int:
+    """Return how often the fault expected has begun."""
+    if not expect.fault:
+        return 0
+    return int(scene.supervisor.faults.count(FaultId[expect.fault.upper()]))
 
 
 def _ask(scene: Scene, seen: Observed, time: float) -> None:

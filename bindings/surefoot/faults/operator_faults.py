@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
 
 import numpy as np
+
 from surefoot._core import (
     BodyReference,
-    Error,
-    Gains,
     LowState,
     Mode,
     RequestStatus,
-    Robot,
     Supervisor,
     SupervisorOptions,
 )
 from surefoot.faults.clock_faults import Operator
 from surefoot.faults.fault import Fault
 
-REMOTE_HEAD = (0x55, 0x51)
 BUTTON_B = 2  # of the remote's byte 3
-REMOTE = 889  # where it begins in LowState's bytes
 
 
 def stop(supervisor: Supervisor, k: int) -> None:
@@ -73,12 +68,23 @@ class Pressed(Fault):
             state.wirelessRemote[3] = BUTTON_B
 
 
-class LostRemote(Fault):
-    """The remote's bytes, there until now, are zero."""
+class Gone(Fault):
+    """The operator, there until now, sends no heartbeat any more.
 
-    def healthy(self, state: LowState) -> None:
+    Args:
+        timeout: That the supervisor waits [s].
+    """
+
+    def __init__(self, timeout: float) -> None:
+        self._timeout = timeout
+
+    def options(self, options: SupervisorOptions) -> None:
+        """Have it wait."""
+        options.operator_timeout = self._timeout
+
+    def before(self, supervisor: Supervisor) -> None:
         """Be there."""
-        state.raw[REMOTE : REMOTE + 2] = REMOTE_HEAD
+        supervisor.heartbeat()
 
 
 class Misuse(Fault):
@@ -115,50 +121,3 @@ class Crowd(Misuse):
             thread.start()
         for thread in threads:
             thread.join()
-
-
-class BadConfig(Fault):
-    """Supervisors are made with options and gains that make no sense."""
-
-    def __init__(self) -> None:
-        self._robot: Robot | None = None
-        self._made: list[str] = []
-
-    def robot(self, robot: Robot) -> Robot:
-        """Remember for which robot."""
-        self._robot = robot
-        return robot
-
-    def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Make them; each must be refused by name."""
-        robot = self._robot
-        if k or robot is None:
-            return
-        attempts: dict[str, Callable[[], object]] = {
-            "power_level": lambda: Supervisor(robot, options=SupervisorOptions(power_level=11)),
-            "arming_time": lambda: Supervisor(robot, options=SupervisorOptions(arming_time=-1.0)),
-            "temperature_warning": lambda: Supervisor(
-                robot, options=SupervisorOptions(temperature_warning=float("nan"))
-            ),
-            "damping_kd": lambda: Supervisor(robot, gains=_gains(damping_kd=float("nan"))),
-            "slip_friction": lambda: Supervisor(robot, gains=_gains(slip_friction=-1.0)),
-        }
-        for name, attempt in attempts.items():
-            try:
-                attempt()
-            except Error as refusal:
-                if name not in str(refusal):
-                    self._made.append(f"{name}: refused without its name: {refusal}")
-            else:
-                self._made.append(f"{name}: taken")
-
-    def complaints(self) -> list[str]:
-        """Return what was not refused."""
-        return self._made
-
-
-def _gains(**values: float) -> Gains:
-    gains = Gains()
-    for name, value in values.items():
-        setattr(gains, name, value)
-    return gains

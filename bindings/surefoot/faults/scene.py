@@ -2,63 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
-import numpy as np
 from surefoot._core import (
     LowCmd,
     LowState,
     Mode,
     RequestStatus,
-    Robot,
-    Supervisor,
     SupervisorOptions,
+    fault_table,
 )
 from surefoot.faults.fault import Fault
 from surefoot.faults.joint_faults import power_level
 from surefoot.faults.judge import CommandJudge
+from surefoot.faults.setting import Setup
 from surefoot.faults.wire import FrameWire
-from surefoot.robot_files import RobotDescription
 from surefoot.robots import build_robot
 from surefoot.sim import Plant, PlantSettings
-from surefoot.sim.rotations import Array
 
 PERIOD = 0.002  # [s]
-_POSE = 97  # stream of the random numbers that draw the lying pose
-
-
-@dataclass(frozen=True)
-class Setup:
-    """What all scenes of a matrix have in common.
-
-    Attributes:
-        description: The robot.
-        seed: Of sensors, motors and the lying pose.
-        lying: MuJoCo's qpos of the robot at rest, as find_lying() found it.
-        make_supervisor: Makes what is put to the test.
-    """
-
-    description: RobotDescription
-    seed: int
-    lying: Array
-    make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor]
-
-
-def set_up(
-    description: RobotDescription,
-    seed: int,
-    make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor] | None = None,
-) -> Setup:
-    """Drop a robot until it lies well, and return the setup; raises Error."""
-    plant = Plant(description, PlantSettings(seed=seed))
-    plant.reset_lying(np.random.default_rng([seed, _POSE]))
-    return Setup(description, seed, plant.data.qpos.copy(), make_supervisor or supervisor)
-
-
-def supervisor(robot: Robot, options: SupervisorOptions) -> Supervisor:
-    """Return the supervisor as everybody gets it."""
-    return Supervisor(robot, options=options)
 
 
 class Scene:
@@ -89,13 +49,16 @@ class Scene:
         self.plant = Plant(setup.description, settings, tick0=tick0)
         self._state = fault.start(self.plant, setup.lying)
         level = power_level(robot.name) if level is None else level
-        self.supervisor = setup.make_supervisor(believed, SupervisorOptions(power_level=level))
+        options = SupervisorOptions(power_level=level)
+        fault.options(options)
+        self.supervisor = setup.make_supervisor(believed, options)
         fault.prepare(self.supervisor)
         self.judge = CommandJudge(robot, level)
         self._wire = FrameWire(robot.name) if fault.linked else None
         self.command = LowCmd()
         self.k: int | None = None
         self.armed = False
+        self._told_unarmed: dict[str, int] = {}
         if fault.from_start:
             self.begin()
 
@@ -117,7 +80,7 @@ class Scene:
         seen.raw[:] = self._state.raw
         runs = True
         if k is None:
-            fault.healthy(seen)
+            fault.before(self.supervisor)
         else:
             runs = fault.runs(k)
             fault.state(seen, k)
@@ -156,9 +119,19 @@ class Scene:
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
                 self.step()
                 self.armed = bool(self.supervisor.armed)
+                self._told_unarmed = self._counts()
                 return self.armed
             self.step()
         return False
+
+    @property
+    def told(self) -> list[str]:
+        """Names of the faults that the supervisor has told of since it was armed."""
+        return [name for name, n in self._counts().items() if n > self._told_unarmed.get(name, 0)]
+
+    def _counts(self) -> dict[str, int]:
+        faults = self.supervisor.faults
+        return {info.name: faults.count(info.id) for info in fault_table()}
 
     @property
     def failures(self) -> str:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from surefoot._core import LowCmd, LowState, Robot
+
+from surefoot._core import LowCmd, LowState, Robot, SupervisorOptions
 from surefoot.faults.fault import Fault, Together
 from surefoot.faults.injections import constant
 from surefoot.faults.signals import Attitude, Signal, signal
@@ -96,17 +97,23 @@ class Loaded(Fault):
     Args:
         share: Of its own mass.
         x: Of the load, forward of the base [m].
+        limit: That the supervisor is told it may bear, as a share; 0 is any load.
     """
 
     from_start = True
 
-    def __init__(self, share: float, x: float = 0.0) -> None:
-        self._share, self._x, self._mass = share, x, 0.0
+    def __init__(self, share: float, x: float = 0.0, limit: float = 0.0) -> None:
+        self._share, self._x, self._limit, self._mass = share, x, limit, 0.0
 
     def robot(self, robot: Robot) -> Robot:
         """Learn its mass."""
         self._mass = robot.mass
         return robot
+
+    def options(self, options: SupervisorOptions) -> None:
+        """Set what it may bear."""
+        if self._limit > 0.0:
+            options.payload_limit = self._limit * self._mass
 
     def settings(self, settings: PlantSettings) -> PlantSettings:
         """Return the settings with the load."""

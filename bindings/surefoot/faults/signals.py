@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+
 from surefoot._core import LowState
 from surefoot.faults.fault import Fault
 from surefoot.faults.injections import Change

@@ -40,10 +40,28 @@ def shortcomings(seen: Observed, expect: Expectation, mode: str, height: float) 
     if expect.reaction == Reaction.DAMP:
         return _damps(seen, expect)
     if expect.reaction == Reaction.SIT:
-        return _sits(seen, expect, height)
+        return _sits(seen, expect) + falls_fast(seen, height)
     if expect.reaction == Reaction.REFUSE:
-        return _refuses(seen, mode)
-    return _goes_on(seen, mode)
+        return _refuses(seen)
+    return _goes_on(seen, expect, mode)
+
+
+def falls_fast(seen: Observed, height: float) -> list[str]:
+    """Return that it went down too fast, if it did."""
+    if seen.speed <= fall_speed(height):
+        return []
+    return [f"went down at {seen.speed:.2f} m/s, expected {fall_speed(height):.2f}"]
+
+
+def untold(seen: Observed, expect: Expectation) -> list[str]:
+    """Return that the operator could not read the fault, or too late, if so."""
+    if not expect.fault:
+        return []
+    if seen.told is None:
+        return [f"fault {expect.fault} is not told"]
+    if seen.told > expect.within + SLACK:
+        return [f"fault {expect.fault} told after {_ms(seen.told)}"]
+    return []
 
 
 def _damps(seen: Observed, expect: Expectation) -> list[str]:
@@ -59,7 +77,7 @@ def _damps(seen: Observed, expect: Expectation) -> list[str]:
     return found
 
 
-def _sits(seen: Observed, expect: Expectation, height: float) -> list[str]:
+def _sits(seen: Observed, expect: Expectation) -> list[str]:
     if seen.sat is None:
         return [f"never sat down, {seen.mode.name} at the end"]
     found = []
@@ -67,15 +85,10 @@ def _sits(seen: Observed, expect: Expectation, height: float) -> list[str]:
         found.append(f"sat down after {_ms(seen.sat)}, expected {_ms(expect.within)}")
     if seen.passive is None:
         found.append(f"did not come to lie, {seen.mode.name} at the end")
-    if seen.speed > fall_speed(height):
-        found.append(f"went down at {seen.speed:.2f} m/s, expected {fall_speed(height):.2f}")
     return found
 
 
-def _refuses(seen: Observed, mode: str) -> list[str]:
-    if mode != "lying":
-        stood = seen.stood is not None
-        return [f"stood after {_ms(seen.stood or 0.0)}"] if stood else _rests(seen)
+def _refuses(seen: Observed) -> list[str]:
     found = []
     if seen.accepted is not None:
         found.append(f"not refused after {_ms(seen.accepted)} ({seen.answers})")
@@ -86,7 +99,9 @@ def _refuses(seen: Observed, mode: str) -> list[str]:
     return found
 
 
-def _goes_on(seen: Observed, mode: str) -> list[str]:
+def _goes_on(seen: Observed, expect: Expectation, mode: str) -> list[str]:
+    if expect.unless and seen.why == expect.unless and seen.mode == Mode.DAMPING:
+        return []
     if mode == "lying":
         found = [] if seen.accepted is not None else [f"may not rise ({seen.answers})"]
         return found + _rests(seen)

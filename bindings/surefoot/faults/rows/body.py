@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from surefoot.faults import setup_faults as setup
 from surefoot.faults.case import STANDING, UP, Row, case
-from surefoot.faults.reaction import DAMP, DEGRADE, WATCH, refuse
+from surefoot.faults.reaction import WATCH, as_table, refuse
 from surefoot.faults.world_faults import Hand, Shove
 
 RISING, LYING = ("rising",), ("lying",)
@@ -34,14 +34,27 @@ MODEL = (
         ),
     ),
     Row(
+        "payload",
+        "it bears more than it is allowed to",
+        (
+            case(
+                "wrong",
+                "15 % of its mass, 10 % allowed",
+                lambda: setup.Loaded(0.15, limit=0.1),
+                as_table("payload", 7.0),
+                modes=RISING,
+            ),
+        ),
+    ),
+    Row(
         "hanging",
-        "it hangs, and is asked to stand",
+        "it hangs, and is asked to rise",
         (
             case(
                 "wrong",
                 "feet in the air",
                 lambda: setup.Around(hung=True),
-                refuse(12.0),
+                as_table("hanging", 6.0),
                 modes=RISING,
             ),
         ),
@@ -72,7 +85,7 @@ FALLS = (
                 "wrong",
                 "it is rolled over",
                 lambda: Shove(4.0, 1.0, until_down=True),
-                DAMP,
+                as_table("tilt"),
                 modes=UP,
             ),
         ),
@@ -85,7 +98,7 @@ FALLS = (
                 "wrong",
                 "a push of twice what it survives",
                 lambda: Shove(2.0, 0.0, until_down=True),
-                DAMP,
+                as_table("tilt"),
                 modes=STANDING,
             ),
         ),
@@ -98,7 +111,7 @@ FALLS = (
                 "wrong",
                 "by 10 cm for a second",
                 lambda: Hand("trunk", 0.1, 1.0, 0.3),
-                DEGRADE,
+                as_table("lifted", 0.3),
                 modes=STANDING,
                 level=LANDING_LEVEL,
             ),
@@ -106,7 +119,7 @@ FALLS = (
                 "wrong",
                 "by 10 cm while it rises",
                 lambda: Hand("trunk", 0.1, 1.0, 0.3),
-                DEGRADE,
+                WATCH,
                 modes=RISING,
                 level=LANDING_LEVEL,
             ),
@@ -120,7 +133,7 @@ FALLS = (
                 "wrong",
                 "from 10 cm",
                 lambda: Hand("trunk", 0.1, 0.6),
-                DEGRADE,
+                as_table("lifted", 0.3),
                 modes=("standing",),
                 level=LANDING_LEVEL,
             ),

@@ -5,18 +5,22 @@ from __future__ import annotations
 from surefoot.faults import clock_faults as clock
 from surefoot.faults import link_faults as link
 from surefoot.faults.case import Row, case
-from surefoot.faults.reaction import DAMP, WATCH
+from surefoot.faults.reaction import WATCH, as_table
+
+STALE = as_table("stale_tick")
 
 LINK = (
     Row(
         "stale_tick",
         "reports stand still",
         (
-            case("stuck", "the same frame for ever", lambda: link.Link(link.repeated()), DAMP),
-            case("wrong", "new data, the same tick", lambda: clock.Frozen(), DAMP),
+            case("stuck", "the same frame for ever", lambda: link.Link(link.repeated()), STALE),
+            case("wrong", "new data, the same tick", lambda: clock.Frozen(), STALE),
             case(
-                *("intermittent", "3 frames of 50 are the one before"),
-                *(lambda: link.Link(link.now_and_then(link.silence, 50, 3)), WATCH),
+                "intermittent",
+                "3 frames of 50 are the one before",
+                lambda: link.Link(link.now_and_then(link.silence, 50, 3)),
+                WATCH,
             ),
         ),
     ),
@@ -30,7 +34,7 @@ LINK = (
             ),
             case("delayed", "1 of 25 is 6 ms late", lambda: link.Link(link.late(3, 25)), WATCH),
             case(
-                "wrong", "the robot begins anew at 0", lambda: clock.Tick(clock.restarted()), DAMP
+                "wrong", "the robot begins anew at 0", lambda: clock.Tick(clock.restarted()), STALE
             ),
         ),
     ),
@@ -50,8 +54,11 @@ LINK = (
             case("slow", "half as fast", lambda: clock.Tick(clock.at_speed(1)), WATCH, WATCH),
             case("wrong", "twice as fast", lambda: clock.Tick(clock.at_speed(4)), WATCH, None),
             case(
-                *("intermittent", "20 ms ahead in 1 frame of 50"),
-                *(lambda: clock.Tick(lambda t, k: t + 20 * (k % 50 == 0)), WATCH, None),
+                "intermittent",
+                "20 ms ahead in 1 frame of 50",
+                lambda: clock.Tick(lambda t, k: t + 20 * (k % 50 == 0)),
+                WATCH,
+                None,
             ),
         ),
     ),
@@ -59,11 +66,13 @@ LINK = (
         "packet_loss",
         "frames are lost or damaged",
         (
-            case("off", "silence", lambda: link.Link(link.silence), DAMP),
-            case("garbage", "a bit of each is turned round", lambda: link.Link(link.flipped), DAMP),
-            case("garbage", "random bytes", lambda: link.Link(link.noise), DAMP),
-            case("wrong", "half of each is missing", lambda: link.Link(link.shortened), DAMP),
-            case("wrong", "as long as another SDK's", lambda: link.Link(link.foreign(795)), DAMP),
+            case("off", "silence", lambda: link.Link(link.silence), STALE),
+            case(
+                "garbage", "a bit of each is turned round", lambda: link.Link(link.flipped), STALE
+            ),
+            case("garbage", "random bytes", lambda: link.Link(link.noise), STALE),
+            case("wrong", "half of each is missing", lambda: link.Link(link.shortened), STALE),
+            case("wrong", "as long as another SDK's", lambda: link.Link(link.foreign(795)), STALE),
             case(
                 "slow",
                 "every second one",
@@ -71,14 +80,19 @@ LINK = (
                 WATCH,
             ),
             case("delayed", "all by 6 ms", lambda: link.Link(link.late(3)), WATCH, WATCH),
-            case("intermittent", "5 %", lambda: link.Link(link.lost(0.05)), WATCH),
+            case("intermittent", "4 %", lambda: link.Link(link.lost(0.04)), WATCH),
+            case("intermittent", "15 %", lambda: link.Link(link.lost(0.15)), as_table("loss")),
             case(
-                *("intermittent", "8 ms of every 100"),
-                *(lambda: link.Link(link.now_and_then(link.silence, 50, 4)), WATCH),
+                "intermittent",
+                "8 ms of every 100",
+                lambda: link.Link(link.now_and_then(link.silence, 50, 4)),
+                WATCH,
             ),
             case(
-                *("intermittent", "a bit of 1 in 10 is turned round"),
-                *(lambda: link.Link(link.now_and_then(link.flipped, 10)), WATCH),
+                "intermittent",
+                "a bit of 1 in 10 is turned round",
+                lambda: link.Link(link.now_and_then(link.flipped, 10)),
+                WATCH,
             ),
         ),
     ),
@@ -103,15 +117,15 @@ CLOCK = (
         "clock_gap",
         "the program, or the robot's clock, stands still and goes on",
         (
-            case("stuck", "the program for 0.5 s", lambda: clock.Suspended(250), DAMP),
+            case("stuck", "the program for 0.5 s", lambda: clock.Suspended(250), STALE),
             case(
-                "wrong", "the clock steps by 0.5 s", lambda: clock.Tick(lambda t, k: t + 500), DAMP
+                "wrong", "the clock steps by 0.5 s", lambda: clock.Tick(lambda t, k: t + 500), STALE
             ),
             case(
                 "wrong",
                 "the clock steps back by 0.5 s",
                 lambda: clock.Tick(lambda t, k: t - 500),
-                DAMP,
+                STALE,
             ),
         ),
     ),

@@ -7,20 +7,27 @@ import math
 from surefoot.faults import operator_faults as operator
 from surefoot.faults.case import STANDING, Row, case
 from surefoot.faults.clock_faults import Operator
-from surefoot.faults.reaction import DAMP, REFUSE, WATCH, damp, refuse, sit
+from surefoot.faults.config_faults import BadConfig
+from surefoot.faults.reaction import WATCH, as_table, refuse
 from surefoot.faults.world_faults import Program
 
 NAN = math.nan
-AT_ONCE = damp(0.002)
+STOP, BUTTON = as_table("stop"), as_table("button")
+NO_SOLUTION = as_table("controller")
+TIMEOUT = 0.5  # [s] without a heartbeat
 
 ROWS = (
     Row(
         "nan_in_command",
         "the program's numbers are no numbers",
         (
-            case("garbage", "NaN in every tick", lambda: Program(NAN), DAMP, modes=STANDING),
+            case("garbage", "NaN in every tick", lambda: Program(NAN), NO_SOLUTION, modes=STANDING),
             case(
-                "wrong", "infinite in every tick", lambda: Program(math.inf), DAMP, modes=STANDING
+                "wrong",
+                "infinite in every tick",
+                lambda: Program(math.inf),
+                NO_SOLUTION,
+                modes=STANDING,
             ),
             case(
                 "intermittent",
@@ -57,29 +64,37 @@ ROWS = (
     ),
     Row(
         "operator_link",
-        "the operator's remote falls silent",
-        (case("off", "after it was there", operator.LostRemote, sit(1.0), refuse(1.0)),),
+        "the operator is not there any more",
+        (
+            case(
+                "off",
+                "heartbeats end",
+                lambda: operator.Gone(TIMEOUT),
+                as_table("operator", TIMEOUT),
+                refuse(TIMEOUT + 0.1),
+            ),
+        ),
     ),
     Row(
         "emergency_stop",
         "the operator stops it",
         (
-            case("wrong", "stop()", lambda: Operator(operator.stop), AT_ONCE, AT_ONCE),
+            case("wrong", "stop()", lambda: Operator(operator.stop), STOP, STOP),
             case(
                 "intermittent",
                 "stop(), again and again",
                 lambda: Operator(lambda s, k: s.stop()),
-                AT_ONCE,
-                AT_ONCE,
+                STOP,
+                STOP,
             ),
             case(
                 "stuck",
                 "from another thread",
                 lambda: Operator(operator.stop_from_a_thread),
-                AT_ONCE,
-                AT_ONCE,
+                STOP,
+                STOP,
             ),
-            case("stuck", "the remote's button B", operator.Pressed, AT_ONCE, AT_ONCE),
+            case("stuck", "the remote's button B", operator.Pressed, BUTTON, BUTTON),
         ),
     ),
     Row(
@@ -97,9 +112,9 @@ ROWS = (
             case(
                 "garbage",
                 "NaN, negative, out of range",
-                operator.BadConfig,
+                BadConfig,
                 WATCH,
-                REFUSE,
+                WATCH,
                 modes=("lying",),
             ),
         ),

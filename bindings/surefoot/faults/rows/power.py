@@ -6,7 +6,7 @@ from surefoot.faults import injections as inject
 from surefoot.faults import motor_faults as motor
 from surefoot.faults.case import Row, case
 from surefoot.faults.joint_faults import Outside, Power
-from surefoot.faults.reaction import DAMP, WATCH, damp, refuse, sit
+from surefoot.faults.reaction import WATCH, as_table, refuse
 from surefoot.faults.signals import Signal
 
 some = inject.intermittent
@@ -16,10 +16,19 @@ ROWS = (
         "power_trip",
         "the motors' power is above the protection's level",
         (
-            case("wrong", "reports say 3 times the level", lambda: Power(3.0), DAMP, None),
             case(
-                *("intermittent", "2 reports of 10 say 3 times the level"),
-                *(lambda: Power(3.0, 10, 2), WATCH, None),
+                "wrong",
+                "reports say 3 times the level",
+                lambda: Power(3.0),
+                as_table("power"),
+                None,
+            ),
+            case(
+                "intermittent",
+                "2 reports of 10 say 3 times the level",
+                lambda: Power(3.0, 10, 2),
+                WATCH,
+                None,
             ),
         ),
     ),
@@ -28,7 +37,10 @@ ROWS = (
         "a joint is outside its limits",
         (
             case(
-                *("wrong", "a hip says 0.2 rad outside", lambda: Outside(0.2, 3, False), DAMP),
+                "wrong",
+                "a hip says 0.2 rad outside",
+                lambda: Outside(0.2, 3, False),
+                as_table("joint_stop"),
             ),
         ),
     ),
@@ -40,14 +52,14 @@ ROWS = (
                 "wrong",
                 "3 % of charge",
                 lambda: Signal("SOC", inject.constant(3)),
-                sit(1.0),
+                as_table("battery"),
                 refuse(0.5),
             ),
             case(
                 "slow",
                 "from 20 % by 10 % a second",
                 lambda: Signal("SOC", inject.ramp(20, -10.0)),
-                sit(2.5),
+                as_table("battery", 1.0),
                 None,
             ),
             case(
@@ -63,12 +75,12 @@ ROWS = (
         "two_controllers",
         "another controller commands the motors",
         (
-            case("stuck", "always", lambda: motor.Usurped(), damp(0.1), refuse(0.5)),
+            case("stuck", "always", lambda: motor.Usurped(), as_table("overridden"), refuse(0.5)),
             case(
                 "intermittent",
                 "every second command",
                 lambda: motor.Usurped(2),
-                damp(0.2),
+                as_table("overridden"),
                 refuse(0.5),
             ),
         ),
