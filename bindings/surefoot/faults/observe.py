@@ -128,9 +128,10 @@ def _count(scene: Scene, expect: Expectation) -> int:
 
 
 def _ask(scene: Scene, seen: Observed, time: float) -> None:
-    """Ask to rise, and where that is refused to arm."""
+    """Ask to rise, and where that is refused to arm; a robot that was disarmed may be again."""
     rise = scene.supervisor.request(Mode.RISE)
-    arm = None if rise == RequestStatus.ACCEPTED else scene.supervisor.arm()
+    done = rise == RequestStatus.ACCEPTED or (scene.armed and rise == RequestStatus.NOT_ARMED)
+    arm = None if done else scene.supervisor.arm()
     seen.answers = f"rise: {rise.name}" + (f", arm: {arm.name}" if arm is not None else "")
     if RequestStatus.ACCEPTED in (rise, arm):
         seen.accepted = time if seen.accepted is None else seen.accepted

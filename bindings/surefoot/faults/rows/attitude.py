@@ -66,7 +66,6 @@ ROWS = (
                 "90 degrees of yaw",
                 lambda: Attitude(lambda k: 90.0, 2),
                 WATCH,
-                WATCH,
                 rising=NO_ATTITUDE,
             ),
             case("garbage", "any attitude", RandomAttitude, BAD_QUATERNION, rising=NO_ATTITUDE),

@@ -55,8 +55,8 @@ LINK = (
             case("wrong", "twice as fast", lambda: clock.Tick(clock.at_speed(4)), WATCH, None),
             case(
                 "intermittent",
-                "20 ms ahead in 1 frame of 50",
-                lambda: clock.Tick(lambda t, k: t + 20 * (k % 50 == 0)),
+                "8 ms ahead in 1 frame of 50",
+                lambda: clock.Tick(lambda t, k: t + 8 * (k % 50 == 0)),
                 WATCH,
                 None,
             ),
