@@ -107,7 +107,7 @@ ROWS = (
                 "accelerations frozen",
                 lambda: Signal("accelerometer", inject.stuck()),
                 NO_ACCELERATION,
-                refuse(0.1),
+                WATCH,
                 WATCH,
             ),
             case(

@@ -5,9 +5,10 @@ from __future__ import annotations
 from surefoot.faults import clock_faults as clock
 from surefoot.faults import link_faults as link
 from surefoot.faults.case import Row, case
-from surefoot.faults.reaction import WATCH, as_table
+from surefoot.faults.reaction import WATCH, as_table, refuse
 
 STALE = as_table("stale_tick")
+SLOW = refuse(0.5)  # until 1 % of the reports is missing
 
 LINK = (
     Row(
@@ -80,8 +81,8 @@ LINK = (
                 WATCH,
             ),
             case("delayed", "all by 6 ms", lambda: link.Link(link.late(3)), WATCH, WATCH),
-            case("intermittent", "4 %", lambda: link.Link(link.lost(0.04)), WATCH),
-            case("intermittent", "15 %", lambda: link.Link(link.lost(0.15)), as_table("loss")),
+            case("intermittent", "4 %", lambda: link.Link(link.lost(0.04)), WATCH, SLOW),
+            case("intermittent", "8 %", lambda: link.Link(link.lost(0.08)), as_table("loss"), SLOW),
             case(
                 "intermittent",
                 "8 ms of every 100",
@@ -117,7 +118,9 @@ CLOCK = (
         "clock_gap",
         "the program, or the robot's clock, stands still and goes on",
         (
-            case("stuck", "the program for 0.5 s", lambda: clock.Suspended(250), STALE),
+            case(
+                "stuck", "the program for 0.5 s", lambda: clock.Suspended(250), STALE, refuse(0.55)
+            ),
             case(
                 "wrong", "the clock steps by 0.5 s", lambda: clock.Tick(lambda t, k: t + 500), STALE
             ),

@@ -10,6 +10,7 @@ from surefoot.faults.reaction import WATCH, as_table, refuse
 from surefoot.faults.signals import Signal
 
 some = inject.intermittent
+LOW = as_table("battery")
 
 ROWS = (
     Row(
@@ -52,8 +53,8 @@ ROWS = (
                 "wrong",
                 "3 % of charge",
                 lambda: Signal("SOC", inject.constant(3)),
-                as_table("battery"),
-                refuse(0.5),
+                LOW,
+                refuse(LOW.within),
             ),
             case(
                 "slow",
@@ -75,13 +76,13 @@ ROWS = (
         "two_controllers",
         "another controller commands the motors",
         (
-            case("stuck", "always", lambda: motor.Usurped(), as_table("overridden"), refuse(0.5)),
+            case("stuck", "always", lambda: motor.Usurped(), as_table("overridden"), None),
             case(
                 "intermittent",
                 "every second command",
                 lambda: motor.Usurped(2),
                 as_table("overridden"),
-                refuse(0.5),
+                None,
             ),
         ),
     ),
