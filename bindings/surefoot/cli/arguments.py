@@ -12,6 +12,7 @@ from surefoot.cli.bench import add_bench_options, bench
 from surefoot.cli.estimate import estimate
 from surefoot.cli.estimate_options import add_estimate_options
 from surefoot.cli.export import export
+from surefoot.cli.faults import add_faults_options, faults
 from surefoot.cli.robot import robot
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
 from surefoot.cli.robot_options import add_virtual_robot_options
@@ -65,6 +66,8 @@ def _build_parser() -> _Parser:
     add_virtual_robot_options(
         add("robot", robot, "simulate a robot that SDK programs drive over UDP as the real one")
     )
+    text = "inject every fault of the catalogue into a robot in simulation, and judge what it does"
+    add_faults_options(add("faults", faults, text))
     tune = commands.add_parser(
         "tune", help="find gains", description="Find gains.", allow_abbrev=False
     )

@@ -166,6 +166,19 @@ class Plant:
                 return self._begin()
         raise Error(f"robot '{self.robot.name}': dropped 100 times, it never came to rest level")
 
+    def reset_resting(self, qpos: Array) -> LowState:
+        """Lay the robot where it came to rest before, motors braking, and return a LowState.
+
+        Args:
+            qpos: MuJoCo's, as data.qpos was after reset_lying().
+        """
+        self.reset()
+        self._motors.law = damping_law()
+        self.data.qpos[:] = qpos
+        self.data.qvel[:] = 0.0
+        mujoco.mj_step1(self.model, self.data)
+        return self._begin()
+
     def _begin(self) -> LowState:
         """Start sensors and schedules from where the robot is."""
         settings = self.settings

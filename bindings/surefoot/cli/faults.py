@@ -1,0 +1,92 @@
+"""surefoot faults: the options, the run, and where its results go."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import sys
+from pathlib import Path
+
+from surefoot.cli.progress import progress_bar
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.cli.simulation import (
+    check_json_place,
+    check_report_place,
+    choose_graphics,
+    missing_module,
+    write_json,
+)
+
+FAILED = 4
+_TEXT = """\
+Every row of the fault catalogue is injected (off, stuck, garbage, wrong, slow, delayed,
+intermittent, where that makes sense) while the robot lies, rises, stands and is pushed; sensors are
+real, at 500 Hz. A cell passes if every command is finite, within torque, rate and power limits, and
+the reaction that fault_table() names comes in its time.
+
+exit status: 0 every cell passed, 4 some failed, 1 a file could not be written, 2 a wrong argument,
+130 interrupted"""
+
+
+def add_faults_options(parser: argparse.ArgumentParser) -> None:
+    """Add every option of surefoot faults."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = _TEXT
+    add_robot_options(parser, "go1")
+    add = parser.add_argument
+    add("--seed", type=int, default=0, metavar="N", help="of sensors, motors, lying pose (0)")
+    add("--jobs", type=int, metavar="N", help="processes (one a core)")
+    add(
+        "--only",
+        action="append",
+        default=[],
+        metavar="PATTERN",
+        help="a row, or ROW/INJECTION/MODE with * and ?; may be given again",
+    )
+    add("--list", action="store_true", help="list the cells and what is expected; run nothing")
+    add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
+    add("--report", metavar="DIR", help="write index.html, plots and summary.json")
+
+
+def faults(arguments: argparse.Namespace) -> int | None:
+    """Run the matrix, and print and write what was asked for; return the exit status.
+
+    Raises:
+        Error: A wrong argument.
+        OSError: A file could not be written.
+    """
+    choose_graphics()
+    check_json_place(arguments.json)
+    check_report_place(arguments.report, "faults", "surefoot.faults.report")
+    try:
+        from surefoot.faults import (
+            FaultSettings,
+            choose_cells,
+            faults_text,
+            list_text,
+            run_faults,
+        )
+        from surefoot.faults.settings import MOST_JOBS
+    except ModuleNotFoundError as problem:
+        raise missing_module("faults", problem) from None
+    if arguments.list:
+        print(list_text(choose_cells(arguments.only)))
+        return None
+    robot = chosen_robot(arguments, default="go1")
+    assert robot is not None  # there is a default
+    jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS)
+    settings = FaultSettings(robot, arguments.seed, jobs, tuple(arguments.only))
+    bar = progress_bar()
+    result = run_faults(settings, None if bar is None else lambda n, of: bar("faults", n, of))
+    command = shlex.join(["surefoot", *arguments.words])
+    result = {"command": command, **result}
+    write_json(arguments.json, result)
+    if arguments.report is not None:
+        from surefoot.faults.report import write_faults_report
+
+        page = write_faults_report(result, Path(arguments.report), command)
+        print(f"report {page}", file=sys.stderr)
+    if arguments.json != "-":
+        print(faults_text(result))
+    return FAILED if result["failed"] else None

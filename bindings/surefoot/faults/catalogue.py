@@ -1,0 +1,100 @@
+"""The whole matrix: rows by injections by modes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+
+from surefoot._core import Error
+from surefoot.faults.case import Case, Row
+from surefoot.faults.reaction import Expectation
+from surefoot.faults.rows import (
+    attitude,
+    body,
+    feet,
+    healthy,
+    imu,
+    joints,
+    link,
+    motors,
+    operation,
+    power,
+    report,
+    wiring,
+)
+
+ROWS: tuple[Row, ...] = (
+    *(*healthy.ROWS, *report.ROWS, *link.ROWS, *attitude.ROWS, *imu.ROWS, *feet.ROWS),
+    *(*joints.ROWS, *wiring.ROWS, *motors.ROWS, *power.ROWS, *body.ROWS, *operation.ROWS),
+)
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One field of the matrix.
+
+    Attributes:
+        row: Of the catalogue.
+        case: One of its injections.
+        number: Among the row's cases of that injection, from 1.
+        mode: In which it begins.
+    """
+
+    row: Row
+    case: Case
+    number: int
+    mode: str
+
+    @property
+    def id(self) -> str:
+        """ROW/INJECTION/MODE, with a number where the row has several of that injection."""
+        number = str(self.number) if self.number > 1 else ""
+        return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"
+
+    @property
+    def expect(self) -> Expectation:
+        """What is expected."""
+        return self.case.expect[self.mode]
+
+
+def all_cells() -> list[Cell]:
+    """Return the whole matrix, row by row."""
+    cells = []
+    for row in ROWS:
+        numbers: dict[str, int] = {}
+        for case in row.cases:
+            number = numbers[case.injection] = numbers.get(case.injection, 0) + 1
+            cells += [Cell(row, case, number, mode) for mode in case.expect]
+    return cells
+
+
+def choose_cells(patterns: Sequence[str] = ()) -> list[Cell]:
+    """Return the cells that any of the patterns fits; all without patterns.
+
+    Args:
+        patterns: A row's id, or ROW/INJECTION/MODE with * and ? as in file names.
+
+    Raises:
+        Error: A pattern that fits none.
+    """
+    cells = all_cells()
+    if not patterns:
+        return cells
+    for pattern in patterns:
+        if not any(_fits(cell, pattern) for cell in cells):
+            names = ", ".join(row.id for row in ROWS)
+            raise Error(
+                f"--only: got '{pattern}', expected a row or ROW/INJECTION/MODE with * and ?; "
+                f"rows: {names}"
+            )
+    return [cell for cell in cells if any(_fits(cell, pattern) for pattern in patterns)]
+
+
+def find_cell(name: str) -> Cell:
+    """Return the cell of an id; raises Error."""
+    return choose_cells([name])[0]
+
+
+def _fits(cell: Cell, pattern: str) -> bool:
+    return fnmatchcase(cell.id, pattern) or fnmatchcase(cell.row.id, pattern)

@@ -1,0 +1,94 @@
+"""Rows about the feet's sensors and contacts."""
+
+from __future__ import annotations
+
+from surefoot.faults import injections as inject
+from surefoot.faults.case import STANDING, Row, case
+from surefoot.faults.fault import Fault, Together
+from surefoot.faults.reaction import WATCH, as_table
+from surefoot.faults.signals import Signal
+from surefoot.faults.world_faults import Hand, Living
+
+NO_FORCE = as_table("foot_force")
+some = inject.intermittent
+
+
+def _feet(change: inject.Change, change_raw: inject.Change, foot: int | None = None) -> Fault:
+    return Together(
+        Living(), Signal("footForceEst", change, foot), Signal("footForce", change_raw, foot)
+    )
+
+
+def _foot_at_60() -> Fault:
+    return _feet(inject.constant(60), inject.constant(60), 0)
+
+
+ROWS = (
+    Row(
+        "foot_sensor",
+        "foot sensors are stuck, zero, drifting or saturated",
+        (
+            case("off", "all zero", lambda: _feet(inject.off, inject.off), WATCH, WATCH),
+            case("stuck", "all", lambda: _feet(inject.stuck(), inject.stuck()), WATCH, WATCH),
+            case(
+                "garbage",
+                "all say anything up to 300",
+                lambda: _feet(inject.garbage(300), inject.garbage(300)),
+                WATCH,
+                WATCH,
+            ),
+            case(
+                "wrong",
+                "one saturated",
+                lambda: _feet(inject.constant(32767), inject.constant(32767), 0),
+                NO_FORCE,
+                lying=WATCH,
+                rising=WATCH,
+            ),
+            case(
+                "slow",
+                "one drifts by 50 N a second",
+                lambda: _feet(inject.drifting(0.1), inject.drifting(0.1), 2),
+                WATCH,
+                WATCH,
+            ),
+            case(
+                "delayed",
+                "all by 50 ms",
+                lambda: _feet(inject.delayed(25), inject.delayed(25)),
+                WATCH,
+                WATCH,
+            ),
+            case(
+                "intermittent",
+                "all zero in 1 report of 3",
+                lambda: _feet(some(inject.off, 3), some(inject.off, 3)),
+                WATCH,
+                WATCH,
+            ),
+        ),
+    ),
+    Row(
+        "phantom_contact",
+        "a contact is missed, or there is none",
+        (
+            case(
+                "off", "one foot says zero", lambda: _feet(inject.off, inject.off, 1), WATCH, WATCH
+            ),
+            case(
+                "wrong",
+                "a foot that a hand lifts by 2 cm says 60 N",
+                lambda: Together(_foot_at_60(), Hand("FR", 0.02, 0.4)),
+                WATCH,
+                modes=STANDING,
+            ),
+            case(
+                "garbage",
+                "a foot says zero or 60 N by turns",
+                lambda: Together(_foot_at_60(), _feet(*2 * (some(inject.off, 20, 10),), 0)),
+                WATCH,
+                lying=WATCH,
+            ),
+        ),
+    ),
+)

@@ -1,0 +1,91 @@
+"""Rows about motors: torque, life and heat."""
+
+from __future__ import annotations
+
+from surefoot.faults import injections as inject
+from surefoot.faults import motor_faults as motor
+from surefoot.faults.case import Row, case
+from surefoot.faults.reaction import WATCH, as_table, unless
+from surefoot.faults.signals import Signal
+
+THIGH, KNEE = 4, 5  # FL_1, FL_2
+WEAK, HOT = unless("motor_weak"), as_table("temperature")
+OFF = as_table("motor_mode")
+some = inject.intermittent
+
+
+def _torque(change: inject.Change) -> Signal:
+    return Signal("tauEst", change, KNEE)
+
+
+def _heat(change: inject.Change) -> Signal:
+    return Signal("temperature", change, THIGH)
+
+
+ROWS = (
+    Row(
+        "tau_mismatch",
+        "measured torques are not those asked for",
+        (
+            case("off", "a knee says 0", lambda: _torque(inject.off), WEAK, WATCH),
+            case("stuck", "a knee's", lambda: _torque(inject.stuck()), WEAK, WATCH),
+            case(
+                "garbage", "a knee says anything", lambda: _torque(inject.garbage(10)), WEAK, WATCH
+            ),
+            case("wrong", "a knee makes 60 % of it", lambda: motor.Weak(KNEE, 0.6), WEAK, WATCH),
+            case(
+                "stuck",
+                "a leg goes on with old commands",
+                lambda: motor.Deaf([3, 4, 5]),
+                WEAK,
+                None,
+            ),
+            case(
+                "delayed",
+                "all by 20 ms",
+                lambda: Signal("tauEst", inject.delayed(10)),
+                WATCH,
+                WATCH,
+            ),
+            case(
+                "intermittent",
+                "all 0 in 1 report of 10",
+                lambda: Signal("tauEst", some(inject.off, 10)),
+                WATCH,
+                WATCH,
+            ),
+        ),
+    ),
+    Row(
+        "motor_dead",
+        "a motor is off",
+        (
+            case("off", "a knee lets go, mode 8", lambda: motor.Dead(KNEE, 8), OFF, gentle=True),
+            case("wrong", "a thigh brakes, mode 0", lambda: motor.Dead(THIGH, 0), OFF, gentle=True),
+            case("intermittent", "a knee, for 2 ms", lambda: motor.Dead(KNEE, 8, 1), WATCH, None),
+        ),
+    ),
+    Row(
+        "over_temperature",
+        "a motor is hot",
+        (
+            case("wrong", "65 C", lambda: _heat(inject.constant(65)), WATCH),
+            case("wrong", "90 C", lambda: _heat(inject.constant(90)), HOT),
+            case(
+                "slow",
+                "5 C more every second",
+                lambda: _heat(inject.ramp(40, 5.0)),
+                as_table("temperature", 8.0),
+                None,
+            ),
+            case("garbage", "any number", lambda: _heat(inject.garbage(127, True)), WATCH, None),
+            case(
+                "intermittent",
+                "120 C in 1 report of 25",
+                lambda: _heat(some(inject.constant(120), 25)),
+                WATCH,
+                None,
+            ),
+        ),
+    ),
+)

@@ -1,0 +1,89 @@
+"""The matrix: every cell run, in this process or in several, and what came of it."""
+
+from __future__ import annotations
+
+import multiprocessing
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import as_completed
+from concurrent.futures.process import BrokenProcessPool, ProcessPoolExecutor
+from typing import Any
+
+from surefoot._core import Error
+from surefoot.bench.machine import describe_machine
+from surefoot.faults.catalogue import choose_cells
+from surefoot.faults.cell import broken, run_cell
+from surefoot.faults.joint_faults import power_level
+from surefoot.faults.setting import Setup, set_up
+from surefoot.faults.settings import FaultSettings
+
+Progress = Callable[[int, int], None]
+"""Called with how many cells are done, and how many there are."""
+
+
+def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dict[str, Any]:
+    """Run a matrix and return everything as plain JSON types.
+
+    Args:
+        settings: What to run.
+        progress: Told how far it is.
+
+    Raises:
+        Error: An unknown robot or pattern; a process that died.
+    """
+    names = [cell.id for cell in choose_cells(settings.only)]
+    setup = set_up(settings.description, settings.seed)
+    done: dict[str, dict[str, Any]] = {}
+    for result in _results(setup, names, settings.jobs):
+        done[result["id"]] = result
+        if progress is not None:
+            progress(len(done), len(names))
+    return summarise(settings, setup, [done[name] for name in names])
+
+
+def summarise(settings: FaultSettings, setup: Setup, cells: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return what a matrix's JSON has."""
+    failures = [cell for cell in cells if cell["verdict"] != "pass"]
+    robot = setup.description.name
+    return {
+        "robot": robot,
+        "seed": settings.seed,
+        "only": list(settings.only),
+        "power_level": power_level(robot),
+        "passed": len(cells) - len(failures),
+        "failed": len(failures),
+        "failures": [{"id": cell["id"], "reason": cell["reason"]} for cell in failures],
+        "versions": describe_machine()["versions"],
+        "cells": cells,
+    }
+
+
+def _results(setup: Setup, names: list[str], jobs: int) -> Iterator[dict[str, Any]]:
+    if jobs == 1:
+        for name in names:
+            yield attempt(setup, name)
+        return
+    # Fresh interpreters: a fork would copy MuJoCo's threads half.
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(min(jobs, len(names)), context, _leave_ctrl_c) as pool:
+        futures = [pool.submit(attempt, setup, name) for name in names]
+        try:
+            for future in as_completed(futures):
+                yield future.result()
+        except BrokenProcessPool:
+            raise Error("faults: a process died; is there enough memory for --jobs?") from None
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+
+
+def attempt(setup: Setup, name: str) -> dict[str, Any]:
+    """Run a cell; one that cannot be run is a failure as well."""
+    try:
+        return run_cell(setup, name)
+    except Exception as problem:
+        return broken(name, problem)
+
+
+def _leave_ctrl_c() -> None:
+    """Leave Ctrl-C to the process that started this one."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,0 +1,144 @@
+"""A supervised robot on its plant with one fault: control period by control period."""
+
+from __future__ import annotations
+
+from surefoot._core import (
+    LowCmd,
+    LowState,
+    Mode,
+    RequestStatus,
+    SupervisorOptions,
+    fault_table,
+)
+from surefoot.faults.fault import Fault
+from surefoot.faults.joint_faults import power_level
+from surefoot.faults.judge import CommandJudge
+from surefoot.faults.setting import Setup
+from surefoot.faults.wire import FrameWire
+from surefoot.robots import build_robot
+from surefoot.sim import Plant, PlantSettings
+
+PERIOD = 0.002  # [s]
+
+
+class Scene:
+    """One run.
+
+    Args:
+        setup: What it has in common with others.
+        fault: What goes wrong.
+        level: Of the power protection; None is the robot's usual one.
+        tick0: LowState.tick of the first report [ms].
+
+    Attributes:
+        plant, supervisor: As they are.
+        judge: Of the commands so far.
+        fault: As given; begin() starts it.
+        command: That the supervisor made last.
+        armed: Was it armed by arm()?
+        k: Control periods since the fault began, or None.
+    """
+
+    def __init__(
+        self, setup: Setup, fault: Fault, level: int | None = None, tick0: int = 0
+    ) -> None:
+        self.fault = fault
+        robot = build_robot(setup.description)
+        believed = fault.robot(robot)
+        settings = fault.settings(PlantSettings(seed=setup.seed))
+        self.plant = Plant(setup.description, settings, tick0=tick0)
+        self._state = fault.start(self.plant, setup.lying)
+        level = power_level(robot.name) if level is None else level
+        options = SupervisorOptions(power_level=level)
+        fault.options(options)
+        self.supervisor = setup.make_supervisor(believed, options)
+        fault.prepare(self.supervisor)
+        self.judge = CommandJudge(robot, level)
+        self._wire = FrameWire(robot.name) if fault.linked else None
+        self.command = LowCmd()
+        self.k: int | None = None
+        self.armed = False
+        self._told_unarmed: dict[str, int] = {}
+        if fault.from_start:
+            self.begin()
+
+    @property
+    def tick(self) -> int:
+        """LowState.tick of the report that comes next [ms]."""
+        return int(self._state.tick)
+
+    def begin(self) -> None:
+        """Let the fault begin with the next period."""
+        if self.k is None:
+            self.k = 0
+            self.fault.begin(self.plant)
+
+    def step(self) -> None:
+        """Take one control period: a report, the fault, a tick, the fault, the physics."""
+        fault, k = self.fault, self.k
+        seen = LowState()
+        seen.raw[:] = self._state.raw
+        runs = True
+        if k is None:
+            fault.before(self.supervisor)
+        else:
+            runs = fault.runs(k)
+            fault.state(seen, k)
+        if self._wire is not None:
+            frame = self._wire.encode(seen)
+            seen = self._wire.receive([frame] if k is None else fault.frames(frame, k))
+        if k is not None:
+            fault.operate(self.supervisor, k)
+        if runs:
+            self.command = self.supervisor.update(seen)
+            dq = self.plant.data.qvel[self.plant.handles.motor_v]
+            self.judge.look(self.command, self._state, dq)
+        reaching = LowCmd()
+        reaching.raw[:] = self.command.raw
+        if k is not None:
+            fault.command(reaching, k)
+            self.k = k + 1
+        self._state = self.plant.step(reaching)
+
+    def run(self, seconds: float) -> None:
+        """Take as many periods as fit."""
+        for _ in range(round(seconds / PERIOD)):
+            self.step()
+
+    def reaches(self, mode: Mode, seconds: float) -> bool:
+        """Go on until a mode is there, or the time is over; return whether it is."""
+        for _ in range(round(seconds / PERIOD)):
+            if self.supervisor.mode == mode:
+                return True
+            self.step()
+        return self.supervisor.mode == mode
+
+    def arm(self) -> bool:
+        """Wait for the arming checks and arm; return whether it is."""
+        for _ in range(round(3.0 / PERIOD)):
+            if self.supervisor.arm() == RequestStatus.ACCEPTED:
+                self.step()
+                self.armed = bool(self.supervisor.armed)
+                self._told_unarmed = self._counts()
+                return self.armed
+            self.step()
+        return False
+
+    @property
+    def told(self) -> list[str]:
+        """Names of the faults that the supervisor has told of since it was armed."""
+        return [name for name, n in self._counts().items() if n > self._told_unarmed.get(name, 0)]
+
+    def _counts(self) -> dict[str, int]:
+        faults = self.supervisor.faults
+        return {info.name: faults.count(info.id) for info in fault_table()}
+
+    @property
+    def failures(self) -> str:
+        """The arming checks that fail, in one line."""
+        return "; ".join(str(self.supervisor.arming.failures(self.plant.robot)).splitlines())
+
+    def close(self) -> None:
+        """Let go of sockets."""
+        if self._wire is not None:
+            self._wire.close()

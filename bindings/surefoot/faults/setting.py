@@ -1,0 +1,52 @@
+"""What all runs of a matrix have in common: the robot, where it lies, what is put to the test."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from surefoot._core import Robot, Supervisor, SupervisorOptions
+from surefoot.robot_files import RobotDescription
+from surefoot.sim import Plant, PlantSettings
+from surefoot.sim.rotations import Array
+
+_POSE = 97  # stream of the random numbers that draw the lying pose
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What all scenes of a matrix have in common.
+
+    Attributes:
+        description: The robot.
+        seed: Of sensors, motors and the lying pose.
+        lying: MuJoCo's qpos of the robot at rest.
+        height: Of the standing base [m].
+        make_supervisor: Makes what is put to the test.
+    """
+
+    description: RobotDescription
+    seed: int
+    lying: Array
+    height: float
+    make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor]
+
+
+def set_up(
+    description: RobotDescription,
+    seed: int,
+    make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor] | None = None,
+) -> Setup:
+    """Drop a robot until it lies well, and return the setup; raises Error."""
+    plant = Plant(description, PlantSettings(seed=seed))
+    height = float(plant.data.qpos[2])
+    plant.reset_lying(np.random.default_rng([seed, _POSE]))
+    lying = plant.data.qpos.copy()
+    return Setup(description, seed, lying, height, make_supervisor or supervisor)
+
+
+def supervisor(robot: Robot, options: SupervisorOptions) -> Supervisor:
+    """Return the supervisor as everybody gets it."""
+    return Supervisor(robot, options=options)

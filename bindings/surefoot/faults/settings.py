@@ -1,0 +1,38 @@
+"""What a matrix of faults is asked to be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from surefoot._core import Error
+from surefoot.robot_files import RobotDescription, describe_robot
+
+MOST_JOBS = 256
+
+
+@dataclass(frozen=True)
+class FaultSettings:
+    """Robot, cells and processes.
+
+    Attributes:
+        robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
+        seed: Of sensors, motors and the lying pose.
+        jobs: Processes; 1 runs in this one.
+        only: Patterns of cells (see catalogue.choose_cells); all if empty.
+    """
+
+    robot: str | RobotDescription = "go1"
+    seed: int = 0
+    jobs: int = 1
+    only: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.jobs <= MOST_JOBS:
+            raise Error(f"jobs: got {self.jobs}, expected 1 to {MOST_JOBS}")
+        if self.seed < 0:
+            raise Error(f"seed: got {self.seed}, expected a whole number from 0 up")
+
+    @property
+    def description(self) -> RobotDescription:
+        """The robot's files; raises Error."""
+        return describe_robot(self.robot) if isinstance(self.robot, str) else self.robot

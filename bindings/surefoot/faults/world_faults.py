@@ -1,0 +1,100 @@
+"""Faults of the world: pushes that nothing saves, hands that lift, solvers that fail."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from surefoot._core import RobotState, Supervisor, Task, TaskRows
+from surefoot.faults.fault import Fault
+from surefoot.sim import Lift, Plant, PlantSettings, Push
+
+DURATION = 0.1  # [s] of pushes
+
+
+class Shove(Fault):
+    """A push far beyond what the robot survives.
+
+    Args:
+        share: Of the push that the pendulum survives.
+        height: Above the centre of mass, as a share of its own height.
+        until_down: Judged from when a body part touches the ground or the tilt is beyond 60
+            degrees; else from when the push begins.
+    """
+
+    def __init__(self, share: float, height: float, until_down: bool) -> None:
+        self._share, self._height, self._until_down = share, height, until_down
+
+    def begin(self, plant: Plant) -> None:
+        """Push."""
+        height = self._height * float(plant.data.subtree_com[plant.handles.root][2])
+        impulse = self._share * plant.lip_limit("lateral")
+        plant.add_push(Push("lateral", impulse, DURATION, plant.time, height))
+
+    def judged(self, plant: Plant) -> bool:
+        """Return whether it lies."""
+        return plant.truth.fell if self._until_down else True
+
+
+class Hand(Fault):
+    """A hand lifts the trunk, or a foot, and puts or lets it down.
+
+    Args:
+        part: "trunk" or a foot.
+        height: [m].
+        duration: [s].
+        ramp: In which the grip opens [s].
+    """
+
+    def __init__(self, part: str, height: float, duration: float, ramp: float = 0.02) -> None:
+        self._part, self._height, self._duration, self._ramp = part, height, duration, ramp
+
+    def begin(self, plant: Plant) -> None:
+        """Take hold."""
+        lift = Lift(self._part, plant.time, self._duration, self._height, ramp=self._ramp)
+        plant.add_lift(lift)
+
+
+class Living(Fault):
+    """Feet have sensors that work, whatever the real robot's do."""
+
+    def settings(self, settings: PlantSettings) -> PlantSettings:
+        """Return the settings with them."""
+        return replace(settings, foot_force="est")
+
+
+class _Spoiler(Task):
+    """A task of one row that asks for nothing, until it asks for what is no number."""
+
+    def __init__(self, value: float) -> None:
+        super().__init__()
+        self.value, self.spoils = value, False
+
+    def rows(self) -> int:
+        return 1
+
+    def write(self, state: RobotState, rows: TaskRows) -> bool:
+        rows.A_a[:] = 0.0
+        rows.A_f[:] = 0.0
+        rows.weight[:] = 1.0
+        rows.b[:] = self.value if self.spoils else 0.0
+        return True
+
+
+class Program(Fault):
+    """The program's numbers are spoilt, by a task among those of the StandController.
+
+    Args:
+        value: That is written.
+        every: In every so many'th period.
+    """
+
+    def __init__(self, value: float, every: int = 1) -> None:
+        self._task, self._every = _Spoiler(value), every
+
+    def prepare(self, supervisor: Supervisor) -> None:
+        """Add the task."""
+        supervisor.stand.add_task(self._task)
+
+    def operate(self, supervisor: Supervisor, k: int) -> None:
+        """Spoil, or not."""
+        self._task.spoils = k % self._every == 0

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A short form of the matrix of faults, and that its judge sees what is wrong."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+
+import pytest
+import surefoot
+from faults_helpers import FORGERIES, Forged
+from surefoot import cli
+from surefoot.faults import FaultSettings, choose_cells, run_faults
+from surefoot.faults.catalogue import ROWS
+from surefoot.faults.cell import run_cell
+from surefoot.faults.injections import INJECTIONS
+from surefoot.faults.setting import Setup, set_up
+from surefoot.robots import describe_robot
+
+SHORT = (
+    *("healthy/off/*", "nan_in_state/garbage/*", "stale_tick/stuck/*", "emergency_stop/wrong/*"),
+    *("packet_loss/off/standing", "reordered_tick/intermittent/pushed", "tick_wrap/wrong/standing"),
+    *("motor_order/wrong/lying", "foot_sensor/off/standing", "command_jump/wrong/standing"),
+    *("operator_link/off/rising", "battery/wrong/lying"),
+)
+
+
+@pytest.mark.parametrize("robot", ["go1", "b1"])
+def test_the_short_form_passes(robot: str) -> None:
+    result = run_faults(FaultSettings(robot, seed=1, only=SHORT))
+    assert result["failures"] == []
+    assert result["passed"] == len(result["cells"]) == len(choose_cells(SHORT))
+    assert all(cell["simulated_s"] > 0.5 for cell in result["cells"])
+
+
+def test_processes_find_what_one_finds() -> None:
+    only = ("nan_in_state/garbage/lying", "emergency_stop/wrong/rising")
+    alone, together = (run_faults(FaultSettings("go1", 0, jobs, only)) for jobs in (1, 2))
+    assert alone == together
+
+
+@cache
+def setup() -> Setup:
+    return set_up(describe_robot("go1"), 0)
+
+
+@pytest.mark.parametrize("forgery", FORGERIES)
+def test_the_judge_sees_a_supervisor_that(forgery: str) -> None:
+    change, cell, words = FORGERIES[forgery]
+    honest = setup()
+    forged = Setup(
+        honest.description,
+        honest.seed,
+        honest.lying,
+        honest.height,
+        lambda robot, options: Forged(surefoot.Supervisor(robot, options=options), change),
+    )
+    assert run_cell(honest, cell)["reason"] == ""
+    result = run_cell(forged, cell)
+    assert result["verdict"] == "fail"
+    assert words in result["reason"]
+
+
+def test_every_row_has_cells_and_every_cell_its_own_name() -> None:
+    cells = choose_cells()
+    assert len({cell.id for cell in cells}) == len(cells)
+    assert {cell.row.id for cell in cells} == {row.id for row in ROWS}
+    assert {cell.case.injection for cell in cells} == set(INJECTIONS)
+    for cell in cells:
+        assert choose_cells([cell.id]) == [cell]
+
+
+def test_every_fault_that_is_told_is_injected() -> None:
+    expected = {cell.expect.fault for cell in choose_cells()}
+    expected |= {cell.expect.unless for cell in choose_cells()}
+    missing = {info.name for info in surefoot.fault_table()} - expected
+    assert missing == {"slip"}  # a slip of one foot is nothing that an injection can ask for
+
+
+def test_the_command_lists_and_refuses(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["faults", "--list", "--only", "tick_wrap/*"]) == 0
+    assert capsys.readouterr().out.count("tick_wrap/") == 8
+    assert cli.main(["faults", "--only", "nothing_such"]) == 2
+    assert "nan_in_state" in capsys.readouterr().err
+    assert cli.main(["faults", "--jobs", "0"]) == 2
+    assert cli.main(["faults", "--seed", "-1"]) == 2
+
+
+def test_the_command_writes_what_it_found(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    place, folder = tmp_path / "faults.json", tmp_path / "report"
+    words = ["faults", "--jobs", "1", "--only", "emergency_stop/wrong/lying"]
+    assert cli.main([*words, "--json", str(place), "--report", str(folder)]) == 0
+    result = json.loads(place.read_text())
+    assert result["passed"] == 1 and result["failures"] == []
+    assert result["cells"][0]["ended"] == "damping"
+    assert {"robot", "seed", "versions", "command", "power_level"} <= set(result)
+    page = (folder / "index.html").read_text()
+    assert "emergency_stop" in page and "1 of 1" in page
+    assert (folder / "times.png").is_file() and (folder / "summary.json").is_file()
+    assert "1 of 1 cells passed" in capsys.readouterr().out
+
+
+def test_a_cell_that_fails_is_the_exit_status(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(setup: Setup, name: str) -> dict[str, object]:
+        raise ValueError("broken")
+
+    monkeypatch.setattr("surefoot.faults.run.run_cell", fails)
+    assert cli.main(["faults", "--jobs", "1", "--only", "emergency_stop/wrong/lying"]) == 4
