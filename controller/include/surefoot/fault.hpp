@@ -39,7 +39,7 @@ enum class FaultId : int {
   kOperator,          ///< no heartbeat from the operator
   kLink               ///< Supervisor::lose(): the robot is not heard, or began anew
 };
-constexpr int kFaults = 28;  ///< kNone included
+constexpr int kFaults = static_cast<int>(FaultId::kLink) + 1;  ///< kNone included
 const char* to_string(FaultId id) noexcept;
 
 /// What is done about a fault.
