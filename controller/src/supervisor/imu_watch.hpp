@@ -10,21 +10,25 @@ namespace surefoot {
 /// Holds the IMU's attitude and its gyroscope against each other, in every mode. Real-time: yes.
 class ImuWatch {
  public:
-  /// May this report's attitude and rates be acted upon? One that jumps may not.
   /// @param step [s] since the report before @param anew has anything in the report changed?
-  bool update(const IMU& imu, double step, bool anew) noexcept;
+  void update(const IMU& imu, double step, bool anew) noexcept;
+  /// May the last report's rates be acted upon? No body turns so much faster from one to the next.
+  bool rates_fit() const noexcept { return rates_fit_; }
+  /// May its attitude? One that jumps more than the gyroscope turned may not.
+  bool attitude_fits() const noexcept { return attitude_fits_; }
   /// Has the gyroscope stopped, clipped, or gone its own way for long? Of the last update.
   bool gyroscope_bad() const noexcept { return gyroscope_bad_; }
 
  private:
-  void compare_rates(const Vector3& w, const Vector3& w_attitude, double step, bool anew) noexcept;
+  void judge_rates(const Vector3& w, double step, bool anew) noexcept;
+  bool follows(const Quaternion& attitude, const Vector3& w) const noexcept;
 
   Quaternion R_ = Quaternion::Identity();     // world to IMU, carried on by the gyroscope
   Quaternion last_ = Quaternion::Identity();  // as reported
   Vector3 w_last_ = Vector3::Zero();          // [rad/s]
   Vector3 off_ = Vector3::Zero();             // [rad/s] gyroscope less attitude's rate, smoothed
   double against_ = 0.0;                      // [s] since the attitude was last believed
-  bool started_ = false, gyroscope_bad_ = false;
+  bool started_ = false, gyroscope_bad_ = false, rates_fit_ = true, attitude_fits_ = true;
   Lasting held_, clipped_, away_;
 };
 

@@ -14,8 +14,8 @@ class RepeatedReport {
   /// may live on for 10 of them.
   static constexpr double kPatience = 0.010;
 
-  /// Is this report too old to be acted upon? @param step [s] since the one before
-  bool update(const LowState& state, double step) noexcept {
+  /// @param step [s] since the report before
+  void update(const LowState& state, double step) noexcept {
     Words words;
     const IMU& imu = state.imu;
     words << imu.gyroscope[0], imu.gyroscope[1], imu.gyroscope[2], imu.accelerometer[0],
@@ -26,8 +26,9 @@ class RepeatedReport {
     }
     same_for_ = words == words_ ? same_for_ + step : 0.0;
     words_ = words;
-    return same_for_ >= kPatience - 1e-9;
   }
+  /// Is what the last report says too old to be acted upon?
+  bool too_old() const noexcept { return same_for_ >= kPatience - 1e-9; }
   /// Was the last report the same as the one before it?
   bool repeats() const noexcept { return same_for_ > 0.0; }
 

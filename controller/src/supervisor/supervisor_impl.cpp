@@ -80,7 +80,7 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
     if (!active()) clock.reset();
   } else {
     arming.update(state, step);
-    if (bad != FaultId::kNone) arming.distrust();
+    if (bad != FaultId::kNone || repeated.too_old()) arming.distrust();
   }
   if (bad == FaultId::kNone) {
     if (has_quaternion(state.imu)) springs.read(state);
@@ -93,19 +93,18 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
 
 // What makes a report nothing to act upon.
 FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept {
-  const bool again = repeated.update(state, step);
+  repeated.update(state, step);
   const Status status = check_low_state(state, robot.config());
   if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
   if (status != Status::kOk) return FaultId::kStateImplausible;
   const bool joints_fit = joints.update(state, step);
-  const bool imu_fits = imu.update(state.imu, step, !repeated.repeats());
+  imu.update(state.imu, step, !repeated.repeats());
   if (!joints_fit) return FaultId::kJointJump;
   // A controller that stands has an attitude of its own, and rates are all that it must have.
-  const bool needed = !standing() || has_quaternion(state.imu);
-  if (!imu_fits && needed) return FaultId::kAttitude;
+  if (!imu.rates_fit() || !(imu.attitude_fits() || standing())) return FaultId::kAttitude;
   // Between the last report and this one nobody was there to command.
   if (active() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
-  return again && active() ? FaultId::kFrozen : FaultId::kNone;
+  return repeated.too_old() && active() ? FaultId::kFrozen : FaultId::kNone;
 }
 
 // Judged again: since another thread asked, the robot has gone on.
