@@ -33,11 +33,29 @@ class Watched:
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self._safety, self._level = surefoot.Safety(self.plant.robot), level
         self._tau_max = np.array(self.plant.robot.config.tau_max)
+        self.command = surefoot.LowCmd()
+        self._begin()
+
+    def _begin(self) -> None:
         self._tau: np.ndarray | None = None
         self._mode, self._since_change = self.supervisor.mode, 99
-        self.command = surefoot.LowCmd()
         self.refused, self.power, self.mode_step, self.step_share = 0, 0.0, 0.0, 0.0
         self.tilt_deg = 0.0
+
+    def hand_over(self, seconds: float) -> None:
+        """Let position control hold the robot as it is, and a new supervisor look on meanwhile."""
+        hold = surefoot.LowCmd()
+        stiffness = 3.0 * self.plant.robot.mass * 9.81
+        for i in range(12):
+            motor, joint = hold.motorCmd[i], self.state.motorState[i]
+            motor.q, motor.dq, motor.tau = joint.q, 0.0, joint.tauEst
+            motor.Kp, motor.Kd = stiffness, 0.02 * stiffness
+        options = surefoot.SupervisorOptions(power_level=self._level)
+        self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
+        for _ in range(round(500 * seconds)):
+            self.supervisor.update(self.state)
+            self.state = self.plant.step(hold)
+        self._begin()
 
     def tick(self) -> None:
         self.command = self.supervisor.update(self.state)

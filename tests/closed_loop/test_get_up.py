@@ -42,6 +42,52 @@ def test_a_lying_robot_gets_up_stands_and_lies_down_within_its_power(name: str, 
     assert robot.step_share < 0.3
 
 
+# A foot on the back; hips turned in, thighs across the body's edge; knees pinned below it.
+@pytest.mark.parametrize(
+    ("name", "seed"), [("a1", 16), ("a1", 20), ("a1", 64), ("b1", 7), ("b1", 16)]
+)
+def test_legs_that_catch_back_out_and_fold(name: str, seed: int) -> None:
+    robot = Watched(name, seed)
+    robot.arm()
+    robot.ask(Mode.RISE)
+    assert robot.reaches(Mode.STAND, 25.0), (robot.supervisor.mode, robot.supervisor.reason)
+    robot.run(1.5)
+    assert not robot.plant.truth.fell
+    assert robot.refused == 0
+    assert robot.power < 100.0 * LEVELS[name]
+    assert robot.mode_step < 0.05
+
+
+@pytest.mark.parametrize("height", [0.3, 0.6, 1.0])
+@pytest.mark.parametrize("name", ROBOTS)
+def test_who_crouches_or_stands_does_not_fold_but_goes_on_up(name: str, height: float) -> None:
+    robot = risen(name, 1)
+    robot.run(0.5)
+    if height < 1.0:
+        robot.ask(Mode.SIT)
+        assert robot.run(4.0, lambda: robot.supervisor.height < height)
+    robot.hand_over(3.0)
+    assert robot.supervisor.arming.ready, robot.failures
+    before = robot.plant.truth.q[2]
+    robot.arm()
+    robot.ask(Mode.RISE)
+    assert abs(robot.supervisor.height - height) < 0.05
+    lowest = [before]
+    assert robot.run(2.0, lambda: sinks(robot, lowest)), robot.supervisor.mode
+    robot.run(1.5)
+    assert lowest[0] > 0.75 * before
+    assert robot.supervisor.mode == Mode.STAND
+    assert robot.supervisor.stand.status == surefoot.Status.OK
+    assert np.abs(robot.plant.truth.v).max() < 0.05
+    assert robot.refused == 0
+    assert robot.mode_step < 0.05
+
+
+def sinks(robot: Watched, lowest: list[float]) -> bool:
+    lowest[0] = min(lowest[0], float(robot.plant.truth.q[2]))
+    return robot.supervisor.mode == Mode.STAND
+
+
 @pytest.mark.parametrize("name", ["go1", "b1"])
 @pytest.mark.parametrize("height", [0.0, 0.5])
 def test_a_rise_is_aborted_to_lying_and_may_be_asked_for_again(name: str, height: float) -> None:

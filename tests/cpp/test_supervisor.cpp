@@ -24,7 +24,8 @@ bool damping(const LowCmd& command) {
   return good;
 }
 
-/// A robot at rest in some pose, reports every 2 ms; nothing that it is told moves it.
+/// A robot at rest, hips so far out that it does not stand, reports every 2 ms; nothing that it is
+/// told moves it.
 struct AtRest {
   Robot robot = quadruped();
   Supervisor supervisor{robot};
@@ -34,6 +35,12 @@ struct AtRest {
     for (int i = 0; i < kMotors; ++i) {
       report.motorState[i].mode = kModeServo;
       report.motorState[i].temperature = 30;
+    }
+    turn_hips(0.5F);
+  }
+  void turn_hips(float angle) {
+    for (int leg = 0; leg < kLegs; ++leg) {
+      report.motorState[kLegJoints * leg].q += leg % 2 == 0 ? -angle : angle;
     }
   }
   void run(double seconds) {
@@ -128,9 +135,24 @@ BOOST_FIXTURE_TEST_CASE(a_rise_that_nothing_follows_gives_up_and_damps, AtRest) 
   run(0.002);
   BOOST_TEST((supervisor.mode() == Mode::kRise));
   run(12.0);
+  BOOST_TEST((supervisor.mode() == Mode::kRise));  // it tries again
+  run(15.0);
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
   BOOST_TEST(supervisor.stuck());
   BOOST_TEST(damping(last));
+}
+
+BOOST_FIXTURE_TEST_CASE(who_stands_does_not_fold, AtRest) {
+  turn_hips(-0.5F);
+  run(1.1);
+  supervisor.arm();
+  step();
+  BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kRise));
+  BOOST_TEST(supervisor.height() == 1.0);
+  run(1.1);
+  BOOST_TEST((supervisor.mode() == Mode::kStand));
 }
 
 BOOST_FIXTURE_TEST_CASE(reports_that_stop_damp_within_twenty_milliseconds, AtRest) {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How legs fold, and how a robot goes on from where it is.
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "quadruped.hpp"
+#include "supervisor/height_motion.hpp"
+#include "supervisor/leg_folding.hpp"
+#include "supervisor/rise_plan.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kTick = 0.002;  // [s]
+constexpr int kThigh = 1;        // of FR
+
+/// Legs without mass that go where they are wanted, FR's thigh no further than it can.
+struct Folding {
+  RisePlan plan = plan_rise(quadruped(), 50.0);
+  LegFolding legs{plan};
+  Vector12 q = plan.standing;
+  double most = 1e9;  // [rad] that the thigh can turn back
+
+  const JointReference& step() {
+    const JointReference& reference = legs.step(q, kTick);
+    q = reference.q;
+    q[kThigh] = std::min(q[kThigh], most);
+    return reference;
+  }
+  /// [s] until they are folded or stuck, or this long
+  double run(double seconds) {
+    double time = 0.0;
+    while (time < seconds && !legs.done() && !legs.stuck()) {
+      step();
+      time += kTick;
+    }
+    return time;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(getting_up)
+
+BOOST_FIXTURE_TEST_CASE(legs_fold_from_anywhere, Folding) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int trial = 0; trial < 50; ++trial) {
+    for (int i = 0; i < kMotors; ++i) {
+      q[i] = plan.lower[i] + share(random) * (plan.upper[i] - plan.lower[i]);
+    }
+    legs.start(q);
+    BOOST_TEST(run(8.0) < 8.0);
+    BOOST_TEST(legs.done());
+    BOOST_TEST((q - plan.folded).cwiseAbs().maxCoeff() < 0.25);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_leg_that_catches_backs_out_and_tries_again, Folding) {
+  legs.start(q);
+  most = plan.standing[kThigh] + 0.3;
+  bool backed = false;
+  for (double time = 0.0; time < 3.0; time += kTick) {
+    step();
+    backed = backed || q[kThigh] < most - 0.25;
+    if (backed) most = 1e9;  // it slips off
+  }
+  BOOST_TEST(backed);
+  run(8.0);
+  BOOST_TEST(legs.done());
+}
+
+BOOST_FIXTURE_TEST_CASE(a_leg_that_is_never_free_is_given_up_after_several_tries, Folding) {
+  legs.start(q);
+  most = plan.standing[kThigh] + 0.3;
+  int times = 0;
+  bool out = false;
+  double time = 0.0;
+  for (; time < 60.0 && !legs.stuck(); time += kTick) {
+    step();
+    BOOST_TEST(!legs.done());
+    const bool now = q[kThigh] < most - 0.25;
+    times += now && !out;
+    out = now;
+  }
+  BOOST_TEST(times >= 5);
+  BOOST_TEST(time > 15.0);
+  BOOST_TEST(time < 45.0);
+}
+
+BOOST_AUTO_TEST_CASE(the_way_is_found_again) {
+  const RisePlan plan = plan_rise(quadruped(), 50.0);
+  for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    BOOST_TEST(plan.nearest(plan.joints_at(s)) == s);
+    const Vector12 off = 0.1 * Vector12::LinSpaced(-1.0, 1.0);
+    BOOST_TEST(std::abs(plan.nearest(plan.joints_at(s) + off) - s) < 0.1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_may_begin_anywhere_and_a_little_off) {
+  const RisePlan plan = plan_rise(quadruped(), 50.0);
+  for (const double s : {0.3, 0.9, 1.0}) {
+    const Vector12 off = 0.3 * Vector12::LinSpaced(-1.0, 1.0);
+    HeightMotion motion(plan);
+    motion.start(s, plan.joints_at(s) + off);
+    motion.go_to(1.0);
+    JointReference before{plan.joints_at(s) + off, Vector12::Zero()};
+    double time = 0.0;
+    for (; time < 5.0 && !motion.arrived(); time += kTick) {
+      const JointReference now = motion.step(before.q, kTick);
+      BOOST_TEST((now.q - before.q).cwiseAbs().maxCoeff() < 0.01);
+      BOOST_TEST((now.dq - before.dq).cwiseAbs().maxCoeff() < 0.05);
+      before = now;
+    }
+    BOOST_TEST(time < 5.0);
+    BOOST_TEST((before.q - plan.standing).norm() < 1e-9);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
