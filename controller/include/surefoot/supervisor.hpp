@@ -93,8 +93,8 @@ class Supervisor {
   const LowCmd& update(const LowState& low_state) noexcept;
 
   /// Go on for a period that brought no LowState: the last command while it is no older than 10 ms,
-  /// then damping; requests are refused until update() is called again. Nothing latches but what
-  /// stop() asks for: see lose(). Real-time: yes.
+  /// then damping; after 20 ms requests are refused until update() is called again. Nothing latches
+  /// but what stop() asks for: see lose(). Real-time: yes.
   /// @param age [s] of the newest LowState
   const LowCmd& bridge(double age) noexcept;
   /// The robot was not heard for too long, or what is heard now is another: what was armed damps
