@@ -150,6 +150,28 @@ BOOST_FIXTURE_TEST_CASE(a_robot_that_is_lost_damps_until_it_is_armed_anew, Risin
   BOOST_TEST((supervisor.mode() == Mode::kRise));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_gap_between_reports_is_the_links_to_judge, Rising) {
+  supervisor.count_reports(1.0, 0.0);
+  step(50);  // this program stood still, and the robot went on
+  step();
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kRise));
+  BOOST_TEST(!damping(last));
+}
+
+BOOST_FIXTURE_TEST_CASE(without_a_link_a_gap_latches, Rising) {
+  step(50);
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.reason() == FaultId::kStaleTick));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_loop_of_a_hundred_hertz_may_jitter, Standing) {
+  for (int k = 0; k < 300; ++k) step(9 + k % 4);
+  BOOST_TEST((supervisor.mode() == Mode::kStand), to_string(supervisor.reason()));
+  BOOST_TEST(supervisor.faults().count[static_cast<int>(FaultId::kStaleTick)] == 0U);
+}
+
 BOOST_AUTO_TEST_CASE(one_that_was_never_armed_has_nothing_to_lose) {
   Standing robot(Start::kLying);
   robot.run(0.1);

@@ -101,7 +101,8 @@ class Supervisor {
   /// and latches, and what waits is forgotten. Real-time: yes.
   void lose() noexcept;
   /// Say what the link has counted since the last call, for the arming check kLink: it hears more
-  /// reports than are handed on to update(), whose own count this replaces. Real-time: yes.
+  /// reports than are handed on to update(), whose own count this replaces. Gaps between those are
+  /// then the caller's to judge: lose(). Real-time: yes.
   void count_reports(double come, double missing) noexcept;
 
   /// Ask for a mode: kRise from passive; kSit from rise and stand; kStand while sitting down, to

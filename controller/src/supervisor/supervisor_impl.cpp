@@ -103,8 +103,9 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   // A controller that stands has an attitude of its own, and rates are all that it must have.
   const bool needed = !standing() || has_quaternion(state.imu);
   if (!imu_fits && needed) return FaultId::kAttitude;
-  // Between the last report and this one nobody was there to command.
-  if (active() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
+  // Between the last report and this one nobody was there to command. Who has a link knows better
+  // whether it was the robot that was silent: lose().
+  if (active() && !arming.told() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
   return again && active() ? FaultId::kFrozen : FaultId::kNone;
 }
 
