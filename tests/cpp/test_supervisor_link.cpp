@@ -36,7 +36,9 @@ struct Standing {
   }
   void step(int milliseconds = 2) {
     report.tick += milliseconds;
+    // Sensors are never quite still.
     report.motorState[3].dq = -report.motorState[3].dq;
+    report.imu.gyroscope[2] = -report.imu.gyroscope[2];
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);
   }
@@ -48,14 +50,18 @@ struct Standing {
   LowState report = [this] {
     LowState state = resting_report(robot, 0);
     state.motorState[3].dq = 1e-3F;
+    state.imu.gyroscope[2] = 1e-5F;
     return state;
   }();
   LowCmd last = init_low_cmd();
 };
 
-/// The same, lying as it were: it is armed and on its way up.
+/// The same with its legs apart, as if it lay: it is armed and on its way up.
 struct Rising : Standing {
   Rising() : Standing(Start::kLying) {
+    for (int leg = 0; leg < kLegs; ++leg) {
+      report.motorState[kLegJoints * leg].q += leg % 2 == 0 ? -0.5F : 0.5F;
+    }
     run(1.2);
     supervisor.arm();
     step();
