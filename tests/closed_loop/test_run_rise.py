@@ -19,7 +19,7 @@ IN_20_MS = 10  # commands, at 500 Hz
 
 def rising(wired: Wired) -> None:
     wired.arm()
-    assert wired.runner.request(Mode.RISE) == RequestStatus.ACCEPTED
+    assert wired.request(Mode.RISE) == RequestStatus.ACCEPTED
     assert wired.until(lambda now: now.way_up > 0.3, 15.0), wired.now.phase
 
 
@@ -28,7 +28,7 @@ def test_a_lying_robot_gets_up_is_pushed_and_lies_down(name: str) -> None:
     with Wired(name) as wired:
         wired.arm()
         assert wired.with_torque(since=0) == 0
-        assert wired.runner.request(Mode.RISE) == RequestStatus.ACCEPTED
+        assert wired.request(Mode.RISE) == RequestStatus.ACCEPTED
         assert wired.reaches("standing"), (wired.now.phase, wired.now.damping)
         wired.run(0.5)
         plant, height = wired.robot.plant, wired.robot.height
@@ -37,7 +37,7 @@ def test_a_lying_robot_gets_up_is_pushed_and_lies_down(name: str) -> None:
         wired.run(3.0)
         assert wired.now.phase == "standing" and wired.robot.tilt < np.radians(2.0)
         assert wired.robot.height == pytest.approx(height, abs=0.01)
-        assert wired.runner.request(Mode.SIT) == RequestStatus.ACCEPTED
+        assert wired.request(Mode.SIT) == RequestStatus.ACCEPTED
         assert wired.reaches("passive")
         wired.run(0.5)
         down = len(wired.damped)
@@ -58,21 +58,21 @@ def test_what_is_out_of_order_is_refused_and_moves_nothing() -> None:
         assert runner.request(Mode.RISE) == RequestStatus.NO_STATE
         assert runner.arm() == RequestStatus.NO_STATE
         assert wired.reaches("passive", 1.0)
-        assert runner.arm() == RequestStatus.NOT_READY
+        assert wired.answer(runner.arm) == RequestStatus.NOT_READY
         for mode in (Mode.RISE, Mode.STAND, Mode.SIT):
-            assert runner.request(mode) == RequestStatus.NOT_ARMED
+            assert wired.request(mode) == RequestStatus.NOT_ARMED
         wired.arm()
         for mode in (Mode.STAND, Mode.SIT, Mode.PASSIVE, Mode.DAMPING):
-            assert runner.request(mode) == RequestStatus.OUT_OF_ORDER
+            assert wired.request(mode) == RequestStatus.OUT_OF_ORDER
         wired.run(0.2)
         assert wired.now.phase == "passive" and wired.with_torque(since=0) == 0
-        assert runner.request(Mode.RISE) == RequestStatus.ACCEPTED
+        assert wired.request(Mode.RISE) == RequestStatus.ACCEPTED
         assert wired.reaches("rising", 1.0)
-        assert runner.request(Mode.RISE) == RequestStatus.OUT_OF_ORDER
-        assert runner.arm() == RequestStatus.OUT_OF_ORDER
+        assert wired.request(Mode.RISE) == RequestStatus.OUT_OF_ORDER
+        assert wired.answer(runner.arm) == RequestStatus.OUT_OF_ORDER
         runner.damp()
         assert wired.reaches("damping", 1.0)
-        assert runner.request(Mode.RISE) == RequestStatus.LATCHED
+        assert wired.request(Mode.RISE) == RequestStatus.LATCHED
 
 
 @pytest.mark.parametrize("end", [False, True])
@@ -106,8 +106,8 @@ def test_silence_in_a_rise_damps_and_latches() -> None:
         wired.port.cut = False
         wired.run(0.2)
         assert (wired.now.phase, wired.now.damping) == ("damping", FaultId.LINK)
-        assert wired.runner.arm() == RequestStatus.NOT_READY
-        assert wired.runner.request(Mode.SIT) == RequestStatus.LATCHED
+        assert wired.answer(wired.runner.arm) == RequestStatus.NOT_READY
+        assert wired.request(Mode.SIT) == RequestStatus.LATCHED
         wired.arm()
         assert wired.now.phase == "passive" and wired.now.rearms == 1
         assert wired.with_torque(since=before) == 0

@@ -137,6 +137,18 @@ def test_what_keeps_it_from_being_armed_is_said_check_by_check() -> None:
     assert run.returncode == 3 and "rising" not in out
 
 
+def test_a_robot_in_the_air_comes_back_down_and_never_stood() -> None:
+    robot, port = start("--hung")
+    run = controller(port, "--rise", "--yes", "--duration", "1")
+    out, _ = run.communicate(timeout=60)
+    robot.kill()
+    robot.wait(timeout=20)
+    assert run.returncode == 3, out
+    phases = re.findall(r"s (passive|rising|standing|sitting|ended)$", out, re.MULTILINE)
+    assert phases == ["passive", "rising", "sitting", "passive", "ended"]
+    assert out.count("fault hanging") == 1
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

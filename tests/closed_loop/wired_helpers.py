@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 
 import numpy as np
-from surefoot import RequestStatus, RunOptions, RunSnapshot, StandRunner, Start
+from surefoot import Mode, RequestStatus, RunOptions, RunSnapshot, StandRunner, Start
 from surefoot.sim.wire import Command
 from surefoot.virtual_robot import UdpPort, VirtualRobot, VirtualRobotSettings
 from surefoot.virtual_robot.clock import RealTime
@@ -87,10 +87,21 @@ class Wired:
     def reaches(self, phase: str, seconds: float = 15.0) -> bool:
         return self.until(lambda now: now.phase == phase, seconds)
 
+    def answer(self, ask: Callable[[], RequestStatus]) -> RequestStatus:
+        """Ask while the robot is heard: its reports come in cycle() alone."""
+        for _ in range(100):
+            self.run(0.01)
+            if (answer := ask()) != RequestStatus.NO_STATE:
+                break
+        return answer
+
+    def request(self, mode: Mode) -> RequestStatus:
+        return self.answer(lambda: self.runner.request(mode))
+
     def arm(self) -> None:
         ready = self.until(lambda now: now.arming.ready, 5.0)
         assert ready, self.now.arming.failures(self.robot.plant.robot)
-        assert self.runner.arm() == RequestStatus.ACCEPTED
+        assert self.answer(self.runner.arm) == RequestStatus.ACCEPTED
         assert self.until(lambda now: now.armed, 1.0)
 
     def with_torque(self, since: int) -> int:

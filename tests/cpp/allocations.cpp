@@ -124,6 +124,9 @@ Supervised supervise(const Robot& robot) {
     if (mode == Mode::kPassive) supervisor.request(Mode::kRise);
     if (mode == Mode::kStand && tick % 700 == 0) supervisor.request(Mode::kSit);
     if (tick % 9000 == 0) supervisor.stop();
+    if (tick % 300 == 7) supervisor.bridge(0.004);
+    if (tick % 12000 == 11) supervisor.lose();
+    supervisor.count_reports(1.0, 0.0);
   }
   seen.allocations = bench::heap_allocations() - allocations_before;
   seen.exceptions = exceptions - exceptions_before;

@@ -30,11 +30,11 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
 BOOST_AUTO_TEST_CASE(a_broken_stick_centres_all_and_leaves_the_buttons) {
   for (const float broken : {NAN, INFINITY, 1.2F, -3.0F}) {
     WirelessRemote remote;
-    remote.buttons = static_cast<std::uint16_t>(kDampingButton);
+    remote.buttons = static_cast<std::uint16_t>(Button::kB);
     remote.ly = 0.5F;
     remote.rx = broken;
     const WirelessRemote read = decode_wireless_remote(encode_wireless_remote(remote));
-    BOOST_TEST(read.pressed(kDampingButton));
+    BOOST_TEST(read.pressed(Button::kB));
     BOOST_TEST(read.ly == 0.0F);
     BOOST_TEST(read.rx == 0.0F);
   }

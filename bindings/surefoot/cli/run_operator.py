@@ -60,23 +60,33 @@ class Operator:
 
 
 class UnaskedRise:
-    """Arms and rises once, as soon as all checks pass; nothing is armed again after a latch.
+    """Arms and rises once, as soon as all checks pass, and ends a run that does not come to stand.
+
+    Nothing is armed again after a latch.
 
     Args:
         runner: Is asked.
     """
 
     def __init__(self, runner: StandRunner) -> None:
-        self._runner, self._done = runner, False
+        self._runner = runner
+        self._asked = self._rising = False
 
     def look(self, now: RunSnapshot) -> None:
         """Ask for what is next."""
-        if self._done or now.mode != Mode.PASSIVE or not now.arming.ready:
+        self._rising |= now.mode == Mode.RISE
+        if now.mode != Mode.PASSIVE:
             return
+        if self._rising and not now.stood:
+            self._runner.finish()
+        elif not self._asked and now.arming.ready:
+            self._ask(now)
+
+    def _ask(self, now: RunSnapshot) -> None:
         if not now.armed:
             self._runner.arm()
         else:
-            self._done = self._runner.request(Mode.RISE) == RequestStatus.ACCEPTED
+            self._asked = self._runner.request(Mode.RISE) == RequestStatus.ACCEPTED
 
 
 class Readiness:

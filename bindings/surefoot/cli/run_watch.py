@@ -78,7 +78,6 @@ class _Watch:
         """Look at keys and loop; return whether a status line was due."""
         self._operator.look(now)
         self._notices.look(now)
-        self._faults.look(now)
         self._say_counts(now)
         if now.phase != self._phase and now.time > 0.0:
             if not self._phase:
@@ -86,6 +85,7 @@ class _Watch:
             self._phase = now.phase
             why = f": {why_damped(now)}; a + Enter arms again" if now.phase == "damping" else ""
             self._say(f"{now.time:7.2f} s {now.phase}{why}")
+        self._faults.look(now)
         due = time.monotonic() - self._said > _LINE
         if due:
             self._said = time.monotonic()

@@ -14,7 +14,7 @@ namespace surefoot {
 struct RunOptions {
   double rate = 500.0;  ///< [Hz] of the control loop
   double duration =
-      std::numeric_limits<double>::infinity();  ///< [s] from when it stands first; then finish()
+      std::numeric_limits<double>::infinity();  ///< [s] of standing, from the first; then finish()
   int power_level = 1;             ///< of Safety::power_protect(), 1 .. 10; 0 switches it off
   bool remote = true;              ///< sticks move the body, a button damps
   double patience = 5.0;           ///< [s] to wait for the first valid LowState

@@ -93,15 +93,16 @@ class Supervisor {
   const LowCmd& update(const LowState& low_state) noexcept;
 
   /// Go on for a period that brought no LowState: the last command while it is no older than 10 ms,
-  /// then damping; requests are refused until update() is called again. Nothing latches but what
-  /// stop() asks for: see lose(). Real-time: yes.
+  /// then damping; after 20 ms requests are refused until update() is called again. Nothing latches
+  /// but what stop() asks for: see lose(). Real-time: yes.
   /// @param age [s] of the newest LowState
   const LowCmd& bridge(double age) noexcept;
   /// The robot was not heard for too long, or what is heard now is another: what was armed damps
   /// and latches, and what waits is forgotten. Real-time: yes.
   void lose() noexcept;
   /// Say what the link has counted since the last call, for the arming check kLink: it hears more
-  /// reports than are handed on to update(), whose own count this replaces. Real-time: yes.
+  /// reports than are handed on to update(), whose own count this replaces. Gaps between those are
+  /// then the caller's to judge: lose(). Real-time: yes.
   void count_reports(double come, double missing) noexcept;
 
   /// Ask for a mode: kRise from passive; kSit from rise and stand; kStand while sitting down, to

@@ -56,7 +56,7 @@ void StandLoop::tick(double time, double elapsed) noexcept {
   } else {
     wait_for_robot();
   }
-  const bool over = stands_since_ >= 0.0 && time - stands_since_ > options_.duration;
+  const bool over = counts_from_ >= 0.0 && time - counts_from_ > options_.duration;
   if (over) finish();
   if (finish_.load() && !ended()) sit_down_and_end();
 }
@@ -149,10 +149,10 @@ void StandLoop::watch() noexcept {
     ++now_.dampings;
   }
   now_.rearms += before == Mode::kDamping && now_.mode != Mode::kDamping;
-  if (now_.mode == Mode::kStand && before != Mode::kStand) {
-    asked_ = {};
-    if (stands_since_ < 0.0) stands_since_ = now_.time;
-  }
+  if (now_.mode == Mode::kStand && before != Mode::kStand) asked_ = {};
+  now_.stood = now_.stood || now_.mode == Mode::kStand;
+  const bool begun = now_.stood || options_.start == Start::kStanding;
+  if (begun && counts_from_ < 0.0) counts_from_ = now_.time;
   news_ = news_ || phase != now_.phase;
   now_.phase = phase;
 }
@@ -251,7 +251,6 @@ const RunSnapshot& StandLoop::describe() noexcept {
   now_.arming = supervisor_.arming();
   now_.faults = supervisor_.faults();
   now_.armed = supervisor_.armed();
-  now_.stood = stands_since_ >= 0.0;
   now_.stuck = supervisor_.stuck();
   now_.way_up = supervisor_.height();
   now_.refused_rearms = refused_.load();

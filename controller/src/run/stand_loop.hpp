@@ -73,7 +73,7 @@ class StandLoop {
   bool silent_ = false;                // the robot is; it may yet be forgiven
   RunReason lost_ = RunReason::kNone;  // why, when the supervisor damps for a lost link
   RunSnapshot now_;
-  double stands_since_ = -1.0;             // [s] when it stood first; negative: it has not
+  double counts_from_ = -1.0;              // [s] when the duration began; negative: it has not
   std::uint64_t restarts_ = 0;             // of the robot, that were taken in
   std::uint64_t valid_ = 0, missing_ = 0;  // reports that the supervisor was told of
   bool news_ = false;

@@ -24,7 +24,8 @@ class TickClock {
   void reset() noexcept { *this = TickClock(); }
 
   static constexpr double kMaxStep = 0.010;  ///< [s] a longer gap is integrated as this
-  static constexpr double kLeap = 0.010;     ///< [s] no command lives longer than that anyway
+  /// [s] A period of 10 ms and its jitter; no command lives much longer anyway.
+  static constexpr double kLeap = 0.015;
 
  private:
   bool started_ = false;

@@ -24,6 +24,7 @@ class Arming {
   void update(const LowState& state, double step) noexcept;
   /// What a link has counted since the last call; from then on these count, not the steps.
   void count(double come, double missing) noexcept;
+  bool told() const noexcept { return told_; }
   /// A call that brought no new report, or an impossible one.
   void missed() noexcept;
   /// The report just judged is no good for reasons of its own.

@@ -102,8 +102,9 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   if (!joints_fit) return FaultId::kJointJump;
   // A controller that stands has an attitude of its own, and rates are all that it must have.
   if (!imu.rates_fit() || !(imu.attitude_fits() || standing())) return FaultId::kAttitude;
-  // Between the last report and this one nobody was there to command.
-  if (active() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
+  // Between the last report and this one nobody was there to command. Who has a link knows better
+  // whether it was the robot that was silent: lose().
+  if (active() && !arming.told() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
   return repeated.too_old() && active() ? FaultId::kFrozen : FaultId::kNone;
 }
 

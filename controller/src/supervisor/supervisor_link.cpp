@@ -10,7 +10,7 @@ const LowCmd& Supervisor::Impl::bridge(double age) noexcept {
     latch(FaultId::kStop);
   }
   fresh = false;
-  if (age > kHoldTime) now.seen = false;
+  if (age > kStaleTime) now.seen = false;
   publish();
   const bool moving = active() || fade.moving();
   return moving && age <= kHoldTime ? keeper.last() : keeper.accept(damping_low_cmd(damping_kd));

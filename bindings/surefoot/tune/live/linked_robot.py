@@ -75,7 +75,7 @@ class LinkedRobot:
         if not self._process.is_alive() and report.phase != "ended":
             return f"{self._place}: the control process has ended"
         why = f": {report.reason}" if report.reason else ""
-        how = "; Re-arm stands it up" if report.phase == "damping" else ""
+        how = "; Re-arm stands it up" if report.phase in ("damping", "passive") else ""
         if report.phase == "damping" and report.refused > self._refused:
             how = "; not re-armed, for no LowState comes"
         return f"{self._place}: {report.phase}{why}{how}"

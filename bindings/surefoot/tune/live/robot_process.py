@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from surefoot._core import (
     Error,
+    Mode,
     RunOptions,
     RunSnapshot,
     StandRunner,
@@ -58,7 +59,7 @@ class Report:
     """What the runner says of itself.
 
     Attributes:
-        phase: "waiting", "standing", "damping" or "ended".
+        phase: A RunSnapshot's: "standing" where all is well.
         reason: Of the damping; while waiting, why what has come was not taken.
         q: (nq,) Pinocchio's, estimated; None before the robot has spoken.
         forces: (3, 4) that the program asks of the feet, world axes [N].
@@ -148,7 +149,11 @@ def _obey(pipe: Connection, runner: StandRunner) -> bool:
     elif word == "damp":
         runner.damp()
     elif word == "rearm":
-        runner.rearm()
+        # One that a fault has made sit down is armed still.
+        if runner.snapshot().mode == Mode.PASSIVE:
+            runner.request(Mode.RISE)
+        else:
+            runner.rearm()
     return bool(word != "stop")
 
 
