@@ -36,7 +36,7 @@ def test_the_short_form_passes(robot: str) -> None:
 
 def test_processes_find_what_one_finds() -> None:
     only = ("nan_in_state/garbage/lying", "emergency_stop/wrong/rising")
-    alone, together = (run_faults(FaultSettings("go1", 0, jobs, only)) for jobs in (1, 2))
+    alone, together = (run_faults(FaultSettings("go1", 1, jobs, only)) for jobs in (1, 2))
     assert alone == together
 
 
@@ -75,7 +75,9 @@ def test_every_fault_that_is_told_is_injected() -> None:
     expected = {cell.expect.fault for cell in choose_cells()}
     expected |= {cell.expect.unless for cell in choose_cells()}
     missing = {info.name for info in surefoot.fault_table()} - expected
-    assert missing == {"slip"}  # a slip of one foot is nothing that an injection can ask for
+    # None of these can be asked for alone: an angle beyond its stop has jumped there, a shove may
+    # trip the power protection first, and the link's own state is known to surefoot run alone.
+    assert missing == {"slip", "tilt", "joint_stop", "link"}
 
 
 def test_the_command_lists_and_refuses(capsys: pytest.CaptureFixture[str]) -> None:

@@ -42,6 +42,11 @@ WATCH = Expectation(Reaction.WATCH)
 REFUSE = Expectation(Reaction.REFUSE, 0.020)
 
 
+def damp(within: float) -> Expectation:
+    """Return that the motors damp within a time [s], for whichever fault is seen first."""
+    return Expectation(Reaction.DAMP, within)
+
+
 def refuse(within: float) -> Expectation:
     """Return that arming and rising are refused within a time [s]."""
     return Expectation(Reaction.REFUSE, within)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from surefoot.faults import setup_faults as setup
 from surefoot.faults.case import STANDING, UP, Row, case
-from surefoot.faults.reaction import WATCH, as_table, refuse
+from surefoot.faults.reaction import WATCH, as_table, damp, refuse
 from surefoot.faults.world_faults import Hand, Shove
 
 RISING, LYING = ("rising",), ("lying",)
+DOWN = damp(as_table("tilt").within)  # a shove may trip the power protection before it tilts it
 LANDING_LEVEL = 10  # of the power protection: a landing takes power
 
 MODEL = (
@@ -85,7 +86,7 @@ FALLS = (
                 "wrong",
                 "it is rolled over",
                 lambda: Shove(4.0, 1.0, until_down=True),
-                as_table("tilt"),
+                DOWN,
                 modes=UP,
             ),
         ),
@@ -98,7 +99,7 @@ FALLS = (
                 "wrong",
                 "a push of twice what it survives",
                 lambda: Shove(2.0, 0.0, until_down=True),
-                as_table("tilt"),
+                DOWN,
                 modes=STANDING,
             ),
         ),

@@ -42,7 +42,14 @@ ROWS = (
         "gyroscope or accelerometer are biased",
         (
             case("wrong", "gyroscope 0.02 rad/s", lambda: _gyroscope(0.02), WATCH, WATCH),
-            case("wrong", "gyroscope 0.1 rad/s", lambda: _gyroscope(0.1), WATCH, SLOW_REFUSAL),
+            case(
+                "wrong",
+                "gyroscope 0.1 rad/s",
+                lambda: _gyroscope(0.1),
+                NO_RATE,
+                SLOW_REFUSAL,
+                rising=NO_RATE_LATER,
+            ),
             case("wrong", "acceleration 0.2 m/s2", lambda: _accelerometer(0.2, 0.0), WATCH, WATCH),
             case(
                 "wrong",
@@ -91,9 +98,8 @@ ROWS = (
                 "garbage",
                 "rates anything up to 10 rad/s",
                 lambda: Signal("gyroscope", inject.garbage(10.0)),
-                NO_RATE,
+                as_table("attitude"),
                 SLOW_REFUSAL,
-                rising=NO_RATE_LATER,
             ),
             case(
                 "off",

@@ -20,7 +20,7 @@ ROWS = (
                 "wrong",
                 "a knee says 0.3 rad beyond its stop",
                 lambda: Outside(0.3, KNEE, True),
-                as_table("joint_stop"),
+                as_table("joint_jump"),
             ),
             case(
                 "intermittent",

@@ -5,10 +5,16 @@ from __future__ import annotations
 from surefoot.faults import clock_faults as clock
 from surefoot.faults import link_faults as link
 from surefoot.faults.case import Row, case
+from surefoot.faults.fault import Fault
 from surefoot.faults.reaction import WATCH, as_table, refuse
 
 STALE = as_table("stale_tick")
 SLOW = refuse(0.5)  # until 1 % of the reports is missing
+
+
+def _suspended() -> Fault:
+    return clock.Suspended(250)
+
 
 LINK = (
     Row(

@@ -41,7 +41,7 @@ ROWS = (
                 "wrong",
                 "a hip says 0.2 rad outside",
                 lambda: Outside(0.2, 3, False),
-                as_table("joint_stop"),
+                as_table("joint_jump"),
             ),
         ),
     ),
