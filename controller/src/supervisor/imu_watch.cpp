@@ -26,11 +26,13 @@ void ImuWatch::update(const IMU& imu, double step, bool anew) noexcept {
   const double angle = w.norm() * step;
   if (angle > 0.0) R_ = R_ * Quaternion(Eigen::AngleAxisd(angle, w.normalized()));
   against_ += step;
+  const bool before = attitude_fits_;
   attitude_fits_ = has_quaternion(imu);
   if (attitude_fits_) {
     const Quaternion now = Quaternion(q[0], q[1], q[2], q[3]).normalized();
     const Eigen::AngleAxisd turned(last_.conjugate() * now);
-    const bool timed = started_ && step > 0.0;
+    // From one attitude to the next, both believed; across a jump there is no rate.
+    const bool timed = started_ && before && step > 0.0;
     const Vector3 w_attitude = timed ? Vector3(turned.angle() / step * turned.axis()) : w;
     last_ = now;
     attitude_fits_ = !started_ || against_ >= kForget || follows(now, w);
