@@ -94,6 +94,7 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
 void follow(const LowCmd& command, const LowState& standing, LowState& report) {
   report.tick += 2;
   report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
+  report.imu.accelerometer[0] = report.imu.gyroscope[2];
   for (int i = 0; i < kMotors; ++i) {
     const MotorCmd& motor = command.motorCmd[i];
     MotorState& joint = report.motorState[i];

@@ -33,6 +33,7 @@ enum class FaultId : int {
   kTemperature,       ///< a motor is hot: its torque is derated, then the robot sits down
   kJointStop,         ///< a joint is beyond its stop
   kPower,             ///< the power protection tripped
+  kTorqueRate,        ///< torques were asked to jump
   kController,        ///< the StandController gave up: stand().fault()
   kHanging,           ///< on its way up the legs bear nothing
   kBattery,           ///< low

@@ -37,11 +37,15 @@ double TickClock::advance(std::uint32_t tick) noexcept {
   leapt_ = false;
   gap_ = std::max(gap_, step);
   last_ = tick;
-  previous_step_ = step_;
-  step_ = std::min(step, kMaxStep);
+  steps_[next_] = std::min(step, kMaxStep);
+  next_ = (next_ + 1) % static_cast<int>(steps_.size());
   return step;
 }
 
-double TickClock::period() const noexcept { return std::max(step_, previous_step_); }
+double TickClock::period() const noexcept {
+  std::array<double, 4> steps = steps_;
+  std::sort(steps.begin(), steps.end());
+  return steps[2];
+}
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace surefoot {
@@ -17,8 +18,9 @@ class TickClock {
   /// What advance() just told, before it was cut down to kMaxStep: how long no good tick came [s].
   double gap() const noexcept { return gap_; }
 
-  /// The longer of the last two steps [s], at most kMaxStep: what a tick that tells no time is
-  /// taken to last. Reports may jitter; an old command must not live longer for it.
+  /// What a tick that tells no time is taken to last [s], at most kMaxStep: the second longest of
+  /// the last four steps. Reports may jitter, and an old command must not live longer for it; but
+  /// one that was lost must not make the next age twice as fast.
   double period() const noexcept;
 
   void reset() noexcept { *this = TickClock(); }
@@ -33,7 +35,8 @@ class TickClock {
   std::uint32_t last_ = 0;
   std::uint32_t leap_ = 0;
   double gap_ = 0.0;
-  double step_ = 0.002, previous_step_ = 0.002;
+  std::array<double, 4> steps_ = {0.002, 0.002, 0.002, 0.002};
+  int next_ = 0;
 };
 
 }  // namespace surefoot

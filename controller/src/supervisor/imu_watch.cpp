@@ -44,6 +44,8 @@ void ImuWatch::update(const IMU& imu, double step, bool anew) noexcept {
     }
   }
   judge_rates(w, step, anew);
+  const std::array<float, 3> a = imu.accelerometer;
+  judge_accelerometer(Vector3(a[0], a[1], a[2]), step, anew);
 }
 
 bool ImuWatch::follows(const Quaternion& attitude, const Vector3& w) const noexcept {
@@ -57,6 +59,11 @@ void ImuWatch::judge_rates(const Vector3& w, double step, bool anew) noexcept {
   const bool away = away_.update(off_.norm() > kOff, step, kPatience);
   gyroscope_bad_ = held || clipped || away;
   w_last_ = w;
+}
+
+void ImuWatch::judge_accelerometer(const Vector3& a, double step, bool anew) noexcept {
+  accelerometer_bad_ = a_held_.update(a == a_last_, anew ? step : 0.0, kPatience);
+  a_last_ = a;
 }
 
 }  // namespace surefoot

@@ -18,9 +18,12 @@ class ImuWatch {
   bool attitude_fits() const noexcept { return attitude_fits_; }
   /// Has the gyroscope stopped, clipped, or gone its own way for long? Of the last update.
   bool gyroscope_bad() const noexcept { return gyroscope_bad_; }
+  /// Has the accelerometer stopped?
+  bool accelerometer_bad() const noexcept { return accelerometer_bad_; }
 
  private:
   void judge_rates(const Vector3& w, double step, bool anew) noexcept;
+  void judge_accelerometer(const Vector3& a, double step, bool anew) noexcept;
   bool follows(const Quaternion& attitude, const Vector3& w) const noexcept;
 
   Quaternion R_ = Quaternion::Identity();     // world to IMU, carried on by the gyroscope
@@ -29,7 +32,9 @@ class ImuWatch {
   Vector3 off_ = Vector3::Zero();             // [rad/s] gyroscope less attitude's rate, smoothed
   double against_ = 0.0;                      // [s] since the attitude was last believed
   bool started_ = false, gyroscope_bad_ = false, rates_fit_ = true, attitude_fits_ = true;
-  Lasting held_, clipped_, away_;
+  Vector3 a_last_ = Vector3::Zero();  // [m/s^2]
+  bool accelerometer_bad_ = false;
+  Lasting held_, clipped_, away_, a_held_;
 };
 
 }  // namespace surefoot

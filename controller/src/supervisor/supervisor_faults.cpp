@@ -25,6 +25,7 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
     sensors.reset(log);
   }
   if (!imu.attitude_fits()) log.set(FaultId::kQuaternion, true);
+  if (imu.accelerometer_bad()) log.set(FaultId::kAccelerometer, true);
   if (imu.gyroscope_bad()) log.set(FaultId::kGyroscope, true);
   judge_tilt(state);
   judge_rest(state, dt);

@@ -33,6 +33,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       safety(r),
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
       sensors(o.payload_limit),
+      rate(r.config().tau_max),
       damping_kd(gains.damping_kd) {
   now.trusted = o.start == Start::kStanding;
   publish();
@@ -56,6 +57,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   }
   const LowCmd* out = nullptr;
   if (!active() && !fade.moving()) {
+    rate.rest();
     out = &keeper.accept(damping_low_cmd(damping_kd));
   } else if (good) {
     out = &command(state, dt);
@@ -74,6 +76,13 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
   bad = step < 0.0 ? FaultId::kStaleTick : find_bad(state, step);
   if (bad != before) log.set(before, false);
   if (bad != FaultId::kNone) log.set(bad, true);
+  // Who lies and was not heard for long, or began anew, may be another one than was armed.
+  const double since = 1e-3 * std::abs(static_cast<std::int32_t>(state.tick - last_tick));
+  if (now.seen && !active() && !arming.told() && since > kStaleTime) {
+    now.armed = false;
+    arming.distrust();
+  }
+  last_tick = state.tick;
   if (step < 0.0) {
     arming.missed();
     // Nothing hangs on its time now: a robot that began anew is taken as it is.
@@ -131,6 +140,7 @@ void Supervisor::Impl::take_over() noexcept {
   motors.reset();
   now.mode = Mode::kStand;
   now.armed = true;
+  rate.forget();
   fade.jump(Source::kProgram);
 }
 
@@ -141,6 +151,7 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   now.armed = now.ready = false;
   arming.distrust();  // what it was before it was let go of says nothing: the second begins anew
   fade.jump(Source::kDamping);
+  rate.rest();
   safety.reset();
   reason = why;
 }
@@ -174,6 +185,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     latch(why);
     return keeper.accept(damping_low_cmd(damping_kd));
   }
+  log.set(FaultId::kTorqueRate, rate.limit(drive.tau, clock.period()));
   LowCmd command = init_low_cmd();
   for (int i = 0; i < kMotors; ++i) {
     MotorCmd& motor = command.motorCmd[i];

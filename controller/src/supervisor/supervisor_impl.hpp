@@ -16,6 +16,7 @@
 #include "supervisor/requests.hpp"
 #include "supervisor/sensor_faults.hpp"
 #include "supervisor/torque_fade.hpp"
+#include "supervisor/torque_rate.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/supervisor.hpp"
 
@@ -79,7 +80,9 @@ struct Supervisor::Impl {
   FaultLog log;
   MotorFaults motors;
   SensorFaults sensors;
+  TorqueRate rate;
   RepeatedReport repeated;
+  std::uint32_t last_tick = 0;
   ImuWatch imu;
   JointWatch joints;
   Lasting battery;

@@ -72,6 +72,8 @@ void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
   } else if (motion.arrived() && springs.borne(state) < kBorne) {
     log.set(FaultId::kHanging, true);
     enter(Mode::kSit);
+  } else if (motion.arrived() && imu.accelerometer_bad()) {
+    enter(Mode::kSit);  // an estimator has nothing to begin with
   } else if (motion.arrived()) {
     stand.reset();
     now.mode = Mode::kStand;
