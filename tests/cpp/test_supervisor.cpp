@@ -52,6 +52,7 @@ struct AtRest {
   void step() {
     report.tick += 2;
     report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
+    report.imu.accelerometer[1] = report.imu.gyroscope[2];
     report.motorState[3].dq = report.tick % 4 == 0 ? 1e-3F : -1e-3F;
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);

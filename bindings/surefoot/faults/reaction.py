@@ -68,6 +68,11 @@ def as_table(fault: str, later: float = 0.0) -> Expectation:
     return replace(row, within=row.within + later)
 
 
+def sits(fault: str, later: float = 0.0) -> Expectation:
+    """Return that it sits down for a fault that a robot which stands already goes on with."""
+    return replace(as_table(fault, later), reaction=Reaction.SIT)
+
+
 def _row(fault: str) -> Expectation:
     for info in fault_table():
         if info.name == fault:

@@ -29,10 +29,13 @@ class RepeatedReport {
   }
   /// Is what the last report says too old to be acted upon?
   bool too_old() const noexcept { return same_for_ >= kPatience - 1e-9; }
+  /// Have the sensors stopped? No robot measures at less than 50 Hz.
+  bool stopped() const noexcept { return same_for_ >= kStopped; }
   /// Was the last report the same as the one before it?
   bool repeats() const noexcept { return same_for_ > 0.0; }
 
  private:
+  static constexpr double kStopped = 0.022;  // [s]
   using Words = Eigen::Matrix<float, 42, 1>;
   Words words_ = Words::Constant(NAN);
   double same_for_ = 0.0;  // [s]

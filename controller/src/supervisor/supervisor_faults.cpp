@@ -67,7 +67,9 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);
   // d(up)/dt = up x w; the tilt grows as its z falls.
   const double rate = -up.cross(w).z() / sine;
-  log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + kForesight * rate > most));
+  // While legs fold the body lies, and may roll off one.
+  const double ahead = standing() || folded ? kForesight : 0.0;
+  log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
 
 void Supervisor::Impl::react() noexcept {

@@ -89,7 +89,7 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
     if (!active()) clock.reset();
   } else {
     arming.update(state, step);
-    if (bad != FaultId::kNone || repeated.too_old()) arming.distrust();
+    if (bad != FaultId::kNone || repeated.stopped()) arming.distrust();
   }
   if (bad == FaultId::kNone) {
     if (has_quaternion(state.imu)) springs.read(state);

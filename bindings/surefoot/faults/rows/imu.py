@@ -5,12 +5,13 @@ from __future__ import annotations
 from surefoot.faults import injections as inject
 from surefoot.faults.case import Row, case
 from surefoot.faults.fault import Fault, Together
-from surefoot.faults.reaction import WATCH, as_table, refuse
+from surefoot.faults.reaction import WATCH, as_table, refuse, sits
 from surefoot.faults.signals import Signal
 
 RISE = 6.0  # [s] what is seen while standing may wait so long
 NO_RATE, NO_RATE_LATER = as_table("gyroscope"), as_table("gyroscope", RISE)
 NO_ACCELERATION = as_table("accelerometer")
+NOTHING_TO_BEGIN_WITH = sits("accelerometer", RISE)
 SLOW_REFUSAL = refuse(0.5)  # of what is averaged
 some = inject.intermittent
 
@@ -107,7 +108,7 @@ ROWS = (
                 "accelerations zero",
                 lambda: Signal("accelerometer", inject.off),
                 NO_ACCELERATION,
-                rising=WATCH,
+                rising=NOTHING_TO_BEGIN_WITH,
             ),
             case(
                 "stuck",
@@ -115,7 +116,7 @@ ROWS = (
                 lambda: Signal("accelerometer", inject.stuck()),
                 NO_ACCELERATION,
                 WATCH,
-                WATCH,
+                NOTHING_TO_BEGIN_WITH,
             ),
             case(
                 "delayed",
