@@ -23,7 +23,11 @@ void Supervisor::Impl::lose() noexcept {
   }
   requests.take();
   arming.distrust();
+  // What was before says nothing of what comes.
   clock.reset();
+  joints = {};
+  imu = {};
+  repeated = {};
   now.seen = now.ready = fresh = false;
   publish();
 }
