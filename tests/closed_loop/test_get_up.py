@@ -207,3 +207,37 @@ def test_a_stop_damps_at_once_and_until_it_is_armed_again(mode: Mode, how: str) 
     assert robot.supervisor.mode == Mode.DAMPING
     robot.arm()
     assert robot.supervisor.mode == Mode.PASSIVE
+
+
+class Spoiler(surefoot.Task):
+    """A task that asks for nothing, or for what is no number."""
+
+    spoils = False
+
+    def rows(self) -> int:
+        return 1
+
+    def write(self, state: surefoot.RobotState, rows: surefoot.TaskRows) -> bool:
+        rows.A_a[:] = 0.0
+        rows.A_f[:] = 0.0
+        rows.weight[:] = 1.0
+        rows.b[:] = np.nan if self.spoils else 0.0
+        return True
+
+
+def test_a_controller_that_gave_up_begins_anew_after_arming() -> None:
+    robot, spoiler = Watched("go1", 1), Spoiler()
+    robot.supervisor.stand.add_task(spoiler)
+    robot.arm()
+    robot.ask(Mode.RISE)
+    assert robot.reaches(Mode.STAND, 12.0)
+    robot.run(0.5)
+    spoiler.spoils = True
+    assert robot.run(0.02, lambda: robot.supervisor.mode == Mode.DAMPING)
+    assert robot.supervisor.reason == FaultId.CONTROLLER
+    assert damped(robot.command)
+    spoiler.spoils = False
+    robot.run(2.0)
+    robot.arm()
+    robot.ask(Mode.RISE)
+    assert robot.reaches(Mode.STAND, 15.0), robot.supervisor.reason

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a report is worth.
+#include <cstdlib>
+
+#include "low_state_check.hpp"
+#include "supervisor/supervisor_impl.hpp"
+
+namespace surefoot {
+
+bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
+  const FaultId before = bad;
+  bad = step < 0.0 ? FaultId::kStaleTick : find_bad(state, step);
+  if (bad != before) log.set(before, false);
+  if (bad != FaultId::kNone) log.set(bad, true);
+  // Who lies and was not heard for long, or began anew, may be another one than was armed.
+  const double since = 1e-3 * std::abs(static_cast<std::int32_t>(state.tick - last_tick));
+  if (now.seen && !active() && !now.trusted && !arming.told() && since > kStaleTime) {
+    now.armed = false;
+    arming.distrust();
+  }
+  last_tick = state.tick;
+  if (step < 0.0) {
+    arming.missed();
+    // Nothing hangs on its time now: a robot that began anew is taken as it is.
+    if (!active()) clock.reset();
+  } else {
+    arming.update(state, step);
+    if (bad != FaultId::kNone || repeated.stopped()) arming.distrust();
+  }
+  if (bad == FaultId::kNone) {
+    if (has_quaternion(state.imu)) springs.read(state);
+    now.seen = true;
+  }
+  now.must_sit = log.first(FaultReaction::kSit) != FaultId::kNone;
+  now.ready = arming.report().ready && !now.must_sit;
+  return bad == FaultId::kNone;
+}
+
+// What makes a report nothing to act upon.
+FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept {
+  repeated.update(state, step);
+  const Status status = check_low_state(state, robot.config());
+  if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
+  if (status != Status::kOk) return FaultId::kStateImplausible;
+  const bool joints_fit = joints.update(state, step);
+  imu.update(state.imu, step, !repeated.repeats());
+  if (!joints_fit) return FaultId::kJointJump;
+  // A controller that stands has an attitude of its own, and rates are all that it must have.
+  if (!imu.rates_fit() || !(imu.attitude_fits() || standing())) return FaultId::kAttitude;
+  // Between the last report and this one nobody was there to command. Who has a link knows better
+  // whether it was the robot that was silent: lose().
+  if (active() && !arming.told() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
+  return repeated.too_old() && active() ? FaultId::kFrozen : FaultId::kNone;
+}
+
+}  // namespace surefoot
