@@ -43,16 +43,16 @@ void bind_enums(nb::module_& m) {
 }
 
 void bind_faults(nb::module_& m) {
-  nb::enum_<FaultReaction> reaction(m, "FaultReaction", "What is done about a fault.");
-  for (const FaultReaction value :
-       {FaultReaction::kNone, FaultReaction::kWatch, FaultReaction::kDegrade, FaultReaction::kSit,
-        FaultReaction::kDamp}) {
-    reaction.value(upper(to_string(value)).c_str(), value);
-  }
+  nb::enum_<FaultReaction>(m, "FaultReaction", "What is done about a fault.")
+      .value("NONE", FaultReaction::kNone, "Nothing: there is no fault.")
+      .value("WATCH", FaultReaction::kWatch, "It is said and counted.")
+      .value("DEGRADE", FaultReaction::kDegrade, "The robot goes on with what is left.")
+      .value("SIT", FaultReaction::kSit, "It sits down, and stays so while the fault lasts.")
+      .value("DAMP", FaultReaction::kDamp, "The motors brake, latched until arm().");
   nb::enum_<FaultId> id(m, "FaultId", "What can be wrong; fault_table() says more.");
-  for (int k = 0; k < kFaults; ++k) {
-    const auto value = static_cast<FaultId>(k);
-    id.value(upper(to_string(value)).c_str(), value);
+  id.value("NONE", FaultId::kNone, "Nothing.");
+  for (const FaultInfo& info : fault_table()) {
+    id.value(upper(to_string(info.id)).c_str(), info.id, std::string(info.meaning).c_str());
   }
   nb::class_<FaultInfo>(m, "FaultInfo", "One row of fault_table().")
       .def_ro("id", &FaultInfo::id)

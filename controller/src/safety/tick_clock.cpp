@@ -8,6 +8,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kRounding = 1e-9;  // [s]
+constexpr double kPeriods = 5.0;    // that a step may last
 
 // Unsigned subtraction wraps as the counter does; read as signed, half the range is the past.
 double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
@@ -24,9 +25,10 @@ double TickClock::advance(std::uint32_t tick) noexcept {
   }
   double step = seconds_between(last_, tick);
   gap_ = 0.0;
-  if (step > kLeap + kRounding) {
+  const double leap = std::max(longest_, kPeriods * period()) + kRounding;
+  if (step > leap) {
     const double since_leap = seconds_between(leap_, tick);
-    const bool confirmed = leapt_ && since_leap > 0.0 && since_leap <= kLeap + kRounding;
+    const bool confirmed = leapt_ && since_leap > 0.0 && since_leap <= leap;
     leapt_ = true;
     leap_ = tick;
     if (!confirmed) return -1.0;

@@ -10,8 +10,11 @@ namespace surefoot {
 /// Real-time: yes.
 class TickClock {
  public:
+  /// @param leap [s] a step beyond it, and beyond five periods, is a leap
+  explicit TickClock(double leap = kLeap) : longest_(leap) {}
+
   /// Take in a tick. @return seconds since the last good one; 0 for the first; negative when the
-  /// tick stands still, runs backwards, or leaps (more than kLeap) to where the next tick does not
+  /// tick stands still, runs backwards, or leaps to where the next tick does not
   /// confirm it. A leap that is confirmed counts as kMaxStep.
   double advance(std::uint32_t tick) noexcept;
 
@@ -23,13 +26,13 @@ class TickClock {
   /// one that was lost must not make the next age twice as fast.
   double period() const noexcept;
 
-  void reset() noexcept { *this = TickClock(); }
+  void reset() noexcept { *this = TickClock(longest_); }
 
   static constexpr double kMaxStep = 0.010;  ///< [s] a longer gap is integrated as this
-  /// [s] A period of 10 ms and its jitter; no command lives much longer anyway.
-  static constexpr double kLeap = 0.015;
+  static constexpr double kLeap = 0.100;     ///< [s]
 
  private:
+  double longest_;  // [s] step that is no leap
   bool started_ = false;
   bool leapt_ = false;
   std::uint32_t last_ = 0;

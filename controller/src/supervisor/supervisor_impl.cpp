@@ -62,7 +62,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     out = &command(state, dt);
   } else {
     out = &keeper.refuse(dt, damping_kd);
-    if (keeper.latched() || clock.gap() > kStaleTime) latch(bad);
+    if (keeper.latched() || clock.gap() > kAwayTime) latch(bad);
   }
   if (good) motors.sent(*out, state);
   fresh = good && (!fade.needs(Source::kProgram) || is_usable(stand.status()));

@@ -50,6 +50,9 @@ struct Supervisor::Impl {
   bool fresh = false;
 
  private:
+  /// [s] After it no command lives: a longer step must be confirmed, for a tick may be mad.
+  static constexpr double kLongestStep = 0.015;
+
   bool read(const LowState& state, double step) noexcept;
   FaultId find_bad(const LowState& state, double step) noexcept;
   void judge(const LowState& state, double dt) noexcept;
@@ -72,7 +75,7 @@ struct Supervisor::Impl {
   bool standing() const noexcept { return now.mode == Mode::kStand && !fade.moving(); }
 
   RequestContext now;
-  TickClock clock;
+  TickClock clock{kLongestStep};
   CommandKeeper keeper;
   TorqueFade fade;
   JointReference reference;  // of the springs

@@ -49,7 +49,7 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   if (!imu.rates_fit() || !(imu.attitude_fits() || standing())) return FaultId::kAttitude;
   // Between the last report and this one nobody was there to command. Who has a link knows better
   // whether it was the robot that was silent: lose().
-  if (active() && !arming.told() && clock.gap() > kStaleTime) return FaultId::kStaleTick;
+  if (active() && !arming.told() && clock.gap() > kAwayTime) return FaultId::kStaleTick;
   return repeated.too_old() && active() ? FaultId::kFrozen : FaultId::kNone;
 }
 
