@@ -165,8 +165,11 @@ BOOST_FIXTURE_TEST_CASE(a_gap_between_reports_is_the_links_to_judge, Rising) {
   BOOST_TEST(!damping(last));
 }
 
-BOOST_FIXTURE_TEST_CASE(without_a_link_a_gap_latches, Rising) {
+BOOST_FIXTURE_TEST_CASE(without_a_link_a_tenth_of_a_second_missing_latches, Rising) {
   step(50);
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kRise));
+  step(150);
   step();
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
   BOOST_TEST((supervisor.reason() == FaultId::kStaleTick));

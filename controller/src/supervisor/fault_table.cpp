@@ -21,7 +21,9 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kStateImplausible, kDamp, 0.020, kArm,
      "beyond what the robot can do or measure: the last good command for 10 ms, then damping"},
     {FaultId::kStaleTick, kDamp, 0.020, kArm,
-     "tick does not advance: the last good command for 10 ms, then damping"},
+     "tick does not advance: the last good command for 10 ms, then damping; or it leaps by more "
+     "than "
+     "100 ms, in which robots damp by themselves"},
     {FaultId::kFrozen, kDamp, 0.020, kArm,
      "IMU and joints repeat themselves byte by byte for 10 ms: held as long, then damping"},
     {FaultId::kLoss, kWatch, 1.0, kGone, "more than 5 % of the reports of a second are missing"},
