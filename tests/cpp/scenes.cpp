@@ -71,6 +71,16 @@ LowState resting_report(const Robot& robot, std::uint32_t tick) {
   return report;
 }
 
+bool motors_brake(const LowCmd& command) {
+  bool good = true;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorCmd& m = command.motorCmd[i];
+    good = good && m.mode == kModeServo && m.Kp == 0.0F && m.Kd > 0.0F && m.tau == 0.0F &&
+           m.q == static_cast<float>(PosStopF) && m.dq == 0.0F;
+  }
+  return good;
+}
+
 Eigen::VectorXd integrate(const Robot& robot, const Eigen::VectorXd& q,
                           const Eigen::VectorXd& step) {
   return pinocchio::integrate(robot.model(), q, step);

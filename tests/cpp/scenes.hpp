@@ -16,6 +16,9 @@ surefoot::Reference reference_at(const surefoot::Robot& robot, const surefoot::R
 /// The report of a robot that stands still in the standing pose, torques from statics.
 surefoot::LowState resting_report(const surefoot::Robot& robot, std::uint32_t tick);
 
+/// Do all motors brake by themselves, and do nothing else?
+bool motors_brake(const surefoot::LowCmd& command);
+
 // Pinocchio's own answers, compiled once for all tests.
 Eigen::VectorXd integrate(const surefoot::Robot& robot, const Eigen::VectorXd& q,
                           const Eigen::VectorXd& step);

@@ -16,12 +16,6 @@ LowCmd marked(float tau) {
   return command;
 }
 
-bool damps(const LowCmd& command) {
-  const MotorCmd& motor = command.motorCmd[5];
-  return motor.mode == kModeServo && motor.Kd > 0.0F && motor.dq == 0.0F && motor.tau == 0.0F &&
-         motor.Kp == 0.0F && motor.q == static_cast<float>(PosStopF);
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(safety)
@@ -34,7 +28,7 @@ BOOST_AUTO_TEST_CASE(the_last_good_command_is_held_ten_milliseconds_and_no_longe
     BOOST_TEST(held.motorCmd[0].tau == 7.0F);
     BOOST_TEST(!keeper.latched());
   }
-  BOOST_TEST(damps(keeper.refuse(0.002, 3.0)));
+  BOOST_TEST(motors_brake(keeper.refuse(0.002, 3.0)));
   BOOST_TEST(keeper.latched());
 }
 
@@ -49,7 +43,7 @@ BOOST_AUTO_TEST_CASE(a_good_tick_in_between_starts_the_count_anew) {
 
 BOOST_AUTO_TEST_CASE(a_robot_never_under_control_is_damped_without_latching) {
   CommandKeeper keeper;
-  BOOST_TEST(damps(keeper.refuse(0.002, 3.0)));
+  BOOST_TEST(motors_brake(keeper.refuse(0.002, 3.0)));
   BOOST_TEST(!keeper.latched());
 }
 

@@ -22,16 +22,6 @@ bool torque_mode(const LowCmd& command) {
   return good;
 }
 
-bool damping(const LowCmd& command) {
-  bool good = true;
-  for (int i = 0; i < kMotors; ++i) {
-    const MotorCmd& m = command.motorCmd[i];
-    good = good && m.mode == kModeServo && m.Kp == 0.0F && m.Kd > 0.0F && m.tau == 0.0F &&
-           m.q == static_cast<float>(PosStopF) && m.dq == 0.0F;
-  }
-  return good;
-}
-
 struct Running {
   Robot robot = quadruped();
   StandController controller{robot};
@@ -68,9 +58,9 @@ BOOST_FIXTURE_TEST_CASE(a_bad_report_is_bridged_for_ten_milliseconds_then_damped
     BOOST_TEST(same(step(), last));
     BOOST_TEST((controller.status() == Status::kNonFinite));
   }
-  BOOST_TEST(damping(step()));
+  BOOST_TEST(motors_brake(step()));
   report.imu.gyroscope[1] = 0.0F;
-  BOOST_TEST(damping(step()));
+  BOOST_TEST(motors_brake(step()));
   BOOST_TEST((controller.status() == Status::kDamping));
   BOOST_TEST((controller.fault() == Status::kNonFinite));
   controller.reset();
@@ -87,7 +77,7 @@ BOOST_FIXTURE_TEST_CASE(a_tick_that_stands_still_is_stale, Running) {
     BOOST_TEST((controller.status() == Status::kStaleTick));
   }
   report.tick = tick - 2;
-  BOOST_TEST(damping(controller.update(report)));
+  BOOST_TEST(motors_brake(controller.update(report)));
 }
 
 BOOST_FIXTURE_TEST_CASE(reports_that_come_twice_do_not_make_time_go_twice_as_fast, Running) {
@@ -116,7 +106,7 @@ BOOST_FIXTURE_TEST_CASE(a_robot_on_its_back_is_fallen_and_damps, Running) {
   report.imu.quaternion = {0.0F, 1.0F, 0.0F, 0.0F};
   report.imu.accelerometer = {0.0F, 0.0F, static_cast<float>(-kGravity)};
   controller.reset();
-  BOOST_TEST(damping(step()));
+  BOOST_TEST(motors_brake(step()));
   BOOST_TEST((controller.fault() == Status::kFallen));
 }
 
@@ -137,7 +127,7 @@ BOOST_FIXTURE_TEST_CASE(random_bytes_never_make_a_command_that_is_not_finite_and
     for (int i = 0; i < kMotors; ++i) {
       BOOST_REQUIRE(std::abs(command.motorCmd[i].tau) <= robot.config().tau_max[i] * 1.0001);
     }
-    BOOST_REQUIRE((torque_mode(command) || damping(command)));
+    BOOST_REQUIRE((torque_mode(command) || motors_brake(command)));
     if (controller.status() == Status::kDamping) controller.reset();
   }
 }

@@ -15,15 +15,6 @@ using namespace surefoot;
 
 namespace {
 
-bool damping(const LowCmd& command) {
-  bool good = true;
-  for (int i = 0; i < kMotors; ++i) {
-    const MotorCmd& m = command.motorCmd[i];
-    good = good && m.Kp == 0.0F && m.Kd > 0.0F && m.tau == 0.0F && m.dq == 0.0F;
-  }
-  return good;
-}
-
 /// A robot at rest, hips so far out that it does not stand, reports every 2 ms; nothing that it is
 /// told moves it.
 struct AtRest {
@@ -74,7 +65,7 @@ BOOST_FIXTURE_TEST_CASE(all_checks_must_pass_for_a_second, AtRest) {
   BOOST_TEST(!supervisor.armed());
   run(0.002);
   BOOST_TEST(supervisor.armed());
-  BOOST_TEST(damping(last));
+  BOOST_TEST(motors_brake(last));
 }
 
 BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
@@ -121,7 +112,7 @@ BOOST_FIXTURE_TEST_CASE(no_number_in_a_report_spoils_the_next, AtRest) {
   run(1.2);
   report.imu.accelerometer = {NAN, 0.0F, 9.81F};
   run(0.1);
-  BOOST_TEST(damping(last));
+  BOOST_TEST(motors_brake(last));
   BOOST_TEST(!supervisor.arming().ready);
   report.imu.accelerometer = {0.0F, 0.0F, 9.81F};
   run(1.2);
@@ -140,7 +131,7 @@ BOOST_FIXTURE_TEST_CASE(a_rise_that_nothing_follows_gives_up_and_damps, AtRest) 
   run(15.0);
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
   BOOST_TEST(supervisor.stuck());
-  BOOST_TEST(damping(last));
+  BOOST_TEST(motors_brake(last));
 }
 
 BOOST_FIXTURE_TEST_CASE(who_stands_does_not_fold, AtRest) {
@@ -162,9 +153,9 @@ BOOST_FIXTURE_TEST_CASE(reports_that_stop_damp_within_twenty_milliseconds, AtRes
   run(0.002);
   supervisor.request(Mode::kRise);
   run(0.5);
-  BOOST_TEST(!damping(last));
+  BOOST_TEST(!motors_brake(last));
   for (int i = 0; i < 10; ++i) last = supervisor.update(report);
-  BOOST_TEST(damping(last));
+  BOOST_TEST(motors_brake(last));
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
   BOOST_TEST((supervisor.reason() == FaultId::kStaleTick));
 }
@@ -187,7 +178,7 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
       spoil(report, good);
       last = supervisor.update(report);
     }
-    BOOST_TEST(damping(last));
+    BOOST_TEST(motors_brake(last));
     BOOST_TEST((supervisor.reason() == id), to_string(supervisor.reason())
                                                 << " for " << to_string(id));
     BOOST_TEST(0.002 * ticks <= fault_info(id).detect + 1e-9, to_string(id) << ": " << ticks);

@@ -10,15 +10,6 @@ using namespace surefoot;
 
 namespace {
 
-bool damping(const LowCmd& command) {
-  bool good = true;
-  for (int i = 0; i < kMotors; ++i) {
-    const MotorCmd& m = command.motorCmd[i];
-    good = good && m.Kp == 0.0F && m.Kd > 0.0F && m.tau == 0.0F && m.dq == 0.0F;
-  }
-  return good;
-}
-
 SupervisorOptions options(Start start) {
   SupervisorOptions options;
   options.start = start;
@@ -68,7 +59,7 @@ struct Rising : Standing {
     supervisor.request(Mode::kRise);
     run(0.3);
     BOOST_REQUIRE((supervisor.mode() == Mode::kRise));
-    BOOST_REQUIRE(!damping(last));
+    BOOST_REQUIRE(!motors_brake(last));
   }
 };
 
@@ -79,12 +70,12 @@ BOOST_AUTO_TEST_SUITE(supervisor_link)
 BOOST_FIXTURE_TEST_CASE(a_robot_that_stands_is_taken_over_with_its_first_good_report, Standing) {
   report.imu.gyroscope[0] = NAN;
   run(0.1);
-  BOOST_TEST(damping(last));
+  BOOST_TEST(motors_brake(last));
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
   report.imu.gyroscope[0] = 0.0F;
   step();
   BOOST_TEST((supervisor.mode() == Mode::kStand));
-  BOOST_TEST(!damping(last));
+  BOOST_TEST(!motors_brake(last));
   BOOST_TEST(supervisor.fresh());
   run(0.5);
   BOOST_TEST((supervisor.mode() == Mode::kStand), to_string(supervisor.reason()));
@@ -98,7 +89,7 @@ BOOST_FIXTURE_TEST_CASE(one_that_stood_is_taken_over_again_only_when_asked, Stan
   BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
   step();
   BOOST_TEST((supervisor.mode() == Mode::kStand));
-  BOOST_TEST(!damping(last));
+  BOOST_TEST(!motors_brake(last));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_stop_undoes_what_waits, Standing) {
@@ -116,22 +107,22 @@ BOOST_FIXTURE_TEST_CASE(without_reports_the_last_command_lives_ten_milliseconds,
   for (const double age : {0.002, 0.006, 0.010}) {
     const LowCmd& command = supervisor.bridge(age);
     BOOST_TEST(command.motorCmd[4].tau == before.motorCmd[4].tau);
-    BOOST_TEST(!damping(command));
+    BOOST_TEST(!motors_brake(command));
     BOOST_TEST(!supervisor.fresh());
   }
-  BOOST_TEST(damping(supervisor.bridge(0.0101)));
-  BOOST_TEST(damping(supervisor.bridge(0.0201)));
+  BOOST_TEST(motors_brake(supervisor.bridge(0.0101)));
+  BOOST_TEST(motors_brake(supervisor.bridge(0.0201)));
   BOOST_TEST((supervisor.request(Mode::kSit) == RequestStatus::kNoState));
   BOOST_TEST((supervisor.arm() == RequestStatus::kNoState));
   step();
   BOOST_TEST((supervisor.mode() == Mode::kRise));
-  BOOST_TEST(!damping(last));
+  BOOST_TEST(!motors_brake(last));
   BOOST_TEST((supervisor.request(Mode::kSit) == RequestStatus::kAccepted));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_stop_needs_no_report, Rising) {
   supervisor.stop();
-  BOOST_TEST(damping(supervisor.bridge(0.002)));
+  BOOST_TEST(motors_brake(supervisor.bridge(0.002)));
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
   BOOST_TEST((supervisor.reason() == FaultId::kStop));
 }
@@ -144,7 +135,7 @@ BOOST_FIXTURE_TEST_CASE(a_robot_that_is_lost_damps_until_it_is_armed_anew, Risin
   BOOST_TEST((supervisor.arm() == RequestStatus::kNoState));
   report.tick = 7;  // it began anew
   step();
-  BOOST_TEST(damping(last));
+  BOOST_TEST(motors_brake(last));
   BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
   run(1.2);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
@@ -162,7 +153,7 @@ BOOST_FIXTURE_TEST_CASE(a_gap_between_reports_is_the_links_to_judge, Rising) {
   step();
   step();
   BOOST_TEST((supervisor.mode() == Mode::kRise));
-  BOOST_TEST(!damping(last));
+  BOOST_TEST(!motors_brake(last));
 }
 
 BOOST_FIXTURE_TEST_CASE(without_a_link_a_tenth_of_a_second_missing_latches, Rising) {

@@ -34,14 +34,14 @@ Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
   return limited_.scale < 1.0 ? Status::kSaturated : solution.status;
 }
 
-LowCmd TorqueCommand::command() const noexcept {
+LowCmd torque_low_cmd(const Vector12& torques, double kd) noexcept {
   LowCmd command = init_low_cmd();
   for (int i = 0; i < kMotors; ++i) {
     MotorCmd& motor = command.motorCmd[i];
-    motor.tau = static_cast<float>(limited_.torques[i]);
-    if (options_.motor_damping > 0.0) {
+    motor.tau = static_cast<float>(torques[i]);
+    if (kd > 0.0) {
       motor.dq = 0.0F;
-      motor.Kd = static_cast<float>(options_.motor_damping);
+      motor.Kd = static_cast<float>(kd);
     }
   }
   return command;

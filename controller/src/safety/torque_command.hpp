@@ -7,6 +7,10 @@
 
 namespace surefoot {
 
+/// Torques [N.m], motor order, in torque mode exactly; with the motors' own damping
+/// (kd > 0 [N.m.s/rad]) the velocity loop is on and asks for rest. Real-time: yes.
+LowCmd torque_low_cmd(const Vector12& torques, double kd) noexcept;
+
 /// From what the program decided to what the motors are told: the torques within the power that is
 /// allowed, in torque mode. Real-time: yes.
 class TorqueCommand {
@@ -20,8 +24,9 @@ class TorqueCommand {
   Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
               const Reference& reference, const Gains& gains) noexcept;
 
-  /// Torque mode exactly; with motor damping the velocity loop is on and asks for rest.
-  LowCmd command() const noexcept;
+  LowCmd command() const noexcept {
+    return torque_low_cmd(limited_.torques, options_.motor_damping);
+  }
 
   const LimitedTorques& limited() const noexcept { return limited_; }
   void reset() noexcept { limited_ = {}; }

@@ -13,7 +13,6 @@ class Lasting {
     time_ = now ? time_ + dt : 0.0;
     return now && time_ >= least - kRounding;
   }
-  void reset() noexcept { time_ = 0.0; }
 
  private:
   static constexpr double kRounding = 1e-9;  // [s]
@@ -35,8 +34,6 @@ class FaultLog {
     }
     report_.active[k] = there;
   }
-  /// Nothing is wrong any more; what was is still counted.
-  void clear() noexcept { report_.active.fill(false); }
 
   /// The first fault there is with a reaction, or kNone.
   FaultId first(FaultReaction reaction) const noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "supervisor/imu_watch.hpp"
 
+#include "estimator/imu/imu_reader.hpp"
 #include "low_state_check.hpp"
 
 namespace surefoot {
@@ -11,7 +12,6 @@ constexpr double kJump = 0.1;       // [rad] of the attitude more than the gyros
 constexpr double kLate = 0.02;      // [s] of its rate that the attitude may be late
 constexpr double kForget = 0.5;     // [s] after which a new attitude is taken as it is
 constexpr double kRateJump = 3.0;   // [rad/s] of the gyroscope from one report to the next
-constexpr double kClipped = 34.8;   // [rad/s] full scale of 2000 deg/s, just short of it
 constexpr double kPatience = 0.05;  // [s] of a gyroscope that stands still or clips
 constexpr double kOff = 0.08;       // [rad/s] that it may be off the attitude's rate for long ...
 constexpr double kOffTime = 0.5;    // [s] ... smoothed over this: pushes tilt attitude filters
@@ -55,7 +55,8 @@ bool ImuWatch::follows(const Quaternion& attitude, const Vector3& w) const noexc
 void ImuWatch::judge_rates(const Vector3& w, double step, bool anew) noexcept {
   // A report that repeats as a whole says nothing of the gyroscope.
   const bool held = held_.update(w == w_last_, anew ? step : 0.0, kPatience);
-  const bool clipped = clipped_.update(w.cwiseAbs().maxCoeff() >= kClipped, step, kPatience);
+  const bool clipped =
+      clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange, step, kPatience);
   const bool away = away_.update(off_.norm() > kOff, step, kPatience);
   gyroscope_bad_ = held || clipped || away;
   w_last_ = w;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "safety/holding_torques.hpp"
+#include "safety/motor_limits.hpp"
 #include "safety/power_limiter.hpp"
 
 namespace surefoot {
@@ -72,9 +73,7 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
   Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
   for (int i = 0; i < kMotors; ++i) {
-    const double share = kTorqueShare * share_[i];
-    tau[i] = std::clamp(tau[i], -share * motor_torque_limit(config, i, dq_[i], -1.0),
-                        share * motor_torque_limit(config, i, dq_[i], 1.0));
+    tau[i] = within_motor_limits(config, i, tau[i], dq_[i], kTorqueShare * share_[i]);
   }
   return limit_power(tau, hold, dq_, watts_, damping_).torques;
 }

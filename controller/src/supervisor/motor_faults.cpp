@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "safety/motor_limits.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -40,8 +42,7 @@ void MotorFaults::sent(const LowCmd& command, const LowState& state) noexcept {
     const MotorCmd& motor = command.motorCmd[i];
     const double dq = state.motorState[i].dq;
     const double tau = motor.tau - (motor.Kd > 0.0F ? motor.Kd * dq : 0.0);
-    told_[i] = std::clamp(tau, -motor_torque_limit(robot_.config(), i, dq, -1.0),
-                          motor_torque_limit(robot_.config(), i, dq, 1.0));
+    told_[i] = within_motor_limits(robot_.config(), i, tau, dq);
   }
 }
 
@@ -88,16 +89,10 @@ void MotorFaults::judge_heat(const LowState& state, double dt, FaultLog& log) no
 }
 
 void MotorFaults::judge_angles(const LowState& state, FaultLog& log) noexcept {
-  const RobotConfig& config = robot_.config();
-  int bad = -1;
-  for (int i = 0; i < kMotors && bad < 0; ++i) {
-    const double q = state.motorState[i].q;
-    const bool inside =
-        q >= config.q_lower[i] + joint_margin_ && q <= config.q_upper[i] - joint_margin_;
-    if (!inside) bad = i;
-  }
-  bad_angles_ = bad < 0 ? 0 : bad_angles_ + 1;
-  log.set(FaultId::kJointStop, bad_angles_ >= kBadAngles, bad);
+  // The command is not read.
+  const bool inside = safety_.position_protect(LowCmd{}, state, joint_margin_) > 0;
+  bad_angles_ = inside ? 0 : bad_angles_ + 1;
+  log.set(FaultId::kJointStop, bad_angles_ >= kBadAngles, safety_.position_motor());
 }
 
 }  // namespace surefoot

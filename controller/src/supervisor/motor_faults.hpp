@@ -2,7 +2,7 @@
 #pragma once
 
 #include "supervisor/fault_log.hpp"
-#include "surefoot/robot.hpp"
+#include "surefoot/safety.hpp"
 
 namespace surefoot {
 
@@ -13,7 +13,11 @@ class MotorFaults {
   /// @param warning, stop [deg C] torque is derated from one on, and the robot sits at the other
   /// @param joint_margin [rad] inside the limits; negative: beyond
   MotorFaults(const Robot& robot, double warning, double stop, double joint_margin)
-      : robot_(robot), warning_(warning), stop_(stop), joint_margin_(joint_margin) {}
+      : robot_(robot),
+        safety_(robot),
+        warning_(warning),
+        stop_(stop),
+        joint_margin_(joint_margin) {}
 
   /// Judge a report. @param dt [s] @param log is told
   void update(const LowState& state, double dt, FaultLog& log) noexcept;
@@ -33,6 +37,7 @@ class MotorFaults {
   void judge_angles(const LowState& state, FaultLog& log) noexcept;
 
   Robot robot_;
+  Safety safety_;  // its position protection
   double warning_, stop_, joint_margin_;
   Vector12 told_ = Vector12::Zero();      // [N.m] by the last command
   Vector12 expected_ = Vector12::Zero();  // [N.m] told, smoothed

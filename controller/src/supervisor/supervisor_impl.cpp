@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "safety/torque_command.hpp"
 #include "surefoot/wireless_remote.hpp"
 
 namespace surefoot {
@@ -140,16 +141,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     return keeper.accept(damping_low_cmd(damping_kd));
   }
   log.set(FaultId::kTorqueRate, rate.limit(drive.tau, clock.period()));
-  LowCmd command = init_low_cmd();
-  for (int i = 0; i < kMotors; ++i) {
-    MotorCmd& motor = command.motorCmd[i];
-    motor.tau = static_cast<float>(drive.tau[i]);
-    if (drive.kd > 0.0) {
-      motor.dq = 0.0F;
-      motor.Kd = static_cast<float>(drive.kd);
-    }
-  }
-  return keeper.accept(command);
+  return keeper.accept(torque_low_cmd(drive.tau, drive.kd));
 }
 
 void Supervisor::Impl::publish() noexcept {

@@ -6,7 +6,6 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRateRange = 34.8;    // [rad/s] full scale of 2000 deg/s, just short of it
 constexpr double kForceRange = 156.0;  // [m/s^2] full scale of 16 g
 }  // namespace
 

@@ -27,7 +27,8 @@ struct ImuReading {
 /// while the joints go on reporting new values has stopped. Real-time: yes.
 class ImuReader {
  public:
-  static constexpr double kHeld = 0.022;  ///< [s] a 50 Hz sensor repeats for 20 ms
+  static constexpr double kRateRange = 34.8;  ///< [rad/s] just short of 2000 deg/s, full scale
+  static constexpr double kHeld = 0.022;      ///< [s] a 50 Hz sensor repeats for 20 ms
 
   /// @param joints any numbers that change when the robot reports anew
   void read(const IMU& imu, const RobotConfig& config, const Vector12& joints, double dt,

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "surefoot/robot_config.hpp"
+
+namespace surefoot {
+
+/// The torque of motor `i` nearest to `tau` [N.m] that it can make at joint velocity `dq` [rad/s],
+/// or a share of it, 0 .. 1. Real-time: yes.
+inline double within_motor_limits(const RobotConfig& config, int i, double tau, double dq,
+                                  double share = 1.0) noexcept {
+  return std::clamp(tau, -share * motor_torque_limit(config, i, dq, -1.0),
+                    share * motor_torque_limit(config, i, dq, 1.0));
+}
+
+}  // namespace surefoot
