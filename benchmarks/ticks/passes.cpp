@@ -59,9 +59,9 @@ Series make_series(const char* name, const Plan& plan) {
 }
 
 template <typename Controller>
-void note(const Controller& controller, Status status, Sample& sample) {
+void note(const Controller& controller, bool solved, Sample& sample) {
   sample.iterations = static_cast<std::uint16_t>(controller.solution().iterations);
-  sample.failed = is_usable(status) ? 0 : 1;
+  sample.failed = solved ? 0 : 1;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Series time_ticks(const Plan& plan) {
     for (std::size_t k = 0; k < plan.reports.size(); ++k) {
       steer(plan, k, controller);
       Sample sample = timed([&] { controller.update(plan.reports[k]); });
-      note(controller, controller.status(), sample);
+      note(controller, controller.rung() == Rung::kSolved, sample);
       series.samples.push_back(sample);
     }
   });
@@ -92,7 +92,7 @@ Series time_paced_ticks(const Plan& plan) {
       clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
       steer(plan, k, controller);
       Sample sample = timed([&] { controller.update(plan.reports[k]); });
-      note(controller, controller.status(), sample);
+      note(controller, controller.rung() == Rung::kSolved, sample);
       series.samples.push_back(sample);
     }
   });
@@ -115,7 +115,7 @@ Series time_state_to_torque(const Plan& plan) {
     controller.reset();
     for (std::size_t k = 0; k < states.size(); ++k) {
       Sample sample = timed([&] { controller.update(states[k], references[k]); });
-      note(controller, controller.solution().status, sample);
+      note(controller, is_usable(controller.solution().status), sample);
       series.samples.push_back(sample);
     }
   });

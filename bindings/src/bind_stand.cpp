@@ -44,6 +44,22 @@ void bind_body_reference(nb::module_& m) {
               "SDK motor: JOINT the joint's, FOOT_HEIGHT the leg's hip; else -1.");
 }
 
+void bind_rung(nb::module_& m) {
+  nb::enum_<Rung>(m, "Rung", "Where a command comes from: a ladder, the best first.")
+      .value("SOLVED", Rung::kSolved, "The whole-body program.")
+      .value("COLD_SOLVE", Rung::kColdSolve,
+             "The same program once more, from nothing and to ten times the tolerance.")
+      .value("FORCES", Rung::kForces,
+             "No program: the last solution's forces, and what the body's tasks want more than\n"
+             "then, shared among the feet.")
+      .value("LAST_FORCES", Rung::kLastForces,
+             "The last solution's forces, through today's Jacobians.")
+      .value("GRAVITY", Rung::kGravity,
+             "The weight shared among the feet, and damping of the joints.")
+      .value("HOLD", Rung::kHold, "The command that left last, once more: the report is bad.")
+      .value("DAMPING", Rung::kDamping, "The motors brake by themselves.");
+}
+
 void bind_controller(nb::module_& m) {
   nb::class_<StandOptions>(m, "StandOptions", "What is set once, as opposed to tuned.")
       .def(
@@ -64,9 +80,8 @@ void bind_controller(nb::module_& m) {
   nb::class_<StandController>(
       m, "StandController",
       "Holds the body as it stands, or where it is asked to be: LowState in, LowCmd out.\n\n"
-      "Torque mode: Kp = Kd = 0, q = PosStopF, dq = VelStopF. On a bad report "
-      "or solve the last\ngood command is repeated for at most 10 ms, then the "
-      "motors damp until reset().")
+      "Torque mode: Kp = Kd = 0, q = PosStopF, dq = VelStopF. A bad report or solve is bridged,\n"
+      "as Rung has it, for at most 10 ms; then the motors damp until reset().")
       .def(
           "__init__",
           [](StandController* self, const Robot& robot, const Gains* gains,
@@ -91,6 +106,9 @@ void bind_controller(nb::module_& m) {
       .def("add_task", &StandController::add_task, "task"_a, "Add a task of your own.")
       .def_prop_ro("status", &StandController::status, "What this tick's command is worth.")
       .def_prop_ro("fault", &StandController::fault, "What was wrong when a tick last was not OK.")
+      .def_prop_ro("rung", &StandController::rung, "Where this tick's command came from.")
+      .def("rung_count", &StandController::rung_count, "rung"_a,
+           "Return how many ticks came to this rung, since construction.")
       .def_prop_ro(
           "state", [](const StandController& c) { return RobotState(c.state()); },
           "Estimate, a copy.")
@@ -109,7 +127,7 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro("foot_force_alive", &StandController::foot_force_alive,
                    "Does footForceEst live?")
       .def_prop_ro("power", &StandController::power,
-                   "Sum |tau dq| [W] of the last good tick's command.")
+                   "Sum |tau dq| [W] of the last command made from a report.")
       .def_prop_ro("power_scale", &StandController::power_scale,
                    "How much of the torques' way from holding still power_limit left, 0 .. 1.")
       .def_prop_ro(
@@ -129,5 +147,6 @@ void bind_controller(nb::module_& m) {
 
 void bind_stand(nb::module_& m) {
   bind_body_reference(m);
+  bind_rung(m);
   bind_controller(m);
 }

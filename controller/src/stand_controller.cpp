@@ -5,6 +5,7 @@
 #include "low_state_check.hpp"
 #include "reference/stand_reference.hpp"
 #include "safety/command_keeper.hpp"
+#include "safety/command_ladder.hpp"
 #include "safety/gain_ramp.hpp"
 #include "safety/tick_clock.hpp"
 #include "safety/torque_command.hpp"
@@ -37,6 +38,7 @@ struct StandController::Impl {
         predictor(r.nv(), o.delay),
         predicted(r),
         controller(r, g, WholeBodyOptions{o.form}),
+        ladder(r),
         torques(r, o) {
     estimator.set_gains(g);
   }
@@ -46,6 +48,8 @@ struct StandController::Impl {
   Status think(const LowState& low_state, double dt) noexcept;
   Status solve_predicted(const Reference& wanted) noexcept;
   Status solve(const Dynamics& dynamics, const RobotState& state, const Reference& wanted) noexcept;
+  void descend(const Dynamics& dynamics, const RobotState& state, const Reference& wanted) noexcept;
+  const LowCmd& send(Status tick, double elapsed) noexcept;
 
   Robot robot;
   StandOptions options;
@@ -55,6 +59,7 @@ struct StandController::Impl {
   DelayPredictor predictor;
   Dynamics predicted;  // at the state when the command acts
   WholeBodyController controller;
+  CommandLadder ladder;
   TorqueCommand torques;
   CommandKeeper keeper;
   GainRamp ramp;
@@ -62,6 +67,8 @@ struct StandController::Impl {
   int latches = 0;
   Status status = Status::kWaiting;
   Status fault = Status::kOk;
+  Rung rung = Rung::kDamping;
+  std::array<std::uint64_t, kRungs> rung_counts{};
 };
 
 const LowCmd& StandController::update(const LowState& low_state) noexcept {
@@ -75,19 +82,37 @@ const LowCmd& StandController::update(const LowState& low_state) noexcept {
     s.predictor.elapse(elapsed);
   }
   Status status = Status::kStaleTick;
+  s.rung = Rung::kHold;  // all there is, until the tick comes to its program
   if (s.keeper.latched()) {
     status = Status::kDamping;
   } else if (step >= 0.0) {
     status = s.think(low_state, std::min(s.since_estimate, TickClock::kMaxStep));
   }
-  if (is_usable(status)) {
-    s.status = status;
-    return s.keeper.accept(s.torques.command());
-  }
-  if (status != Status::kDamping) s.fault = status;
-  const LowCmd& command = s.keeper.refuse(elapsed, s.controller.gains().damping_kd);
-  s.status = s.keeper.latched() ? Status::kDamping : status;
+  const LowCmd& command = s.send(status, elapsed);
+  ++s.rung_counts[static_cast<int>(s.rung)];
   return command;
+}
+
+// A command that was solved, or what stands in for one, for as long as it may.
+const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept {
+  const double kd = controller.gains().damping_kd;
+  if (is_usable(tick)) {
+    keeper.accept(torques.command());
+  } else if (is_fresh(rung)) {
+    keeper.bridge(torques.command(), elapsed, kd);
+  } else {
+    keeper.refuse(elapsed, kd);
+  }
+  if (!is_usable(tick) && tick != Status::kDamping) fault = tick;
+  status = keeper.latched() ? Status::kDamping : tick;
+  if (!keeper.controls()) rung = Rung::kDamping;
+  if (is_fresh(rung)) {
+    // What stands in for a solution makes the last one's motion, or nearly; torques that were
+    // limited make as much less of it as they are nearer to holding.
+    const LimitedTorques& sent = torques.limited();
+    predictor.remember(controller.solution().accelerations, sent.scale, sent.torques);
+  }
+  return keeper.last();
 }
 
 // Estimate, refer, solve: each stage hands one struct to the next.
@@ -113,14 +138,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  const Status solved =
-      predictor.active() ? solve_predicted(wanted) : solve(dynamics, estimator.state(), wanted);
-  if (is_usable(solved)) {
-    // Torques that were limited make as much less of the motion as they are nearer to holding.
-    const LimitedTorques& sent = torques.limited();
-    predictor.remember(controller.solution().accelerations, sent.scale, sent.torques);
-  }
-  return solved;
+  return predictor.active() ? solve_predicted(wanted) : solve(dynamics, estimator.state(), wanted);
 }
 
 Status StandController::Impl::solve_predicted(const Reference& wanted) noexcept {
@@ -129,12 +147,30 @@ Status StandController::Impl::solve_predicted(const Reference& wanted) noexcept 
   return solve(predicted, then, wanted);
 }
 
-// The program, then the power that its torques may take.
+// The program, if need be anew from nothing, then the power that its torques may take.
 Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& state,
                                     const Reference& wanted) noexcept {
   const Solution& solution = controller.solve(dynamics, state, wanted);
-  if (!is_usable(solution.status)) return solution.status;
-  return torques.take(solution, dynamics, state, wanted, controller.gains());
+  rung = Rung::kSolved;
+  if (!is_usable(solution.status)) {
+    controller.solve_cold(dynamics);
+    rung = Rung::kColdSolve;
+  }
+  if (is_usable(solution.status)) {
+    ladder.remember(controller.gains(), dynamics, state, wanted, solution.forces);
+    return torques.take(solution, dynamics, state, wanted, controller.gains());
+  }
+  descend(dynamics, state, wanted);
+  return solution.status;
+}
+
+// Where there is no solution: torques without the program, within the same power.
+void StandController::Impl::descend(const Dynamics& dynamics, const RobotState& state,
+                                    const Reference& wanted) noexcept {
+  const Gains& gains = controller.gains();
+  rung = ladder.descend(gains, dynamics, state, wanted);
+  if (rung == Rung::kHold) return;
+  torques.take(ladder.torques(), ladder.damping(), dynamics, state, wanted, gains);
 }
 
 StandController::StandController(const Robot& robot)
@@ -147,6 +183,10 @@ StandController::StandController(StandController&&) noexcept = default;
 
 Status StandController::status() const noexcept { return impl_->status; }
 Status StandController::fault() const noexcept { return impl_->fault; }
+Rung StandController::rung() const noexcept { return impl_->rung; }
+std::uint64_t StandController::rung_count(Rung rung) const noexcept {
+  return impl_->rung_counts[static_cast<int>(rung)];
+}
 const RobotState& StandController::state() const noexcept { return impl_->estimator.state(); }
 EstimatorReport StandController::estimator_report() const noexcept {
   return impl_->estimator.report();
@@ -173,6 +213,7 @@ BodyReference StandController::body_reference() const noexcept {
 ReachStatus StandController::reach() const noexcept { return impl_->reference.motion().status(); }
 void StandController::set_torque_share(const Vector12& share) noexcept {
   impl_->controller.set_torque_share(share);
+  impl_->ladder.set_torque_share(impl_->controller.torque_share());
 }
 void StandController::add_task(std::shared_ptr<Task> task) {
   impl_->controller.add_task(std::move(task));
@@ -198,6 +239,7 @@ void StandController::reset() noexcept {
   s.reference.reset();
   s.controller.reset();
   s.predictor.reset();
+  s.ladder.reset();
   s.torques.reset();
   s.keeper.reset();
   if (s.ramp.moving()) s.adopt(s.ramp.step(GainRamp::kTime));
@@ -205,6 +247,7 @@ void StandController::reset() noexcept {
   s.latches = 0;
   s.status = Status::kWaiting;
   s.fault = Status::kOk;
+  s.rung = Rung::kDamping;
 }
 
 }  // namespace surefoot

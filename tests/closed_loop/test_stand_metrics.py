@@ -9,7 +9,7 @@ import pinocchio
 import pytest
 import surefoot
 from log_helpers import RATE, ROBOT, TICKS, still_log, turned
-from surefoot import LowCmd, Status
+from surefoot import LowCmd, Rung, Status
 from surefoot.plain import plain
 from surefoot.sim import PlantSettings, Push
 from surefoot.stand import FIELDS, StandSettings, parse_push, run_stand, summarise
@@ -189,6 +189,14 @@ def test_a_saturated_tick_is_usable_and_counted_by_itself():
     log.status[[7, 8, 9]] = Status.SATURATED.value
     s = summarise(log)
     assert (s["saturated_ticks"], s["qp_failures"], s["first_failure"]) == (3, 0, None)
+
+
+def test_a_tick_that_was_solved_anew_is_counted_by_itself():
+    log = still_log()
+    log.rung[[3, 4]] = Rung.COLD_SOLVE.value
+    log.rung[5], log.status[5] = Rung.FORCES.value, Status.MAX_ITERATIONS.value
+    s = summarise(log)
+    assert (s["cold_solves"], s["qp_failures"]) == (2, 1)
 
 
 def test_bad_ticks_are_counted_and_the_first_is_named():

@@ -8,6 +8,8 @@
 #include <cstdlib>
 
 #include "kkt.hpp"
+#include "safety/command_ladder.hpp"
+#include "scenes.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/supervisor.hpp"
@@ -33,7 +35,8 @@ namespace {
 
 using namespace surefoot;
 
-/// A task as a user would write it: rows that change, and once in a while a failure.
+/// A task as a user would write it: rows that change, and once in a while a failure, or more than
+/// the program can be solved for at once.
 struct UserTask : Task {
   int rows() const override { return 2; }
   bool write(const RobotState& state, TaskRows& rows) noexcept override {
@@ -41,14 +44,19 @@ struct UserTask : Task {
     rows.A_a(1, 7) = 0.05;
     rows.A_f(0, 2) = 0.01;
     rows.b << -0.5 * state.v[2], -0.5 * state.v[7];
-    return ++calls % 977 != 0;
+    rows.weight[0] = 1.0;
+    if (++calls % 331 == 0) {
+      rows.weight[0] = 4e6;
+      rows.b[0] = 1.5e5;
+    }
+    return calls % 977 != 0;
   }
   long calls = 0;
 };
 
 struct Seen {
   long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0, slowed = 0;
-  long refused = 0;
+  long refused = 0, cold = 0, forces = 0, held = 0;
   long allocations = 0, exceptions = 0;
 };
 
@@ -86,6 +94,9 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   }
   seen.allocations = bench::heap_allocations() - allocations_before;
   seen.exceptions = exceptions - exceptions_before;
+  seen.cold = static_cast<long>(controller.rung_count(Rung::kColdSolve));
+  seen.forces = static_cast<long>(controller.rung_count(Rung::kForces));
+  seen.held = static_cast<long>(controller.rung_count(Rung::kHold));
   return seen;
 }
 
@@ -148,6 +159,32 @@ long fallback_allocations() {
   return iterations > 1000 ? found : -1;
 }
 
+// The rungs that good states never need: the last forces, the weight, and none at all.
+long ladder_allocations(const Robot& robot) {
+  CommandLadder ladder(robot);
+  RobotState state = standing_state(robot);
+  Reference reference = reference_at(robot, state);
+  reference.p_com.x() = std::nan("");
+  const FeetMatrix planned = FeetMatrix::Constant(10.0);
+  Dynamics dynamics(robot);
+  const Gains gains;
+  std::array<long, kRungs> found{};
+  const long before = bench::heap_allocations();
+  for (const double angle : {0.8, std::nan("")}) {
+    state.q[8] = angle;
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+    for (const bool known : {true, false}) {
+      ladder.reset();
+      if (known) ladder.remember(gains, dynamics, state, reference, planned);
+      ++found[static_cast<int>(ladder.descend(gains, dynamics, state, reference))];
+    }
+  }
+  const long allocations = bench::heap_allocations() - before;
+  std::printf("ladder: %ld allocations; last forces %ld, gravity %ld, hold %ld\n", allocations,
+              found[3], found[4], found[5]);
+  return found[3] == 1 && found[4] == 1 && found[5] == 2 ? allocations : -1;
+}
+
 // The counters must see what they are there for.
 bool counters_work() {
   const long before = bench::heap_allocations();
@@ -163,19 +200,21 @@ bool counters_work() {
 
 int main() {
   const Robot robot = quadruped();
-  bool good = counters_work() && fallback_allocations() == 0;
+  bool good = counters_work() && fallback_allocations() == 0 && ladder_allocations(robot) == 0;
   for (const Form form : {Form::kAuto, Form::kGeneral}) {
     for (const double delay : {0.0, 0.01}) {
       const Seen s = run(robot, form, delay, 25000);
       std::printf(
           "%s, delay %.0f ms, 25000 ticks: %ld allocations, %ld exceptions; "
           "general %ld, condensed %ld, limits giving way %ld, reference stopped %ld, "
-          "bad ticks %ld, damped %ld, power limited %ld, refused %ld\n",
+          "bad ticks %ld, damped %ld, power limited %ld, refused %ld, "
+          "solved anew %ld, bridged %ld, held %ld\n",
           to_string(form), 1e3 * delay, s.allocations, s.exceptions, s.general, s.condensed,
-          s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused);
+          s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused, s.cold, s.forces,
+          s.held);
       good = good && s.yielding > 100 && s.stopped > 1000 && s.faults > 100 && s.damping >= 4 &&
-             s.slowed > 100 && s.refused > 100 && s.general > 500 &&
-             (form == Form::kGeneral || s.condensed > 1000) && s.allocations == 0 &&
+             s.slowed > 100 && s.refused > 100 && s.general > 500 && s.cold > 10 && s.forces > 10 &&
+             s.held > 10 && (form == Form::kGeneral || s.condensed > 1000) && s.allocations == 0 &&
              s.exceptions == 0;
     }
   }

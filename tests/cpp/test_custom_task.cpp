@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tasks of the user's own, through the public interface.
 #include <boost/test/unit_test.hpp>
-#include <functional>
 
+#include "lambda_task.hpp"
 #include "motion.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
@@ -11,24 +11,6 @@
 using namespace surefoot;
 
 namespace {
-
-class LambdaTask : public Task {
- public:
-  using Write = std::function<bool(const RobotState&, TaskRows&)>;
-  LambdaTask(int rows, Write write) : rows_(rows), write_(std::move(write)) {}
-  int rows() const override { return rows_; }
-  bool write(const RobotState& state, TaskRows& rows) noexcept override {
-    return write_(state, rows);
-  }
-
- private:
-  int rows_;
-  Write write_;
-};
-
-std::shared_ptr<Task> task(int rows, LambdaTask::Write write) {
-  return std::make_shared<LambdaTask>(rows, std::move(write));
-}
 
 constexpr double kScale = 30.0;  // brings rows to order one, as the program's own are
 

@@ -63,11 +63,11 @@ class Living(Fault):
 
 
 class _Spoiler(Task):
-    """A task of one row that asks for nothing, until it asks for what is no number."""
+    """A task of one row that asks for nothing, until it asks for a value."""
 
-    def __init__(self, value: float) -> None:
+    def __init__(self, value: float, weight: float) -> None:
         super().__init__()
-        self.value, self.spoils = value, False
+        self.value, self.weight, self.spoils = value, weight, False
 
     def rows(self) -> int:
         return 1
@@ -75,7 +75,8 @@ class _Spoiler(Task):
     def write(self, state: RobotState, rows: TaskRows) -> bool:
         rows.A_a[:] = 0.0
         rows.A_f[:] = 0.0
-        rows.weight[:] = 1.0
+        rows.A_a[0, 1] = 1.0
+        rows.weight[:] = self.weight if self.spoils else 0.0
         rows.b[:] = self.value if self.spoils else 0.0
         return True
 
@@ -84,12 +85,14 @@ class Program(Fault):
     """The program's numbers are spoilt, by a task among those of the StandController.
 
     Args:
-        value: That is written.
-        every: In every so many'th period.
+        value: That is asked for, of the base's acceleration sideways.
+        every: In every so many'th period ...
+        burst: ... and in so many in all, one after the other.
+        weight: Of the row.
     """
 
-    def __init__(self, value: float, every: int = 1) -> None:
-        self._task, self._every = _Spoiler(value), every
+    def __init__(self, value: float, every: int = 1, burst: int = 1, weight: float = 1.0) -> None:
+        self._task, self._every, self._burst = _Spoiler(value, weight), every, burst
 
     def prepare(self, supervisor: Supervisor) -> None:
         """Add the task."""
@@ -97,4 +100,4 @@ class Program(Fault):
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
         """Spoil, or not."""
-        self._task.spoils = k % self._every == 0
+        self._task.spoils = k % self._every < self._burst

@@ -133,6 +133,11 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         ("ticks", "", "calls of the controller"),
         ("qp_failures", "", "ticks without an accepted solution: status not usable"),
         ("first_failure", "", "status of the first of them; null if there was none"),
+        (
+            "cold_solves",
+            "",
+            "ticks that had to be solved once more, from nothing: usable all the same",
+        ),
         ("saturated_ticks", "", "ticks whose torques are usable but were clipped to the motors"),
         (
             "torque_mode_only",

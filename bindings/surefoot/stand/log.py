@@ -44,6 +44,7 @@ class StandLog:
         v_estimated: (n, nv) as v_true.
         contact: (n, 4) estimated probability that a foot bears load.
         status: (n,) surefoot.Status of the tick.
+        rung: (n,) surefoot.Rung of the tick: where its command came from.
         torque_mode: (n,) whether all twelve motors were commanded in pure torque mode.
         iterations: (n,) of the quadratic program's solver.
         reach: (n,) surefoot.ReachLimit: what kept the body from where it was asked to be.
@@ -71,6 +72,7 @@ class StandLog:
     v_estimated: Array
     contact: Array
     status: Integers
+    rung: Integers
     torque_mode: npt.NDArray[np.bool_]
     iterations: Integers
     reach: Integers

@@ -127,6 +127,7 @@ class _Recorder:
         }
         self._rows: dict[str, np.ndarray] = {k: np.zeros((ticks, *s)) for k, s in shapes.items()}
         self._rows["status"] = np.zeros(ticks, dtype=np.int64)
+        self._rows["rung"] = np.zeros(ticks, dtype=np.int64)
         self._rows["iterations"] = np.zeros(ticks, dtype=np.int64)
         self._rows["reach"] = np.zeros(ticks, dtype=np.int64)
         self._rows["reach_motor"] = np.zeros(ticks, dtype=np.int64)
@@ -146,7 +147,7 @@ class _Recorder:
         rows["com"][k], rows["tau"][k], rows["dq"][k] = truth.com, truth.tau, truth.dq
         rows["q_estimated"][k], rows["v_estimated"][k] = estimate.q, estimate.v
         rows["contact"][k] = estimate.contact
-        rows["status"][k] = controller.status.value
+        rows["status"][k], rows["rung"][k] = controller.status.value, controller.rung.value
         rows["iterations"][k] = controller.solution.iterations
         rows["reach"][k], rows["reach_motor"][k] = reach.limit.value, reach.motor
         rows["torque_mode"][k] = is_torque_mode(command)

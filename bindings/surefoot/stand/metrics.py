@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import Status, is_usable
+from surefoot._core import Rung, Status, is_usable
 from surefoot.plain import plain
 from surefoot.stand.asked import asked_pose, reference_summary
 from surefoot.stand.conditions import describe_conditions
@@ -94,6 +94,7 @@ def _loop(log: StandLog) -> dict[str, Any]:
         "ticks": len(log.time),
         "qp_failures": len(bad),
         "first_failure": Status(int(log.status[bad[0]])).name if len(bad) else None,
+        "cold_solves": np.sum(log.rung == Rung.COLD_SOLVE.value),
         "saturated_ticks": np.sum(log.status == Status.SATURATED.value),
         "torque_mode_only": log.torque_mode.all(),
         "iterations": {"mean": log.iterations.mean(), "max": log.iterations.max()},

@@ -127,8 +127,9 @@ def _loop_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
     first = f" (first: {s['first_failure']})" if s["qp_failures"] else ""
     mode = "torque mode only" if s["torque_mode_only"] else "NOT torque mode only"
     saturated = f", {s['saturated_ticks']} saturated" if s["saturated_ticks"] else ""
+    anew = f", {s['cold_solves']} solved anew" if s["cold_solves"] else ""
     return [
-        ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}{saturated}, {mode}"),
+        ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}{anew}{saturated}, {mode}"),
         (
             "tick",
             f"{tick['p50']:.0f} us median, {tick['p90']:.0f} p90, {tick['p99']:.0f} p99, "

@@ -34,6 +34,7 @@ enum class FaultId : int {
   kJointStop,         ///< a joint is beyond its stop
   kPower,             ///< the power protection tripped
   kTorqueRate,        ///< torques were asked to jump
+  kProgram,           ///< no solution at once: stand().rung()
   kController,        ///< the StandController gave up: stand().fault()
   kHanging,           ///< on its way up the legs bear nothing
   kBattery,           ///< low

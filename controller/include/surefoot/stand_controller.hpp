@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -8,6 +9,7 @@
 #include "surefoot/estimator_report.hpp"
 #include "surefoot/qp_problem.hpp"
 #include "surefoot/robot.hpp"
+#include "surefoot/rung.hpp"
 #include "surefoot/task.hpp"
 #include "surefoot/types.hpp"
 
@@ -39,8 +41,11 @@ struct StandOptions {
 ///
 /// The first good report latches the pose, relative to the feet. Commands are torque mode: motors
 /// 0 .. 11 in mode 0x0A with q = PosStopF, dq = VelStopF, Kp = Kd = 0 and tau from the whole-body
-/// program. When a report or a solve is bad, the last good command is repeated for at most 10 ms;
-/// then the motors damp (dq = 0, Kd > 0, tau = 0) until reset(). Time comes from LowState::tick.
+/// program. Where a solve fails, the tick goes down a ladder (Rung): solve once more from nothing;
+/// share what changed of the wanted wrench among the feet without a program; the last forces
+/// through today's Jacobians; hold against gravity (here alone Kd > 0). Where a report is bad, the
+/// command that left last is repeated. What is not solved leaves for at most 10 ms on end; then the
+/// motors damp (dq = 0, Kd > 0, tau = 0) until reset(). Time comes from LowState::tick.
 class StandController {
  public:
   /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
@@ -66,8 +71,12 @@ class StandController {
   /// Add a task of your own; not in the tick. Throws surefoot::Error.
   void add_task(std::shared_ptr<Task> task);
 
-  /// kOk, kSaturated, or why this tick's command is not fresh; kDamping while latched.
+  /// kOk, kSaturated, or why this tick's command is not solved; kDamping while latched.
   Status status() const noexcept;
+  /// Where this tick's command came from; kDamping before the first.
+  Rung rung() const noexcept;
+  /// Ticks that came to this rung, since construction. Real-time: yes.
+  std::uint64_t rung_count(Rung rung) const noexcept;
   /// What was wrong when the last tick was not kOk; stays after the damping has latched.
   Status fault() const noexcept;
 
@@ -78,8 +87,8 @@ class StandController {
   const QpProblem& program() const noexcept;          ///< see WholeBodyController::program()
   bool foot_force_alive() const noexcept;             ///< does footForceEst carry anything?
   Eigen::Vector4d torque_force() const noexcept;      ///< [N] normal force per foot from torques
-  /// [W] sum |tau dq| that the last good tick's command takes, by the joint velocities it was made
-  /// for. Above the option power_limit only where holding still alone is above it.
+  /// [W] sum |tau dq| that the last command made from a report takes, by the joint velocities it
+  /// was made for. Above the option power_limit only where holding still alone is above it.
   double power() const noexcept;
   /// How much of the torques' way from holding still was left to the last good tick, 0 .. 1; below
   /// 1 (power_limit) status() is kSaturated, and solution() is what was planned.

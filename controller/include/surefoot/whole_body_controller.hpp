@@ -56,6 +56,13 @@ class WholeBodyController {
   const Solution& solve(const Dynamics& dynamics, const RobotState& state,
                         const Reference& reference) noexcept;
 
+  /// Solve the program of the last solve() or update() once more, when that ended with
+  /// kMaxIterations or kInfeasible: without a warm start, to ten times the tolerance by our own
+  /// check. After any other status there is no program that could be solved, and nothing happens.
+  /// Tasks are not asked again. Real-time: yes.
+  /// @param dynamics of that tick
+  const Solution& solve_cold(const Dynamics& dynamics) noexcept;
+
   /// Add a task of your own, from the next tick on. Not in the tick; throws surefoot::Error.
   void add_task(std::shared_ptr<Task> task);
 
@@ -74,6 +81,7 @@ class WholeBodyController {
   /// Let each motor use only a share of its torque, 0 .. 1, SDK order: a hot one, say. What is not
   /// a share changes nothing. Real-time: yes.
   void set_torque_share(const Vector12& share) noexcept;
+  const Vector12& torque_share() const noexcept;
 
   /// Forget the warm start.
   void reset() noexcept;

@@ -23,4 +23,10 @@ const LowCmd& CommandKeeper::refuse(double elapsed, double damping_kd) noexcept 
   return command_;
 }
 
+const LowCmd& CommandKeeper::bridge(const LowCmd& command, double elapsed,
+                                    double damping_kd) noexcept {
+  if (controls()) command_ = command;
+  return refuse(elapsed, damping_kd);
+}
+
 }  // namespace surefoot

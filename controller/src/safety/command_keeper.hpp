@@ -11,7 +11,7 @@ constexpr double kStaleTime = 0.020;  ///< [s] of silence after which damping is
 constexpr double kAwayTime =
     0.100;  ///< [s] without running: robots damp by themselves, and so do we
 
-/// Keeps the last good command over a gap, then damps and latches.
+/// Bridges a gap between good commands by what stands in for them, then damps and latches.
 ///
 /// Damping is the motors' own (Kd > 0, dq = 0): it goes on when the program has died. A robot that
 /// was never under control is damped without latching. Real-time: yes.
@@ -20,12 +20,18 @@ class CommandKeeper {
   /// A tick that ended well: this is what leaves.
   const LowCmd& accept(const LowCmd& command) noexcept;
 
-  /// A tick that did not: the last good command until kHoldTime, then damping, latched.
+  /// A tick that did not: the last command until kHoldTime after the last good one, then damping,
+  /// latched.
   /// @param elapsed [s] this tick's share of time
   const LowCmd& refuse(double elapsed, double damping_kd) noexcept;
 
+  /// The same with a command made from today's state in the place of the last one.
+  const LowCmd& bridge(const LowCmd& command, double elapsed, double damping_kd) noexcept;
+
   const LowCmd& last() const noexcept { return command_; }  ///< that left
   bool latched() const noexcept { return latched_; }
+  /// Is what left something else than damping?
+  bool controls() const noexcept { return has_command_ && !latched_; }
   void reset() noexcept { *this = CommandKeeper(); }
 
  private:

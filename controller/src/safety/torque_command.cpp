@@ -15,15 +15,22 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
                            const RobotState& state, const Reference& reference,
                            const Gains& gains) noexcept {
-  Vector12 tau, dq;
-  for (int i = 0; i < kMotors; ++i) {
-    tau[i] = solution.torques[robot_.motor_to_v()[i] - 6];
-    dq[i] = state.v[robot_.motor_to_v()[i]];
-  }
+  Vector12 tau;
+  for (int i = 0; i < kMotors; ++i) tau[i] = solution.torques[robot_.motor_to_v()[i] - 6];
+  const bool limited = take(tau, 0.0, dynamics, state, reference, gains);
+  return limited ? Status::kSaturated : solution.status;
+}
+
+bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dynamics,
+                         const RobotState& state, const Reference& reference,
+                         const Gains& gains) noexcept {
+  damping_ = options_.motor_damping + damping;
+  Vector12 dq;
+  for (int i = 0; i < kMotors; ++i) dq[i] = state.v[robot_.motor_to_v()[i]];
   const auto limit = [&](const Eigen::Vector4d& contact, double most) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     const Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
-    limited_ = limit_power(tau, hold, dq, most, options_.motor_damping);
+    limited_ = limit_power(tau, hold, dq, most, damping_);
   };
   limit(state.contact, options_.power_limit);
   // A foot that is light for a moment bears its share again when the others yield.
@@ -31,7 +38,7 @@ Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
   // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
   // the power on its way. The command goes as it is; the protection is there for the rest.
   if (limited_.exceeds) limit(state.contact, kUnlimited);
-  return limited_.scale < 1.0 ? Status::kSaturated : solution.status;
+  return limited_.scale < 1.0;
 }
 
 LowCmd torque_low_cmd(const Vector12& torques, double kd) noexcept {

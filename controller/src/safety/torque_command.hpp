@@ -24,9 +24,12 @@ class TorqueCommand {
   Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
               const Reference& reference, const Gains& gains) noexcept;
 
-  LowCmd command() const noexcept {
-    return torque_low_cmd(limited_.torques, options_.motor_damping);
-  }
+  /// The same for torques in motor order [N.m], to which the motors add damping [N.m.s/rad] beyond
+  /// the option's. @return were they limited?
+  bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
+            const Reference& reference, const Gains& gains) noexcept;
+
+  LowCmd command() const noexcept { return torque_low_cmd(limited_.torques, damping_); }
 
   const LimitedTorques& limited() const noexcept { return limited_; }
   void reset() noexcept { limited_ = {}; }
@@ -35,6 +38,7 @@ class TorqueCommand {
   Robot robot_;
   StandOptions options_;
   LimitedTorques limited_;  // motor order
+  double damping_ = 0.0;
 };
 
 }  // namespace surefoot

@@ -57,6 +57,9 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kPower, kDamp, 0.014, kArm, "PowerProtect at the option power_level"},
     {FaultId::kTorqueRate, kWatch, 0.002, kGone,
      "torques were asked to change by more than a tenth of their limits in 2 ms: they go slower"},
+    {FaultId::kProgram, kWatch, 0.002, kGone,
+     "the StandController has no solution at once: it is sought anew, or bridged for at most 10 "
+     "ms"},
     {FaultId::kController, kDamp, 0.020, kArm, "no usable solution for longer than 10 ms"},
     {FaultId::kHanging, kSit, 0.5, kGone, "up, and the legs bear less than a third of the weight"},
     {FaultId::kBattery, kSit, 2.0, kGone, "charge below the option battery_low, where it is told"},
@@ -110,6 +113,7 @@ const char* to_string(FaultId id) noexcept {
                                                       "joint_stop",
                                                       "power",
                                                       "torque_rate",
+                                                      "program",
                                                       "controller",
                                                       "hanging",
                                                       "battery",

@@ -66,7 +66,10 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     if (keeper.latched() || clock.gap() > kAwayTime) latch(bad);
   }
   if (good) motors.sent(*out, state);
-  fresh = good && (!fade.needs(Source::kProgram) || is_usable(stand.status()));
+  const bool program = good && fade.needs(Source::kProgram);
+  fresh = good && (!program || is_fresh(stand.rung()));
+  const bool bridged = stand.rung() != Rung::kSolved && stand.rung() != Rung::kDamping;
+  log.set(FaultId::kProgram, program && bridged);
   publish();
   return *out;
 }

@@ -6,6 +6,7 @@
 #include "surefoot/stage_clock.hpp"
 #include "tasks/base_orientation_task.hpp"
 #include "tasks/base_position_task.hpp"
+#include "tasks/body_demand.hpp"
 #include "tasks/com_task.hpp"
 #include "tasks/foot_task.hpp"
 #include "tasks/force_task.hpp"
@@ -79,16 +80,12 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
 void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                              const Reference& reference, double fade) noexcept {
   const bool base = reference.body_point == BodyPoint::kBase;
-  // What of a push is not leant against moves the body, and is no error of the tasks.
-  const Vector3 yielded = (1.0 - gains.push_resist) / robot_.mass() * state.f_outside;
-  const Vector3 a = yielded + (base ? base_acceleration(gains, reference, dynamics)
-                                    : com_acceleration(gains, reference, dynamics));
-  const Vector3 alpha = base_angular_acceleration(gains, reference, dynamics);
+  const BodyDemand demand = body_demand(gains, robot_.mass(), dynamics, state, reference);
   auto& [position, orientation, momentum] = terms_.body;
-  position = base ? base_position_task(gains, a, dynamics)
-                  : com_task(gains, a, state.f_outside, robot_.mass());
+  position = base ? base_position_task(gains, demand.a, dynamics)
+                  : com_task(gains, demand.a, state.f_outside, robot_.mass());
   position.scale = base ? units_.scale_base : units_.scale_com;
-  orientation = base_orientation_task(gains, alpha, dynamics);
+  orientation = base_orientation_task(gains, demand.alpha, dynamics);
   orientation.scale = units_.scale_angular;
   orientation.weight.head<2>() *= fade + (1.0 - fade) * gains.edge_tilt;
   terms_.body_tasks = 2;
@@ -98,17 +95,15 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
     momentum.scale = units_.scale_momentum;
     terms_.body_tasks = 3;
   }
-  write_even(dynamics, a, alpha, state, load_shares(gains, state.contact, reference));
+  write_even(dynamics, demand, state, load_shares(gains, state.contact, reference));
 }
 
-// By the very rows of both tasks; where a leg is singular, by the wrench on the locked robot, which
-// leaves out the legs' own inertia.
-void TermsWriter::write_even(const Dynamics& dynamics, const Vector3& a, const Vector3& alpha,
+// By the very rows of both tasks; where a leg is singular, by the wrench on the locked robot.
+void TermsWriter::write_even(const Dynamics& dynamics, const BodyDemand& demand,
                              const RobotState& state, const Eigen::Vector4d& share) noexcept {
   if (!terms_.has_condensed) {
-    const Vector3 force = robot_.mass() * (a + kGravity * Vector3::UnitZ()) - state.f_outside;
-    const Vector3 moment = turning_moment(dynamics, alpha) - state.moment_outside;
-    even_ = even_forces(dynamics, force, moment, share);
+    const FeetWrench wrench = feet_wrench(demand, robot_.mass(), dynamics, state);
+    even_ = even_forces(dynamics, wrench.force, wrench.moment, share);
     return;
   }
   Matrix6x12 A;

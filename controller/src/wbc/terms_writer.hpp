@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/dynamics.hpp"
+#include "tasks/body_demand.hpp"
 #include "wbc/program_layout.hpp"
 #include "wbc/program_terms.hpp"
 
@@ -23,12 +24,13 @@ class TermsWriter {
 
   const ProgramTerms& terms() const noexcept { return terms_; }
   void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }
+  const Vector12& torque_share() const noexcept { return torque_share_; }
 
  private:
   void write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                   const Reference& reference, double fade) noexcept;
-  void write_even(const Dynamics& dynamics, const Vector3& a, const Vector3& alpha,
-                  const RobotState& state, const Eigen::Vector4d& share) noexcept;
+  void write_even(const Dynamics& dynamics, const BodyDemand& demand, const RobotState& state,
+                  const Eigen::Vector4d& share) noexcept;
   void write_forces(const Gains& gains, const Reference& reference,
                     const FeetMatrix* previous) noexcept;
   void write_posture(const Gains& gains, const RobotState& state,

@@ -76,6 +76,10 @@ void WholeBodyController::set_torque_share(const Vector12& share) noexcept {
   }
 }
 
+const Vector12& WholeBodyController::torque_share() const noexcept {
+  return impl_->writer.torque_share();
+}
+
 void WholeBodyController::add_task(std::shared_ptr<Task> task) {
   const int rows = task == nullptr ? 0 : task->rows();
   if (rows < 1 || rows > kMostRows) {
@@ -133,6 +137,15 @@ const Solution& WholeBodyController::solve(const Dynamics& dynamics, const Robot
     return s.solution;
   }
   s.solver.solve(s.gains, dynamics, s.writer.terms(), s.solution);
+  return s.solution;
+}
+
+const Solution& WholeBodyController::solve_cold(const Dynamics& dynamics) noexcept {
+  Impl& s = *impl_;
+  const Status was = s.solution.status;
+  if (was == Status::kMaxIterations || was == Status::kInfeasible) {
+    s.solver.solve_cold(dynamics, s.writer.terms(), s.solution);
+  }
   return s.solution;
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr double kSaturated = 1e-3;   // share of tau_max: nearer to its limit a motor is at it
 constexpr double kCurvature = 1.0;    // of the slacks' cost, before scaling
 constexpr double kTightest = 1e-12;   // tolerance that rounding lets be reached
+constexpr double kRelaxed = 10.0;     // times the tolerance, for a program that would not be solved
 constexpr double kLeastShare = 1e-5;  // of the cost, for the tasks that are not the user's own
 
 ElasticRows elastic_rows(const JointTable& joints) {
@@ -77,6 +78,10 @@ const ElasticSolver& WholeBodySolver::elastic() const noexcept {
   return form_ == Form::kCondensed ? condensed_solver_ : general_solver_;
 }
 
+ElasticSolver& WholeBodySolver::elastic() noexcept {
+  return form_ == Form::kCondensed ? condensed_solver_ : general_solver_;
+}
+
 const QpProblem& WholeBodySolver::solved() const noexcept { return elastic().solved(problem()); }
 
 void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
@@ -103,16 +108,29 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
     out.status = Status::kBadTask;
     return;
   }
-  ElasticSolver& solver = condensed ? condensed_solver_ : general_solver_;
-  solver.set_tolerance(
-      std::max(own_share * options_.tolerance, std::min(options_.tolerance, kTightest)));
-  const QpResult result = solver.solve(problem(), price_, scale * kCurvature);
+  curvature_ = scale * kCurvature;
+  tolerance_ = std::max(own_share * options_.tolerance, std::min(options_.tolerance, kTightest));
+  run(dynamics, terms, tolerance_, out);
+}
+
+void WholeBodySolver::solve_cold(const Dynamics& dynamics, const ProgramTerms& terms,
+                                 Solution& out) noexcept {
+  const StageScope stage(Stage::kProgram);
+  elastic().reset();
+  run(dynamics, terms, kRelaxed * tolerance_, out);
+}
+
+void WholeBodySolver::run(const Dynamics& dynamics, const ProgramTerms& terms, double tolerance,
+                          Solution& out) noexcept {
+  ElasticSolver& solver = elastic();
+  solver.set_tolerance(tolerance);
+  const QpResult result = solver.solve(problem(), price_, curvature_);
   out.status = result.status;
   out.iterations = result.iterations;
   out.primal_residual = result.primal_residual;
   out.dual_residual = result.dual_residual;
   if (result.status != Status::kOk) return;
-  if (condensed) {
+  if (form_ == Form::kCondensed) {
     condensed_.read(solver.x(), forces_, accelerations_, torques_);
   } else {
     general_.read(solver.x(), forces_, accelerations_, torques_);

@@ -22,6 +22,10 @@ class WholeBodySolver {
   void solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
              Solution& out) noexcept;
 
+  /// Solve what solve() posed once more, from nothing and to the relaxed tolerance: ten times the
+  /// program's, 1e-5 (forces to a tenth of a newton or so), checked as strictly as any.
+  void solve_cold(const Dynamics& dynamics, const ProgramTerms& terms, Solution& out) noexcept;
+
   void reset() noexcept;
 
   const QpProblem& problem() const noexcept;  ///< of the form in force
@@ -29,6 +33,9 @@ class WholeBodySolver {
   const QpProblem& solved() const noexcept;  ///< the same, with slacks where something gave
 
  private:
+  ElasticSolver& elastic() noexcept;
+  void run(const Dynamics& dynamics, const ProgramTerms& terms, double tolerance,
+           Solution& out) noexcept;
   void write(const Dynamics& dynamics, const JointLimits& limits, Solution& out) noexcept;
 
   Robot robot_;
@@ -41,6 +48,7 @@ class WholeBodySolver {
   GeneralProgram general_;
   ElasticSolver condensed_solver_, general_solver_;
   Eigen::VectorXd price_, accelerations_, torques_;
+  double curvature_ = 1.0, tolerance_ = 0.0;  // of the program that was posed last
   Vector12 forces_ = Vector12::Zero();
 };
 

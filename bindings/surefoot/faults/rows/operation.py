@@ -13,7 +13,7 @@ from surefoot.faults.world_faults import Program
 
 NAN = math.nan
 STOP, BUTTON = as_table("stop"), as_table("button")
-NO_SOLUTION = as_table("controller")
+NO_SOLUTION, BRIDGED = as_table("controller"), as_table("program")
 TIMEOUT = 0.5  # [s] without a heartbeat
 
 ROWS = (
@@ -33,7 +33,21 @@ ROWS = (
                 "intermittent",
                 "NaN in 1 tick of 25",
                 lambda: Program(NAN, 25),
-                WATCH,
+                BRIDGED,
+                modes=STANDING,
+            ),
+            case(
+                "intermittent",
+                "NaN for 10 ms of every 100",
+                lambda: Program(NAN, 50, 5),
+                BRIDGED,
+                modes=STANDING,
+            ),
+            case(
+                "slow",
+                "so large in 1 tick of 25 that they must be solved twice",
+                lambda: Program(3e6, 25, weight=1e4),
+                BRIDGED,
                 modes=STANDING,
             ),
         ),

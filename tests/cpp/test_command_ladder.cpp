@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every rung of the ladder, each by what makes the ones above it fail.
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "lambda_task.hpp"
+#include "motion.hpp"
+#include "safety/command_ladder.hpp"
+#include "safety/holding_torques.hpp"
+#include "surefoot/stand_controller.hpp"
+#include "surefoot/whole_body_controller.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+const double kNaN = std::nan("");
+
+/// What a user's task does to the program.
+enum class Spoil { kNothing, kNotANumber, kHeavy };
+
+bool spoil_rows(Spoil how, TaskRows& rows) {
+  rows.A_a.setZero();
+  rows.weight.setZero();
+  rows.A_a(0, 1) = 1.0;
+  rows.b[0] = how == Spoil::kNotANumber ? kNaN : 0.0;
+  // So much is asked for that rounding alone is more than the tolerance.
+  if (how == Spoil::kHeavy) {
+    rows.weight[0] = 1e4;
+    rows.b[0] = 3e6;
+  }
+  return true;
+}
+
+/// A robot that stands, and whose program fails whenever it is told to.
+struct Standing {
+  Robot robot = quadruped();
+  StandOptions options;
+  StandController controller;
+  Spoil spoil = Spoil::kNothing;
+  std::uint32_t tick = 0;
+  LowState report = resting_report(robot, 0);
+  LowCmd last;
+
+  explicit Standing(double power_limit = StandOptions().power_limit)
+      : options{0.0, 0.0, Form::kAuto, power_limit},
+        controller(robot, robot.config().gains, options) {
+    controller.add_task(
+        task(1, [this](const RobotState&, TaskRows& rows) { return spoil_rows(spoil, rows); }));
+    for (int i = 0; i < 10; ++i) step();
+  }
+  const LowCmd& step() {
+    report.tick = tick;
+    tick += 2;
+    return last = controller.update(report);
+  }
+  Vector12 tau() const {
+    Vector12 out;
+    for (int i = 0; i < kMotors; ++i) out[i] = last.motorCmd[i].tau;
+    return out;
+  }
+};
+
+/// The rungs below the program, and what they are given.
+struct Moving {
+  Robot robot = quadruped();
+  Gains gains;
+  RobotState state = random_state(robot, 6, 0.3);
+  Reference reference = reference_at(robot, state);
+  Dynamics dynamics = dynamics_at(robot, state);
+  CommandLadder ladder{robot};
+  FeetMatrix planned = FeetMatrix::Zero();
+
+  Moving() { planned.row(2) << 35.0, 25.0, 30.0, 28.0; }
+  Rung descend() { return ladder.descend(gains, dynamics, state, reference); }
+  void solved() { ladder.remember(gains, dynamics, state, reference, planned); }
+  Vector12 through_jacobians(const FeetMatrix& forces) const {
+    Vector12 tau;
+    for (int leg = 0; leg < kLegs; ++leg) {
+      const LegDynamics& L = dynamics.legs()[leg];
+      tau.segment<3>(3 * leg) = L.h_leg - L.J_leg.transpose() * forces.col(leg);
+    }
+    return tau;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(command_ladder)
+
+BOOST_FIXTURE_TEST_CASE(a_program_that_rounding_keeps_from_its_tolerance_is_solved_anew, Standing) {
+  BOOST_TEST((controller.rung() == Rung::kSolved));
+  spoil = Spoil::kHeavy;
+  for (int k = 0; k < 20; ++k) {  // for as long as it likes: it is a solution
+    step();
+    BOOST_TEST((controller.rung() == Rung::kColdSolve));
+    BOOST_TEST(is_usable(controller.status()));
+    BOOST_TEST((tau().cwiseAbs().array() <= robot.config().tau_max.array() * 1.00001).all());
+  }
+  BOOST_TEST(controller.rung_count(Rung::kColdSolve) == 20U);
+  BOOST_TEST((controller.fault() == Status::kOk));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_program_that_fails_is_bridged_by_the_tasks_wrench, Standing) {
+  const Vector12 solved = tau();
+  spoil = Spoil::kNotANumber;
+  for (int k = 0; k < 5; ++k) {
+    step();
+    BOOST_TEST((controller.rung() == Rung::kForces));
+    BOOST_TEST((controller.status() == Status::kBadTask));
+    BOOST_TEST((tau() - solved).norm() < 0.2);
+    BOOST_TEST(last.motorCmd[0].Kd == 0.0F);
+  }
+  spoil = Spoil::kNothing;
+  step();
+  BOOST_TEST((controller.rung() == Rung::kSolved));
+  BOOST_TEST((tau() - solved).norm() < 0.2);
+  BOOST_TEST((controller.fault() == Status::kBadTask));
+  BOOST_TEST(controller.rung_count(Rung::kForces) == 5U);
+}
+
+BOOST_FIXTURE_TEST_CASE(after_ten_milliseconds_the_motors_damp_latched, Standing) {
+  spoil = Spoil::kNotANumber;
+  for (int k = 0; k < 5; ++k) BOOST_TEST(!motors_brake(step()));
+  for (int k = 0; k < 5; ++k) {
+    spoil = Spoil::kNothing;
+    BOOST_TEST(motors_brake(step()));
+    BOOST_TEST((controller.rung() == Rung::kDamping));
+    BOOST_TEST((controller.status() == Status::kDamping));
+  }
+  controller.reset();
+  step();
+  BOOST_TEST((controller.rung() == Rung::kSolved));
+}
+
+// Today's torques follow today's joints: what is bridged is no repetition.
+BOOST_FIXTURE_TEST_CASE(a_bridge_follows_the_report, Standing) {
+  spoil = Spoil::kNotANumber;
+  report.imu.gyroscope = {0.2F, 0.0F, 0.0F};
+  const LowCmd first = step();
+  report.imu.gyroscope = {0.4F, 0.0F, 0.0F};
+  step();
+  BOOST_TEST((controller.rung() == Rung::kForces));
+  BOOST_TEST(std::abs(last.motorCmd[1].tau - first.motorCmd[1].tau) > 1e-3);
+}
+
+BOOST_FIXTURE_TEST_CASE(bad_reports_and_bad_programs_share_the_ten_milliseconds, Standing) {
+  const Rung expected[] = {Rung::kForces, Rung::kHold, Rung::kForces, Rung::kHold, Rung::kHold};
+  for (const Rung rung : expected) {
+    const LowCmd before = last;
+    spoil = rung == Rung::kForces ? Spoil::kNotANumber : Spoil::kNothing;
+    report.imu.gyroscope[0] = rung == Rung::kHold ? std::nanf("") : 0.0F;
+    step();
+    BOOST_TEST((controller.rung() == rung));
+    // What left last is held, and not what was solved last.
+    if (rung == Rung::kHold) BOOST_TEST(last.motorCmd[2].tau == before.motorCmd[2].tau);
+  }
+  BOOST_TEST(motors_brake(step()));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_robot_never_under_control_is_not_bridged, Standing) {
+  controller.reset();
+  spoil = Spoil::kNotANumber;
+  for (int k = 0; k < 10; ++k) {
+    BOOST_TEST(motors_brake(step()));
+    BOOST_TEST((controller.rung() == Rung::kDamping));
+    BOOST_TEST((controller.status() == Status::kBadTask));
+  }
+  spoil = Spoil::kNothing;
+  step();
+  BOOST_TEST((controller.rung() == Rung::kSolved));
+}
+
+BOOST_AUTO_TEST_CASE(a_bridge_takes_no_more_power_than_is_allowed) {
+  const double limit = 12.0;
+  double unlimited = 0.0;
+  for (const double allowed : {1e9, limit}) {
+    Standing s(allowed);
+    for (int i = 0; i < kMotors; ++i) s.report.motorState[i].dq = i % 3 == 2 ? -0.3F : 0.3F;
+    s.report.imu.gyroscope = {0.0F, 0.8F, 0.0F};
+    s.spoil = Spoil::kNotANumber;
+    s.step();
+    BOOST_REQUIRE((s.controller.rung() == Rung::kForces));
+    if (allowed > limit) {
+      unlimited = s.controller.power();
+      continue;
+    }
+    BOOST_TEST(unlimited > limit);
+    BOOST_TEST(s.controller.power() <= limit * 1.0001);
+    BOOST_TEST(s.controller.power_scale() < 1.0);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(forces_give_the_wrench_that_the_tasks_want, Moving) {
+  reference.a_com = Vector3(0.5, -0.4, 0.3);
+  BOOST_TEST((descend() == Rung::kForces));
+  BOOST_TEST(ladder.damping() == 0.0);
+  // The same tasks by the program, whose legs have inertia.
+  WholeBodyController program(robot, gains);
+  const Solution& solution = program.solve(dynamics, state, reference);
+  BOOST_REQUIRE(is_usable(solution.status));
+  for (int i = 0; i < kMotors; ++i) {
+    const double tau = solution.torques[robot.motor_to_v()[i] - 6];
+    BOOST_TEST(std::abs(ladder.torques()[i] - tau) < 0.05 * robot.config().tau_max[i]);
+  }
+}
+
+// A program at its limits gives less than the tasks want; what stands in for it goes on from there.
+BOOST_FIXTURE_TEST_CASE(forces_go_on_from_those_that_were_solved_last, Moving) {
+  solved();
+  BOOST_TEST((descend() == Rung::kForces));
+  BOOST_TEST((ladder.torques() - through_jacobians(planned)).norm() < 1e-9);
+  const Vector12 before = ladder.torques();
+  reference.a_com.z() += 1.0;
+  BOOST_TEST((descend() == Rung::kForces));
+  // One m/s^2 more upwards: so much more force, and no other.
+  FeetMatrix more;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Matrix3 J = dynamics.legs()[leg].J_leg;
+    const Vector3 change = ladder.torques().segment<3>(3 * leg) - before.segment<3>(3 * leg);
+    more.col(leg) = -J.transpose().fullPivLu().solve(change);
+  }
+  BOOST_TEST((more.rowwise().sum() - robot.mass() * Vector3::UnitZ()).norm() < 1e-4);
+}
+
+BOOST_FIXTURE_TEST_CASE(forces_stay_inside_their_cones_and_share_what_that_takes, Moving) {
+  const double weight = robot.mass() * kGravity;
+  const auto missed = [&](const FeetMatrix& forces, const Vector3& wanted) {
+    return (forces.rowwise().sum() - wanted).norm();
+  };
+  const Eigen::Vector4d all = Eigen::Vector4d::Ones(), mu = Eigen::Vector4d::Constant(0.5);
+  const Vector3 up(0.0, 0.0, weight), n = Vector3::UnitZ();
+  const auto share = [&](const Vector3& force, const Eigen::Vector4d& most) {
+    return add_wrench(dynamics, FeetMatrix::Zero(), {force, Vector3::Zero()}, all, {n, mu, most});
+  };
+  BOOST_TEST(missed(share(up, 3.0 * weight * all), up) < 1e-6 * weight);
+  // One foot may bear next to nothing: the others bear nearly all of it.
+  Eigen::Vector4d most = 3.0 * weight * all;
+  most[FL_] = 0.02 * weight;
+  BOOST_TEST(share(up, most)(2, FL_) <= most[FL_] * 1.0001);
+  BOOST_TEST(missed(share(up, most), up) < 0.1 * weight);
+  // More than friction holds: as much as it does, and the weight all the same.
+  const Vector3 pulled(weight, 0.0, weight);
+  const FeetMatrix held = share(pulled, 3.0 * weight * all);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    BOOST_TEST(held.col(leg).head<2>().norm() <= 0.5 * held(2, leg) * 1.0001);
+    BOOST_TEST(held(2, leg) >= 0.0);
+  }
+  BOOST_TEST(held.row(2).sum() > 0.9 * weight);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_reference_without_numbers_leaves_the_last_forces, Moving) {
+  solved();
+  reference.p_com.x() = kNaN;
+  BOOST_TEST((descend() == Rung::kLastForces));
+  BOOST_TEST((ladder.torques() - through_jacobians(planned)).norm() < 1e-9);
+  BOOST_TEST(ladder.damping() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(without_forces_too_the_weight_is_held_and_the_joints_damp, Moving) {
+  const RobotState nothing(robot.nq(), robot.nv());
+  const Vector12 hold = holding_torques(dynamics, robot.mass(), nothing, Eigen::Vector4d::Ones());
+  const auto holds = [&] {
+    BOOST_TEST((descend() == Rung::kGravity));
+    BOOST_TEST((ladder.torques() - hold).norm() < 1e-9);
+    BOOST_TEST(ladder.damping() == gains.damping_kd);
+  };
+  reference.p_com.x() = kNaN;
+  holds();
+  planned(1, RR_) = kNaN;  // or those there are have no numbers
+  solved();
+  holds();
+  planned(1, RR_) = 0.0;  // or they were forgotten
+  solved();
+  ladder.reset();
+  holds();
+}
+
+BOOST_FIXTURE_TEST_CASE(a_state_without_numbers_leaves_nothing_but_to_hold, Moving) {
+  const Vector12 before = (descend(), ladder.torques());
+  state.q[8] = kNaN;
+  dynamics.update(state.q, state.v, reference.ground_normal);
+  BOOST_TEST((descend() == Rung::kHold));
+  BOOST_TEST(ladder.torques() == before);
+}
+
+BOOST_FIXTURE_TEST_CASE(torques_are_clipped_to_the_motors_and_their_share, Moving) {
+  reference.a_com.z() = 200.0;
+  gains.force_max_contact = 100.0;
+  BOOST_REQUIRE((descend() == Rung::kForces));
+  const Vector12& most = robot.config().tau_max;
+  BOOST_TEST((ladder.torques().cwiseAbs() - most).maxCoeff() <= 0.0);
+  BOOST_TEST((ladder.torques().cwiseAbs() - most).maxCoeff() > -1e-6);
+  ladder.set_torque_share(Vector12::Constant(0.4));
+  descend();
+  BOOST_TEST((ladder.torques().cwiseAbs() - 0.4 * most).maxCoeff() < 1e-9);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
