@@ -57,9 +57,9 @@ class WholeBodyController {
                         const Reference& reference) noexcept;
 
   /// Solve the program of the last solve() or update() once more, when that ended with
-  /// kMaxIterations or kInfeasible: without a warm start, to ten times the tolerance by our own
-  /// check. After any other status there is no program that could be solved, and nothing happens.
-  /// Tasks are not asked again. Real-time: yes.
+  /// kMaxIterations or kInfeasible: without a warm start, in one attempt, to ten times the
+  /// tolerance by our own check. After any other status there is no program that could be solved,
+  /// and nothing happens. Tasks are not asked again. Real-time: yes.
   /// @param dynamics of that tick
   const Solution& solve_cold(const Dynamics& dynamics) noexcept;
 

@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kShares = 4;  // that a wrench is shared out: once, and what clamping took three times
+constexpr int kShares = 10;  // that a wrench is shared out: once, then what clamping took
 
 Vector3 within_cone(const Vector3& force, const Vector3& normal, double friction,
                     double normal_max) noexcept {

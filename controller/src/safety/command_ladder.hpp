@@ -72,7 +72,7 @@ struct ForceCones {
 /// Share more wrench (about the centre of mass) out among feet that bear forces already:
 ///   minimise sum |df_i|^2 / share_i   subject to   sum df_i = force,  sum (p_i - p_com) x df_i =
 ///   moment
-/// clamped to the cones foot by foot; what that took is shared out again, three times.
+/// clamped to the cones foot by foot; what that took is shared out again, nine times.
 /// @param forces where it begins @param share how much of the load each foot may take, 0 .. 1
 /// @return forces + df, [N] world axes. Real-time: yes.
 FeetMatrix add_wrench(const Dynamics& dynamics, const FeetMatrix& forces, const FeetWrench& more,

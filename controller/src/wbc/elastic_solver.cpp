@@ -7,10 +7,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kPatience = 40;        // inner iterations before a hard program counts as impossible
-constexpr int kElasticBudget = 160;  // inner iterations after which no further attempt begins
-constexpr int kQuietTicks = 10;      // without slack before the hard program is tried again
-constexpr double kSlack = 1e-5;      // more of it is giving way
+constexpr int kQuietTicks = 10;  // without slack before the hard program is tried again
+constexpr double kSlack = 1e-5;  // more of it is giving way
 
 int elastic_count(const ElasticRows& rows) {
   int count = 0;
@@ -19,6 +17,11 @@ int elastic_count(const ElasticRows& rows) {
 }
 
 }  // namespace
+
+// Of the hard program: before it counts as impossible; of the elastic one: after which no further
+// attempt begins.
+const ElasticSolver::Budget ElasticSolver::kUsual{40, 160};
+const ElasticSolver::Budget ElasticSolver::kShort{1, 1};  // one attempt of ProxQP's each
 
 // Rows of the large program: the hard rows and the upper sides of the elastic ones where they were,
 // then the lower sides, then s >= 0.
@@ -55,10 +58,21 @@ void ElasticSolver::reset() noexcept {
 
 QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& price,
                               double curvature) noexcept {
+  return solve(problem, price, curvature, kUsual);
+}
+
+QpResult ElasticSolver::solve_cold(const QpProblem& problem, const Eigen::VectorXd& price,
+                                   double curvature) noexcept {
+  reset();
+  return solve(problem, price, curvature, kShort);
+}
+
+QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& price,
+                              double curvature, const Budget& budget) noexcept {
   int spent = 0;
   used_elastic_ = false;
   if (!yielding_) {
-    QpResult result = hard_solver_.solve(problem, kPatience, Feasibility::kDoubtful);
+    QpResult result = hard_solver_.solve(problem, budget.hard, Feasibility::kDoubtful);
     if (result.status == Status::kNonFinite) return result;
     if (result.status == Status::kOk && within_price(price)) {
       x_ = hard_solver_.x();
@@ -70,7 +84,7 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
   }
   write_elastic(problem, price, curvature);
   used_elastic_ = true;
-  QpResult result = solve_elastic();
+  QpResult result = solve_elastic(budget.elastic);
   result.iterations += spent;
   return result;
 }
@@ -115,8 +129,8 @@ void ElasticSolver::write_elastic(const QpProblem& problem, const Eigen::VectorX
   }
 }
 
-QpResult ElasticSolver::solve_elastic() noexcept {
-  QpResult result = elastic_solver_.solve(elastic_, kElasticBudget);
+QpResult ElasticSolver::solve_elastic(int budget) noexcept {
+  QpResult result = elastic_solver_.solve(elastic_, budget);
   if (result.status == Status::kNonFinite) return result;
   x_ = elastic_solver_.x().head(n_);
   slack_ = elastic_solver_.x().tail(rows_.groups);

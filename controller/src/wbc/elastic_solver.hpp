@@ -32,6 +32,10 @@ class ElasticSolver {
   /// @param price shape (groups,) @param curvature more than 0
   QpResult solve(const QpProblem& problem, const Eigen::VectorXd& price, double curvature) noexcept;
 
+  /// From nothing, and with one attempt of ProxQP's behind the active set instead of several.
+  QpResult solve_cold(const QpProblem& problem, const Eigen::VectorXd& price,
+                      double curvature) noexcept;
+
   void reset() noexcept;
   const Eigen::VectorXd& x() const noexcept { return x_; }
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
@@ -42,11 +46,17 @@ class ElasticSolver {
   }
 
  private:
+  struct Budget {
+    int hard, elastic;  // inner iterations of ProxQP
+  };
+  static const Budget kUsual, kShort;
+  QpResult solve(const QpProblem& problem, const Eigen::VectorXd& price, double curvature,
+                 const Budget& budget) noexcept;
   void start_elastic() noexcept;
   bool within_price(const Eigen::VectorXd& price) noexcept;
   void write_elastic(const QpProblem& problem, const Eigen::VectorXd& price,
                      double curvature) noexcept;
-  QpResult solve_elastic() noexcept;
+  QpResult solve_elastic(int budget) noexcept;
 
   int n_, n_in_;
   ElasticRows rows_;

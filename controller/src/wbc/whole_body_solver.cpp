@@ -110,30 +110,28 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
   }
   curvature_ = scale * kCurvature;
   tolerance_ = std::max(own_share * options_.tolerance, std::min(options_.tolerance, kTightest));
-  run(dynamics, terms, tolerance_, out);
+  elastic().set_tolerance(tolerance_);
+  take(elastic().solve(problem(), price_, curvature_), dynamics, terms, out);
 }
 
 void WholeBodySolver::solve_cold(const Dynamics& dynamics, const ProgramTerms& terms,
                                  Solution& out) noexcept {
   const StageScope stage(Stage::kProgram);
-  elastic().reset();
-  run(dynamics, terms, kRelaxed * tolerance_, out);
+  elastic().set_tolerance(kRelaxed * tolerance_);
+  take(elastic().solve_cold(problem(), price_, curvature_), dynamics, terms, out);
 }
 
-void WholeBodySolver::run(const Dynamics& dynamics, const ProgramTerms& terms, double tolerance,
-                          Solution& out) noexcept {
-  ElasticSolver& solver = elastic();
-  solver.set_tolerance(tolerance);
-  const QpResult result = solver.solve(problem(), price_, curvature_);
+void WholeBodySolver::take(const QpResult& result, const Dynamics& dynamics,
+                           const ProgramTerms& terms, Solution& out) noexcept {
   out.status = result.status;
   out.iterations = result.iterations;
   out.primal_residual = result.primal_residual;
   out.dual_residual = result.dual_residual;
   if (result.status != Status::kOk) return;
   if (form_ == Form::kCondensed) {
-    condensed_.read(solver.x(), forces_, accelerations_, torques_);
+    condensed_.read(elastic().x(), forces_, accelerations_, torques_);
   } else {
-    general_.read(solver.x(), forces_, accelerations_, torques_);
+    general_.read(elastic().x(), forces_, accelerations_, torques_);
   }
   out.form = form_;
   write(dynamics, terms.limits, out);

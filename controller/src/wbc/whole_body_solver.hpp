@@ -22,8 +22,8 @@ class WholeBodySolver {
   void solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
              Solution& out) noexcept;
 
-  /// Solve what solve() posed once more, from nothing and to the relaxed tolerance: ten times the
-  /// program's, 1e-5 (forces to a tenth of a newton or so), checked as strictly as any.
+  /// Solve what solve() posed once more, from nothing, in one attempt, and to the relaxed
+  /// tolerance: ten times the program's, checked as strictly as any.
   void solve_cold(const Dynamics& dynamics, const ProgramTerms& terms, Solution& out) noexcept;
 
   void reset() noexcept;
@@ -34,8 +34,8 @@ class WholeBodySolver {
 
  private:
   ElasticSolver& elastic() noexcept;
-  void run(const Dynamics& dynamics, const ProgramTerms& terms, double tolerance,
-           Solution& out) noexcept;
+  void take(const QpResult& result, const Dynamics& dynamics, const ProgramTerms& terms,
+            Solution& out) noexcept;
   void write(const Dynamics& dynamics, const JointLimits& limits, Solution& out) noexcept;
 
   Robot robot_;

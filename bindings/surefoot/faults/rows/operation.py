@@ -45,8 +45,8 @@ ROWS = (
             ),
             case(
                 "slow",
-                "so large in 1 tick of 25 that they must be solved twice",
-                lambda: Program(3e6, 25, weight=1e4),
+                "too large for the tolerance in 1 tick of 25",
+                lambda: Program(1e7, 25, weight=1e4),
                 BRIDGED,
                 modes=STANDING,
             ),
