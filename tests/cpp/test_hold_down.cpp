@@ -95,4 +95,25 @@ BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Leani
   }
 }
 
+// On its way down, or thrown up and to be stopped: at the edge it may not be let fall.
+BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_for, Leaning) {
+  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+    for (const double sway : {0.0, 0.8}) {
+      WholeBodyController controller(robot, gains, {form});
+      Reference r = controller.hold(state);
+      r.a_com.z() = -30.0;
+      RobotState leaning = state;
+      leaning.v.y() = sway;
+      const Solution& s = controller.update(leaning, r);
+      BOOST_REQUIRE(is_usable(s.status));
+      const double load = s.forces.row(2).sum() / weight;
+      if (sway == 0.0) {
+        BOOST_TEST(load < 4.0 * gains.hold_down + 0.02);  // as little as holds feet down
+      } else {
+        BOOST_TEST(std::abs(load - gains.edge_load) < 0.1);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

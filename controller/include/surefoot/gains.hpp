@@ -46,6 +46,7 @@ struct Gains {
   double hold_down = 0.04;
   double edge_margin = 0.06;
   double edge_tilt = 0.05;
+  double edge_load = 0.3;
   double force_max_contact = 3.0;
   double force_lost_contact = 0.3;
   double share_lost_contact = 0.3;

@@ -74,6 +74,8 @@ constexpr GainInfo kRows[] = {
      "capture point nearer than this to the support's edge: surviving comes first"},
     {kProgram, "edge_tilt", "1", 0.01, 1, &G::edge_tilt,
      "share of weight_base_tilt left at the edge, where turning the body helps to stay up"},
+    {kProgram, "edge_load", "m g", 0, 0.9, &G::edge_load,
+     "least load planned for all feet at the edge: a body on its way down again brakes no push"},
     {kProgram, "force_max_contact", "m g", 0.3, 10, &G::force_max_contact,
      "greatest normal force of a foot in contact"},
     {kProgram, "force_lost_contact", "m g", 0.05, 1, &G::force_lost_contact,

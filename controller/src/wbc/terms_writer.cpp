@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wbc/terms_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "surefoot/stage_clock.hpp"
@@ -80,7 +81,8 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
 void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                              const Reference& reference, double fade) noexcept {
   const bool base = reference.body_point == BodyPoint::kBase;
-  const BodyDemand demand = body_demand(gains, robot_.mass(), dynamics, state, reference);
+  BodyDemand demand = body_demand(gains, robot_.mass(), dynamics, state, reference);
+  demand.a.z() = std::max(demand.a.z(), least_lift(gains, fade));
   auto& [position, orientation, momentum] = terms_.body;
   position = base ? base_position_task(gains, demand.a, dynamics)
                   : com_task(gains, demand.a, state.f_outside, robot_.mass());

@@ -114,6 +114,7 @@ def same_gains(gains: Gains) -> Gains:
     gains.weight_base_yaw = gains.weight_base_tilt
     gains.weight_posture = WEIGHT_POSTURE
     gains.edge_tilt = 1.0
+    gains.edge_load = 0.0
     gains.hold_down = 0.0
     return gains
 
