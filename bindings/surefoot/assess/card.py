@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from surefoot.sim.checks import number
 
 USUAL = "level ground"
 MOST_SEEDS = 1000
+_FOLDER = Path(__file__).parent
 
 
 @dataclass(frozen=True)
@@ -74,8 +75,12 @@ class Card:
 
 
 def standard_card(name: str) -> Card:
-    """Return "full" or "quick"."""
-    return read_card(Path(__file__).parent / f"{name}.toml", name)
+    """Return "full", or "quick", which has the full one's conditions without their pushes."""
+    card = read_card(_FOLDER / f"{name}.toml", name)
+    if name != "quick":
+        return card
+    conditions = standard_card("full").conditions
+    return replace(card, conditions=tuple(replace(c, pushes=False) for c in conditions))
 
 
 def read_card(path: Path, name: str | None = None) -> Card:

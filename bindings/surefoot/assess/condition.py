@@ -13,7 +13,6 @@ FEET = ("FR", "FL", "RR", "RL")
 _RANGES = {
     "friction": (0.01, 10.0),
     "slope_deg": (0.0, 45.0),
-    "heading_deg": (-360.0, 360.0),
     "tilt_deg": (0.0, 30.0),
     "tilt_deg_per_s": (0.1, 90.0),
     "step_m": (0.0, 0.1),
@@ -39,7 +38,8 @@ class Condition:
         name: Its own, in words.
         friction: True coefficient between foot and ground; nobody tells the controller.
         slope_deg: Steepness of the ground [deg].
-        heading_deg: Of steepest ascent, of slope and platform, from forward towards left [deg].
+        headings_deg: Of steepest ascent, of slope and platform, from forward towards left [deg];
+            each is tried.
         tilt_deg: How far the platform tilts while the robot stands on it [deg].
         tilt_deg_per_s: How fast [deg/s].
         step_foot: Foot under which the ground rises while the robot stands; "" is none.
@@ -63,7 +63,7 @@ class Condition:
     name: str
     friction: float = 0.8
     slope_deg: float = 0.0
-    heading_deg: float = 0.0
+    headings_deg: tuple[float, ...] = (0.0,)
     tilt_deg: float = 0.0
     tilt_deg_per_s: float = 5.0
     step_foot: str = ""
@@ -89,11 +89,21 @@ class Condition:
             for name, (low, high) in _RANGES.items():
                 number(name, getattr(self, name), low, high)
             one_of("step_foot", self.step_foot, ("", *FEET))
-            _check_offset(self.payload_offset_m)
+            _check_numbers("payload_offset_m", self.payload_offset_m, 1.0)
+            if len(self.payload_offset_m) != 3:
+                raise Error(f"payload_offset_m: got {self.payload_offset_m!r}, expected x, y, z")
+            _check_numbers("headings_deg", self.headings_deg, 360.0)
             if not isinstance(self.pushes, bool):
                 raise Error(f"pushes: got {self.pushes!r}, expected true or false")
+            if self.pushes and (self.slope_deg or self.moves):
+                raise Error("pushes: got true, expected false: their limits are of level ground")
         except Error as problem:
             raise Error(f"condition '{self.name}': {problem}") from None
+
+    @property
+    def moves(self) -> bool:
+        """Does the ground move?"""
+        return self.tilt_deg > 0.0 or bool(self.step_foot)
 
 
 def read_condition(table: Any) -> Condition:
@@ -108,14 +118,12 @@ def read_condition(table: Any) -> Condition:
             raise Error(f"{label}: unknown key '{key}'{hint}; valid names: {', '.join(valid)}")
     if "name" not in table:
         raise Error("condition: got none of the key 'name', expected words")
-    values = dict(table)
-    if isinstance(values.get("payload_offset_m"), list):
-        values["payload_offset_m"] = tuple(values["payload_offset_m"])
+    values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in table.items()}
     return Condition(**values)
 
 
-def _check_offset(offset: Any) -> None:
-    if not isinstance(offset, tuple) or len(offset) != 3:
-        raise Error(f"payload_offset_m: got {offset!r}, expected x, y, z [m]")
-    for value in offset:
-        number("payload_offset_m", value, -1.0, 1.0)
+def _check_numbers(name: str, values: Any, most: float) -> None:
+    if not isinstance(values, tuple) or not values:
+        raise Error(f"{name}: got {values!r}, expected numbers")
+    for value in values:
+        number(name, value, -most, most)

@@ -17,7 +17,8 @@ from surefoot.low_state_layout import MOTORS
 
 Act = Callable[[LowState], LowCmd]
 Factory = Callable[[Robot], Any]
-BUILT_IN = ("surefoot", "pd", "force_qp")
+REFERENCES = ("pd", "force_qp")
+BUILT_IN = ("surefoot", *REFERENCES)
 _FIELDS = ("q", "dq", "tau", "Kp", "Kd")
 _NUMBERS = struct.Struct("<22x" + MOTORS * "x5f12x")  # of a LowCmd's twelve motors, and no more
 
@@ -65,9 +66,9 @@ def find_factory(contestant: Contestant) -> Factory:
         gains = contestant.gains
         return lambda robot: StandController(robot, gains_of(gains) if gains else None)
     if name in BUILT_IN:
-        from surefoot.assess.references import REFERENCES
+        from surefoot.assess.references import FACTORIES
 
-        return REFERENCES[name]
+        return FACTORIES[name]
     module, colon, path = name.partition(":")
     if not (module and colon and path):
         raise Error(f"controller: got '{name}', expected {', '.join(BUILT_IN)} or module:callable")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from surefoot._core import Robot
 from surefoot.assess.condition import Condition
@@ -64,11 +64,13 @@ class Limits:
 
     def __init__(self, robot: Robot) -> None:
         self.pinned = pin(robot)
-        self._known: dict[tuple[float, float, float, float], PushLimit] = {}
+        self._known: dict[tuple[float, ...], PushLimit] = {}
 
     def of(self, condition: Condition, degrees: float, duration: float, lift: float) -> PushLimit:
-        """Return the limits of a push under a condition; friction alone makes a difference."""
-        key = (degrees, duration, lift, condition.friction)
+        """Return the limits of a push under a condition: of its friction and its true mass."""
+        scale = 1.0 + condition.mass_share + condition.payload_share
+        key = (degrees, duration, lift, condition.friction, scale)
         if key not in self._known:
-            self._known[key] = push_limit(self.pinned, *key)
+            pinned = replace(self.pinned, mass=scale * self.pinned.mass)
+            self._known[key] = push_limit(pinned, degrees, duration, lift, condition.friction)
         return self._known[key]

@@ -6,11 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 from surefoot.assess.crew import Work, run_all
+from surefoot.assess.plan import works
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.score import score
 from surefoot.assess.settings import AssessSettings
 from surefoot.assess.store import Store, open_store
-from surefoot.assess.unit import push_units
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, how much of it is done, and how much there is."""
@@ -33,22 +33,18 @@ def run_assess(settings: AssessSettings, progress: Progress | None = None) -> di
     robot = settings.build()
     limits = Limits(robot)
     with open_store(settings.store, settings.described(robot)) as store:
-        works = [
-            Work(unit, settings.contestant)
-            for unit in push_units(settings.card, lambda *of: limits.of(*of).own)
-        ]
-        _run(settings, store, works, progress)
+        _run(settings, store, list(works(settings, limits)), progress)
         return score(settings, robot, limits, store.results)
 
 
 def _run(
-    settings: AssessSettings, store: Store, works: list[Work], progress: Progress | None
+    settings: AssessSettings, store: Store, planned: list[Work], progress: Progress | None
 ) -> None:
-    left = [w for w in works if (w.contestant.name, w.unit.key) not in store.results]
-    done = len(works) - len(left)
+    left = [w for w in planned if (w.contestant.name, w.unit.key) not in store.results]
+    done = len(planned) - len(left)
     jobs = min(settings.jobs, max(1, len(left)))
     for work, result in run_all(left, settings.robot, jobs, settings.deadline):
         store.add(work.contestant.name, work.unit.key, result)
         done += 1
         if progress is not None:
-            progress("assess", done, len(works))
+            progress("assess", done, len(planned))

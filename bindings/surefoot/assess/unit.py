@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from functools import lru_cache
 from typing import Any
 
-from surefoot.assess.card import Card
+from surefoot._core import Error
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import Broken, Contestant
-from surefoot.assess.ground import Source, plant_of
+from surefoot.assess.ground import Source, describe, move_time, plant_of
 from surefoot.assess.push_run import Outcome, judge, run_length
 from surefoot.assess.rollout import roll_out
+from surefoot.assess.stand_run import HOLD, judge_stand
 from surefoot.assess.sweep import as_rows, sweep
+from surefoot.faults.run import attempt
+from surefoot.faults.setting import Setup, set_up
+from surefoot.plain import plain
 from surefoot.sim import Push
 
 Beat = Callable[[], None]
@@ -61,50 +66,78 @@ class PushUnit:
         return {"rows": as_rows(sweep(push))}
 
 
-Unit = PushUnit
+@dataclass(frozen=True)
+class StandUnit:
+    """A quiet stand, one seed.
+
+    Attributes:
+        condition: Under which.
+        heading: Of slope or platform [deg].
+        seed: Of sensors and motors.
+    """
+
+    condition: Condition
+    heading: float
+    seed: int
+
+    @property
+    def key(self) -> str:
+        """Its name in the store."""
+        return f"stand | {self.condition.name} | {self.heading:g} deg | {self.seed}"
+
+    def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
+        """Run it and return what came of it as plain JSON."""
+        condition = replace(self.condition, headings_deg=(self.heading,))
+        plant = plant_of(source, condition)
+        plant.renew(self.seed)
+        act = contestant.make(plant.robot)
+        length = condition.quiet_s + move_time(condition) + HOLD
+        stood = judge_stand(roll_out(plant, condition, act, length), condition)
+        beat()
+        result: dict[str, Any] = plain({**asdict(stood), "passed": stood.passes(condition)})
+        return result
+
+
+@dataclass(frozen=True)
+class FaultUnit:
+    """A cell of the matrix of faults.
+
+    Attributes:
+        cell: Its id.
+    """
+
+    cell: str
+
+    @property
+    def key(self) -> str:
+        """Its name in the store."""
+        return f"fault | {self.cell}"
+
+    def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
+        """Run it and return what came of it as plain JSON."""
+        setup = _setup(source)
+        beat()
+        found = attempt(setup, self.cell)
+        return {name: found[name] for name in ("row", "verdict", "reason")}
+
+
+Unit = PushUnit | StandUnit | FaultUnit
 
 
 def run_unit(
     unit: Unit, source: Source, contestant: Contestant, beat: Beat = lambda: None
 ) -> dict[str, Any]:
-    """Run a unit; a contestant that breaks is a result as well.
+    """Run a unit; a contestant that breaks, or a plant that cannot be, is a result as well.
 
     Returns:
         What the unit returns, or {"broken": why}.
     """
     try:
         return unit.run(source, contestant, beat)
-    except Broken as problem:
+    except (Broken, Error) as problem:
         return {"broken": str(problem)}
 
 
-def described(unit: Unit) -> dict[str, Any]:
-    """Return a unit as plain data."""
-    return asdict(unit)
-
-
-def push_units(
-    card: Card, limit_of: Callable[[Condition, float, float, float], float]
-) -> Iterator[PushUnit]:
-    """Yield the pushes of a card.
-
-    Args:
-        card: Which.
-        limit_of: The robot's own limit for condition, degrees, duration [s], lift [m].
-    """
-    usual = card.conditions[0]
-    shapes = [
-        (usual, T, lift, card.degrees, card.seeds)
-        for T in card.lengths_s
-        for lift in card.heights_m
-    ]
-    shapes += [
-        (condition, 0.1, 0.0, card.condition_degrees, card.condition_seeds)
-        for condition in card.conditions[1:]
-        if condition.pushes
-    ]
-    for condition, duration, lift, angles, seeds in shapes:
-        for degrees in angles:
-            limit = limit_of(condition, degrees, duration, lift)
-            for seed in range(seeds):
-                yield PushUnit(condition, degrees, duration, lift, seed, limit)
+@lru_cache(maxsize=1)
+def _setup(source: Source) -> Setup:
+    return set_up(describe(source), 0)

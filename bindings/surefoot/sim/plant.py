@@ -140,8 +140,8 @@ class Plant:
         """
         settings = self.settings
         rng = np.random.default_rng([settings.seed, _MOTOR_STREAM]) if settings.real else None
-        error = settings.flaws.torque_error
-        self._motors = Motors(self.robot.config, settings.physics_dt, settings.lag, rng, error)
+        config, flaws = self.robot.config, settings.flaws
+        self._motors = Motors(config, settings.physics_dt, settings.lag, rng, flaws)
         self._motors.law = standing_law(self.robot)
         self._sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
         self._commands: deque[tuple[int, Law]] = deque()

@@ -10,6 +10,7 @@ from surefoot.sim.flaws import Flaws
 
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
+LEGS = ("FR", "FL", "RR", "RL")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
 LEAST_SINK, MOST_SINK = 1e-4, 0.1  # [m] of soft ground; rigid ground gives way by 20 um
 
@@ -39,6 +40,8 @@ class PlantSettings:
         motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
         flaws: IMU biases, torque errors, trunk mass (see sim/flaws.py).
+        block_foot: Foot, of FR FL RR RL, that stands on a block which can be raised (see
+            sim/moving_ground.py); None is no block.
         hung: The base is fixed in the air, level, and the legs are free (see sim/hanging.py).
         seed: Of every random number; the same seed gives the same run.
     """
@@ -59,6 +62,7 @@ class PlantSettings:
     motor_lag: float | None = None
     extra_delay: float = 0.0
     flaws: Flaws = field(default_factory=Flaws)
+    block_foot: str | None = None
     hung: bool = False
     seed: int = 0
 
@@ -66,6 +70,10 @@ class PlantSettings:
         one_of("sensors", self.sensors, _SENSORS)
         if self.foot_force is not None:
             one_of("foot_force", self.foot_force, _FOOT_FORCE)
+        if self.block_foot is not None:
+            one_of("block_foot", self.block_foot, LEGS)
+            if self.hung or self.slope_deg:
+                raise Error("block_foot: got one on a slope or in the air, expected level ground")
         for name, low, high in (
             ("friction", 0.0, 10.0),
             ("soft_ground_sink", 0.0, MOST_SINK),
