@@ -95,6 +95,12 @@ class Condition:
             _check_numbers("headings_deg", self.headings_deg, 360.0)
             if not isinstance(self.pushes, bool):
                 raise Error(f"pushes: got {self.pushes!r}, expected true or false")
+            if self.moves and (self.slope_deg or self.soft_ground_mm):
+                raise Error(
+                    "got ground that moves and a slope or soft ground, expected one of them"
+                )
+            if self.tilt_deg and self.step_foot:
+                raise Error("got a platform and a step, expected one of them")
             if self.pushes and (self.slope_deg or self.moves):
                 raise Error("pushes: got true, expected false: their limits are of level ground")
         except Error as problem:

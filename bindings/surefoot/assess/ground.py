@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import lru_cache
 
@@ -9,7 +10,7 @@ from surefoot.assess.condition import Condition
 from surefoot.robots import RobotDescription, build_robot, describe_robot
 from surefoot.sim import Flaws, Plant, PlantSettings
 from surefoot.sim.model import trunk_mass
-from surefoot.sim.moving_ground import raise_block, tilt_ground
+from surefoot.sim.moving_ground import drive_ground
 
 PHYSICS_DT = 0.001  # [s]; with half of it limits come out the same (docs/assess.md)
 STEP_TIME = 0.5  # [s] in which the ground below a foot rises
@@ -53,6 +54,7 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
         joint_friction_scale=c.joint_friction_scale,
         motor_lag=c.motor_lag_ms / 1000.0,
         soft_ground_sink=c.soft_ground_mm / 1000.0,
+        platform_heading_deg=c.headings_deg[0] if c.tilt_deg > 0.0 else None,
         block_foot=c.step_foot or None,
         flaws=Flaws(
             torque_scale=c.torque_scale, trunk_mass_scale=1.0 + c.mass_share * mass / trunk
@@ -68,18 +70,12 @@ def move_time(condition: Condition) -> float:
 
 def mover(condition: Condition, plant: Plant) -> Callable[[float], None] | None:
     """Return what moves the ground, given the time since the quiet ended [s]; None: nothing."""
-    c = condition
-    if c.tilt_deg > 0.0:
+    if not condition.moves:
+        return None
+    way = math.radians(condition.tilt_deg) if condition.tilt_deg > 0.0 else condition.step_m
+    time = move_time(condition)
 
-        def tilt(time: float) -> None:
-            degrees = min(c.tilt_deg, max(0.0, time) * c.tilt_deg_per_s)
-            tilt_ground(plant, degrees, c.headings_deg[0])
+    def move(since: float) -> None:
+        drive_ground(plant, way / time if 0.0 <= since < time else 0.0)
 
-        return tilt
-    if c.step_foot:
-
-        def step(time: float) -> None:
-            raise_block(plant, c.step_m * min(1.0, max(0.0, time) / STEP_TIME))
-
-        return step
-    return None
+    return move

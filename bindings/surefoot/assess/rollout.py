@@ -62,8 +62,6 @@ def roll_out(
     move = mover(condition, plant)
     data, feet_of, root = plant.data, plant.handles.foot_bodies, plant.handles
     base, feet = np.zeros((ticks + 1, 7)), np.zeros((ticks + 1, 4, 3))
-    if move is not None:
-        move(-condition.quiet_s)
     heard = plant.reset()
     base[0], feet[0] = data.qpos[:7], data.xpos[feet_of]
     state, sent = heard, None

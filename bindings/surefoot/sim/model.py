@@ -10,7 +10,7 @@ import numpy as np
 from surefoot._core import Error, Robot
 from surefoot.robots import RobotDescription, per_motor
 from surefoot.sim.backlash import add_backlash
-from surefoot.sim.moving_ground import BLOCK, add_block, place_block
+from surefoot.sim.moving_ground import BLOCK, PLATFORM, add_block, place_block
 from surefoot.sim.scene import (
     BODY_FRICTION,
     FOOT_SOLIMP,
@@ -87,7 +87,7 @@ def set_joints(
 def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
     """Make every foot a sphere at its frame, and name every geom after its body."""
     for body in spec.bodies:
-        if body.name == "world":
+        if body.name in ("world", PLATFORM):
             continue
         for k, geom in enumerate(body.geoms):
             geom.name = f"{body.name}_collision_{k}"

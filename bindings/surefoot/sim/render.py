@@ -11,7 +11,6 @@ import numpy.typing as npt
 from surefoot.sim.model import build_model
 from surefoot.sim.plant import Plant
 from surefoot.sim.rotations import Array
-from surefoot.sim.scene import GROUND
 
 PUSH_RED = (0.86, 0.12, 0.12, 1.0)
 FORCE_GREEN = (0.15, 0.62, 0.32, 0.9)
@@ -61,10 +60,6 @@ class Renderer:
         """Return a picture of this instant, (height, width, 3)."""
         plant = self._plant
         self._data.qpos[:] = plant.data.qpos
-        self._data.mocap_pos[:] = plant.data.mocap_pos
-        ground = plant.handles.ground_geom
-        self._model.geom(GROUND).sameframe = plant.model.geom_sameframe[ground]
-        self._model.geom(GROUND).quat = plant.model.geom_quat[ground]
         mujoco.mj_kinematics(self._model, self._data)
         mujoco.mj_camlight(self._model, self._data)
         base = plant.data.xpos[plant.handles.root]

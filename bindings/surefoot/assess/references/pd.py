@@ -5,8 +5,8 @@ from __future__ import annotations
 from surefoot._core import LowCmd, LowState, Robot
 from surefoot.low_state_layout import MOTORS
 
-KP_PER_KG = 6.0  # [N.m/rad] per kilogram of robot
-KD_PER_KG = 0.15  # [N.m.s/rad] per kilogram of robot
+KP_PER_KG = 25.0  # [N.m/rad] per kilogram of robot
+KD_PER_KG = 0.8  # [N.m.s/rad] per kilogram of robot
 SERVO = 0x0A
 
 
