@@ -14,7 +14,7 @@ from surefoot.assess.unit import Unit, run_unit
 from surefoot.processes import die_with_parent, spawn_context
 
 _START = 120.0  # [s] more for a process that has yet to start and build its plants
-_BEAT = None  # sent after every run; a dictionary is the unit's result
+_BEAT = None  # sent before the first and after every run; a dictionary is the unit's result
 
 
 @dataclass(frozen=True)
@@ -40,13 +40,17 @@ class _Worker:
         self.process.start()
         theirs.close()
         self.work: Work | None = None
-        self.until = 0.0
+        self.until = self.deadline = 0.0
         self.fresh = True
 
     def give(self, work: Work, deadline: float) -> None:
         self.pipe.send(work)
-        self.work, self.until = work, time.monotonic() + deadline + _START * self.fresh
+        self.work, self.deadline = work, deadline * work.unit.patience
+        self.until = time.monotonic() + self.deadline + _START * self.fresh
         self.fresh = False
+
+    def beat(self) -> None:
+        self.until = time.monotonic() + self.deadline
 
     def end(self) -> None:
         self.process.kill()
@@ -77,7 +81,7 @@ def run_all(
             if len(crew) == jobs:
                 break
         while crew:
-            for worker, result in _heard(crew, deadline):
+            for worker, result in _heard(crew):
                 assert worker.work is not None
                 yield worker.work, result
                 crew = _onward(crew, worker, next(queue, None), source, deadline)
@@ -86,7 +90,7 @@ def run_all(
             worker.end()
 
 
-def _heard(crew: list[_Worker], deadline: float) -> list[tuple[_Worker, dict[str, Any]]]:
+def _heard(crew: list[_Worker]) -> list[tuple[_Worker, dict[str, Any]]]:
     """Wait for results, and for those that will never come."""
     left = min(worker.until for worker in crew) - time.monotonic()
     ready = wait([worker.pipe for worker in crew], max(0.0, left))
@@ -95,12 +99,14 @@ def _heard(crew: list[_Worker], deadline: float) -> list[tuple[_Worker, dict[str
         if worker.pipe in ready:
             result = _receive(worker)
             if result is _BEAT:
-                worker.until = time.monotonic() + deadline
+                worker.beat()
             else:
                 done.append((worker, result))
         elif time.monotonic() > worker.until:
             worker.end()
-            done.append((worker, {"broken": f"never returned: no run ended in {deadline:g} s"}))
+            done.append(
+                (worker, {"broken": f"never returned: no run ended in {worker.deadline:g} s"})
+            )
     return done
 
 

@@ -45,7 +45,7 @@ def judge(track: Track, begin: float, duration: float) -> Outcome:
         begin: Of the push [s].
         duration: Of the push [s].
     """
-    first = round(begin * track.rate)
+    first = min(round(begin * track.rate), len(track.base) - 1)  # it may fall before
     feet = np.linalg.norm(track.feet[first:] - track.feet[first], axis=2)
     foot = float(feet.max())
     if track.fell is not None:

@@ -17,6 +17,9 @@ from surefoot.sim.truth import has_fallen
 
 _LOSS_STREAM = 17  # of random numbers; the plant has 0 .. 3
 
+Watch = Callable[[Plant, int], None]
+"""Called with the plant and the number of the tick."""
+
 
 @dataclass(frozen=True)
 class Track:
@@ -40,7 +43,7 @@ def roll_out(
     condition: Condition,
     act: Act,
     duration: float,
-    watch: Callable[[LowCmd], None] | None = None,
+    watch: Watch | None = None,
 ) -> Track:
     """Run a contestant on a plant that was renew()ed.
 
@@ -52,7 +55,7 @@ def roll_out(
         condition: Of the plant; its losses and movements are made here.
         act: LowState in, LowCmd out.
         duration: [s].
-        watch: Is given every command that the plant gets.
+        watch: Told of every tick; sees the plant as it was when the contestant was asked.
 
     Raises:
         Broken: The contestant did not do what a controller does.
@@ -72,7 +75,7 @@ def roll_out(
         if not lost[1, k] or sent is None:
             sent = LowCmd.from_bytes(command.raw.tobytes()) if condition.loss_percent else command
         if watch is not None:
-            watch(sent)
+            watch(plant, k)
         if move is not None:
             move(k / plant.settings.control_rate - condition.quiet_s)
         state = plant.step(sent)

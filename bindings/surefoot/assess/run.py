@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from surefoot.assess.crew import Work, run_all
+from surefoot.assess.films import make_films
 from surefoot.assess.plan import works
 from surefoot.assess.push_limits import Limits
-from surefoot.assess.score import score
+from surefoot.assess.score import of_contestant, score
 from surefoot.assess.settings import AssessSettings
 from surefoot.assess.store import Store, open_store
 
@@ -16,15 +18,18 @@ Progress = Callable[[str, int, int], None]
 """Called with what is being done, how much of it is done, and how much there is."""
 
 
-def run_assess(settings: AssessSettings, progress: Progress | None = None) -> dict[str, Any]:
+def run_assess(
+    settings: AssessSettings, progress: Progress | None = None, films: Path | None = None
+) -> dict[str, Any]:
     """Run an assessment to its end, or go on with the one in the store.
 
     Args:
         settings: What to run.
         progress: Told how far it is.
+        films: Folder for films of the failures; None makes none.
 
     Returns:
-        The card filled in, as plain JSON types.
+        The card filled in, as plain JSON types; docs/assess.md says what is where.
 
     Raises:
         Error: A robot, controller, card or store that does not do.
@@ -34,7 +39,10 @@ def run_assess(settings: AssessSettings, progress: Progress | None = None) -> di
     limits = Limits(robot)
     with open_store(settings.store, settings.described(robot)) as store:
         _run(settings, store, list(works(settings, limits)), progress)
-        return score(settings, robot, limits, store.results)
+        filled = score(settings, robot, limits, store.results)
+        found = of_contestant(store.results, settings.contestant.name)
+    filled["films"] = [] if films is None else make_films(settings, limits, found, films)
+    return filled
 
 
 def _run(

@@ -25,7 +25,7 @@ def score(
 ) -> dict[str, Any]:
     """Return the filled card."""
     card, name = settings.card, settings.contestant.name
-    found = _of(results, name)
+    found = of_contestant(results, name)
     filled = {
         "robot": robot.name,
         "controller": name,
@@ -38,7 +38,7 @@ def score(
         "faults": _faults(settings, found),
         "references": {
             reference.name: push_section(
-                plan.reference_pushes(card, limits), limits, _of(results, reference.name)
+                plan.reference_pushes(card, limits), limits, of_contestant(results, reference.name)
             )
             for reference in plan.references(settings)
         },
@@ -49,7 +49,8 @@ def score(
     return result
 
 
-def _of(results: Results, name: str) -> Found:
+def of_contestant(results: Results, name: str) -> Found:
+    """Return what came of a contestant's units, by key."""
     return {key: result for (who, key), result in results.items() if who == name}
 
 

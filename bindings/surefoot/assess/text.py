@@ -4,14 +4,22 @@ from __future__ import annotations
 
 from typing import Any
 
+_WIDTH = 36
+
 
 def assess_text(card: dict[str, Any]) -> str:
     """Return a filled card as tables."""
-    push = card["push"]
     lines = [f"{card['robot']}, controller {card['controller']}, {card['card']} card", ""]
-    for table in push["tables"]:
+    for table in card["push"]["tables"]:
         lines += _push_table(table)
-    lines += [f"  {text}" for text in push["broken"]]
+    lines += [f"  broken: {why}" for why in card["push"]["broken"]]
+    lines += _conditions(card["conditions"])
+    for name, push in card["references"].items():
+        lines.append(f"reference {name}, 0.1 s, {_worst(push)}")
+    faults = card["faults"]
+    if faults is not None:
+        lines.append(f"faults: {faults['passed']} of {faults['passed'] + faults['failed']} passed")
+        lines += [f"  {cell}: {why}" for cell, why in faults["failures"].items()]
     return "\n".join(lines)
 
 
@@ -28,7 +36,29 @@ def _push_table(table: dict[str, Any]) -> list[str]:
             for kind in ("survive", "strict")
         )
         lines.append(f"  {row['degrees']:6.1f}{row['limit_ns']:9.2f}{cells}")
-    worst = ", ".join(
-        f"{kind} {table[f'{kind}_percent_of_limit_p5']:.1f} %" for kind in ("survive", "strict")
+    return [*lines, f"  {_worst(table)}", ""]
+
+
+def _worst(push: dict[str, Any]) -> str:
+    shares = ", ".join(
+        f"{kind} {push[f'{kind}_percent_of_limit_p5']:.1f} %" for kind in ("survive", "strict")
     )
-    return [*lines, f"  worst direction, of the robot's own limit: {worst}", ""]
+    return f"worst direction, of the robot's own limit: {shares}"
+
+
+def _conditions(conditions: list[dict[str, Any]]) -> list[str]:
+    if not conditions:
+        return []
+    names = ("passed", "tilt deg", "height mm", "feet mm", "survive", "strict")
+    lines = [f"{'condition':<{_WIDTH}}" + "".join(f"{name:>10}" for name in names)]
+    for condition in conditions:
+        stand, push = condition["stand"], condition["push"]
+        cells = [f"{stand['passed']} of {stand['runs']}"]
+        for name in ("tilt_deg", "height_mm", "foot_mm"):
+            cells.append("-" if stand[name] is None else f"{stand[name]:.2f}")
+        for kind in ("survive", "strict"):
+            share = None if push is None else push[f"{kind}_percent_of_limit_p5"]
+            cells.append("-" if share is None else f"{share:.0f} %")
+        lines.append(f"{condition['name']:<{_WIDTH}}" + "".join(f"{cell:>10}" for cell in cells))
+        lines += [f"  broken: {why}" for why in stand["broken"]]
+    return [*lines, ""]

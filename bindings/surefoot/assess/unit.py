@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar, Protocol
 
 from surefoot._core import Error
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import Broken, Contestant
 from surefoot.assess.ground import Source, describe, move_time, plant_of
 from surefoot.assess.push_run import Outcome, judge, run_length
-from surefoot.assess.rollout import roll_out
+from surefoot.assess.rollout import Track, Watch, roll_out
 from surefoot.assess.stand_run import HOLD, judge_stand
 from surefoot.assess.sweep import as_rows, sweep
 from surefoot.faults.run import attempt
@@ -21,7 +21,7 @@ from surefoot.plain import plain
 from surefoot.sim import Push
 
 Beat = Callable[[], None]
-"""Called after every run: the contestant is alive."""
+"""Called before the first run and after every run: the contestant is alive."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +43,7 @@ class PushUnit:
     lift: float
     seed: int
     limit: float
+    patience: ClassVar[float] = 1.0
 
     @property
     def key(self) -> str:
@@ -54,16 +55,23 @@ class PushUnit:
         """Run the sweep and return its rows as plain JSON."""
 
         def push(level: float) -> Outcome:
-            begin = self.condition.quiet_s
-            plant = plant_of(source, self.condition)
-            impulse = level / 100.0 * self.limit
-            plant.renew(self.seed, [Push(self.degrees, impulse, self.duration, begin, self.lift)])
-            act = contestant.make(plant.robot)
-            track = roll_out(plant, self.condition, act, run_length(begin, self.duration))
+            track = self.play(source, contestant, level)
             beat()
-            return judge(track, begin, self.duration)
+            return judge(track, self.condition.quiet_s, self.duration)
 
+        plant_of(source, self.condition)
+        beat()  # the deadline is for runs
         return {"rows": as_rows(sweep(push))}
+
+    def play(
+        self, source: Source, contestant: Contestant, level: float, watch: Watch | None = None
+    ) -> Track:
+        """Run one level, in percent of the limit; raises Broken, Error."""
+        begin, plant = self.condition.quiet_s, plant_of(source, self.condition)
+        impulse = level / 100.0 * self.limit
+        plant.renew(self.seed, [Push(self.degrees, impulse, self.duration, begin, self.lift)])
+        act, length = contestant.make(plant.robot), run_length(begin, self.duration)
+        return roll_out(plant, self.condition, act, length, watch)
 
 
 @dataclass(frozen=True)
@@ -79,6 +87,7 @@ class StandUnit:
     condition: Condition
     heading: float
     seed: int
+    patience: ClassVar[float] = 1.0
 
     @property
     def key(self) -> str:
@@ -87,15 +96,23 @@ class StandUnit:
 
     def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
         """Run it and return what came of it as plain JSON."""
-        condition = replace(self.condition, headings_deg=(self.heading,))
+        plant_of(source, self._turned)
+        beat()  # the deadline is for runs
+        stood = judge_stand(self.play(source, contestant), self.condition)
+        result: dict[str, Any] = plain({**asdict(stood), "passed": stood.passes(self.condition)})
+        return result
+
+    def play(self, source: Source, contestant: Contestant, watch: Watch | None = None) -> Track:
+        """Run it; raises Broken, Error."""
+        condition = self._turned
         plant = plant_of(source, condition)
         plant.renew(self.seed)
-        act = contestant.make(plant.robot)
         length = condition.quiet_s + move_time(condition) + HOLD
-        stood = judge_stand(roll_out(plant, condition, act, length), condition)
-        beat()
-        result: dict[str, Any] = plain({**asdict(stood), "passed": stood.passes(condition)})
-        return result
+        return roll_out(plant, condition, contestant.make(plant.robot), length, watch)
+
+    @property
+    def _turned(self) -> Condition:
+        return replace(self.condition, headings_deg=(self.heading,))
 
 
 @dataclass(frozen=True)
@@ -107,6 +124,7 @@ class FaultUnit:
     """
 
     cell: str
+    patience: ClassVar[float] = 20.0
 
     @property
     def key(self) -> str:
@@ -121,7 +139,21 @@ class FaultUnit:
         return {name: found[name] for name in ("row", "verdict", "reason")}
 
 
-Unit = PushUnit | StandUnit | FaultUnit
+class Unit(Protocol):
+    """What is run in one go.
+
+    Attributes:
+        patience: Times the deadline that it may take from beat to beat.
+    """
+
+    patience: ClassVar[float]
+
+    @property
+    def key(self) -> str:
+        """Its name in the store."""
+
+    def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
+        """Run it and return what came of it as plain JSON; raises Broken, Error."""
 
 
 def run_unit(

@@ -14,6 +14,7 @@ from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import (
     check_json_place,
     check_place,
+    check_report_place,
     choose_graphics,
     missing_module,
     write_json,
@@ -53,12 +54,13 @@ def add_assess_options(parser: argparse.ArgumentParser) -> None:
     add(
         "--deadline",
         type=float,
-        default=60.0,
+        default=30.0,
         metavar="S",
-        help="for one run of some seconds; a controller that takes longer never returns (60)",
+        help="for one run of some seconds; a controller that takes longer never returns (30)",
     )
     add("--store", metavar="FILE", help="results, one a line; an assessment in it goes on")
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
+    add("--report", metavar="DIR", help="write index.html, plots, films, tables and summary.json")
 
 
 def assess(arguments: argparse.Namespace) -> None:
@@ -71,6 +73,7 @@ def assess(arguments: argparse.Namespace) -> None:
     choose_graphics()
     check_json_place(arguments.json)
     check_place("--store", arguments.store)
+    check_report_place(arguments.report, "assess", "surefoot.assess.report")
     try:
         from surefoot.assess import assess_text, run_assess
 
@@ -78,14 +81,20 @@ def assess(arguments: argparse.Namespace) -> None:
     except ModuleNotFoundError as problem:
         raise missing_module("assess", problem) from None
     try:
-        result = run_assess(settings, progress_bar())
+        folder = None if arguments.report is None else Path(arguments.report)
+        result = run_assess(settings, progress_bar(), folder)
     except KeyboardInterrupt:
         where = f"in {arguments.store}: the same command goes on"
         kept = where if arguments.store else "lost; --store FILE would have kept them"
         print(f"surefoot: the results so far are {kept}", file=sys.stderr)
         raise
-    result = {"command": shlex.join(["surefoot", *arguments.words]), **result}
+    command = shlex.join(["surefoot", *arguments.words])
+    result = {"command": command, **result}
     write_json(arguments.json, result)
+    if folder is not None:
+        from surefoot.assess.report import write_assess_report
+
+        print(f"report {write_assess_report(result, folder, command)}", file=sys.stderr)
     if arguments.json != "-":
         print(assess_text(result))
 

@@ -11,9 +11,9 @@ contact forces f (12,) of four standing feet minimise
 
 in friction pyramids |f_x|, |f_y| <= mu f_z, and torques are tau = -J' f, with joint gains 0.8 / 0.8
 around the angles just measured. There is neither gyroscopic term nor limit of force or torque in
-the program; the torques are clipped. What it takes for the robot, gravity of the legs left out, is
-the model's own mass, inertia and centre of mass. State comes from surefoot.StateEstimator, for
-theirs needs a gait.
+the program; the torques are clipped. Ours are: the model's own mass, inertia and centre of mass,
+whose legs the program thinks massless; mu as the robot's TOML assumes it, for with their 0.4 it
+survives less; the state, from surefoot.StateEstimator; and the solver.
 """
 
 from __future__ import annotations
@@ -33,7 +33,6 @@ S = np.array([20.0, 20.0, 50.0, 450.0, 450.0, 450.0])
 W = np.tile([10.0, 10.0, 4.0], 4)
 U = np.full(12, 3.0)
 ALPHA, BETA = 0.001, 0.1
-FRICTION = 0.4
 KP_JOINT, KD_JOINT = 0.8, 0.8  # [N.m/rad], [N.m.s/rad]
 SERVO = 0x0A
 _EDGES = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
@@ -61,7 +60,7 @@ class ForceQp:
         pinocchio.ccrba(self._model, self._data, robot.q_standing(), np.zeros(robot.nv))
         self._inertia = np.array(self._data.Ig.inertia)
         self._estimator = StateEstimator(robot)
-        self._rays = _pyramids()
+        self._rays = _pyramids(robot.config.friction)
         self._forces = np.zeros(12)
         self._tick: int | None = None
         self._place, self._attitude = np.zeros(3), np.eye(3)
@@ -127,9 +126,9 @@ class ForceQp:
         return command
 
 
-def _pyramids() -> Array:
+def _pyramids(friction: float) -> Array:
     """Return the edges (12, 16) of the four feet's friction pyramids: a cone is their hull."""
-    edges = np.vstack([FRICTION * _EDGES, np.ones(4)])
+    edges = np.vstack([friction * _EDGES, np.ones(4)])
     rays = np.zeros((12, 16))
     for leg in range(4):
         rays[3 * leg : 3 * leg + 3, 4 * leg : 4 * leg + 4] = edges
