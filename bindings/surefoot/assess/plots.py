@@ -28,7 +28,7 @@ def _draw_pushes(card: dict[str, Any]) -> Figure:
         _circle(ax, table, "lip_ns", GREY, "pendulum", ls=":")
         for kind, color in _LINES:
             _circle(ax, table, kind, color, kind)
-        ax.set_title(f"{table['length_s']:g} s, {table['height_m']:+g} m [N.s]")
+        _finish(ax, f"{table['length_s']:g} s, {table['height_m']:+g} m [N.s]")
     _legend(figure)
     return figure
 
@@ -41,7 +41,7 @@ def _draw_references(card: dict[str, Any]) -> Figure:
         _circle(ax, _standard(card["push"]), kind, BLUE, card["controller"])
         for (name, push), color in zip(card["references"].items(), _REFERENCES, strict=False):
             _circle(ax, _standard(push), kind, color, name)
-        ax.set_title(f"{kind} [N.s]")
+        _finish(ax, f"{kind} [N.s]")
     _legend(figure)
     return figure
 
@@ -56,8 +56,14 @@ def _axes(figure: Figure, rows: int, columns: int, place: int) -> PolarAxes:
     ax = figure.add_subplot(rows, columns, place + 1, projection="polar")
     assert isinstance(ax, PolarAxes)
     ax.set_theta_zero_location("N")  # forward is up, left is left
-    ax.set_rlabel_position(22.5)
+    ax.set_rlabel_position(60.0)  # where limits leave room
     return ax
+
+
+def _finish(ax: PolarAxes, title: str) -> None:
+    farthest = max(float(np.max(line.get_ydata())) for line in ax.get_lines())
+    ax.set_ylim(0.0, 1.05 * farthest)
+    ax.set_title(title, pad=14.0)
 
 
 def _circle(
@@ -67,7 +73,6 @@ def _circle(
     angles = np.radians([row["degrees"] for row in rows])
     values = [row[name]["ns"] if isinstance(row[name], dict) else row[name] for row in rows]
     ax.plot(np.append(angles, angles[0]), [*values, values[0]], color=color, ls=ls, label=label)
-    ax.set_ylim(bottom=0.0)
 
 
 def _legend(figure: Figure) -> None:
