@@ -154,6 +154,11 @@ def test_a_controller_that_is_not_there_is_refused_at_once(name: str, words: str
     assert words in str(caught.value)
 
 
+def test_a_factory_that_cannot_travel_is_refused_at_once() -> None:
+    with pytest.raises(Error, match="cannot be handed to another process"):
+        AssessSettings("go1", Contestant("mine", factory=lambda robot: None))
+
+
 def test_any_callable_gets_the_same_run_as_the_built_in() -> None:
     unit = push_unit()
     built_in = unit.play("go1", Contestant("surefoot"), 60.0)
@@ -286,7 +291,10 @@ def test_the_command_writes_json_and_report(
     assert row["survive"]["ns_per_kg"] == pytest.approx(
         row["survive"]["ns"] / result["pinned_pose"]["mass_kg"], rel=1e-5
     )
-    assert result["conditions"][0]["stand"]["runs"] == 1 and result["faults"] is None
+    usual, steep = (condition["stand"] for condition in result["conditions"])
+    assert (
+        usual["passed"] == steep["runs"] == 1 and steep["passed"] == 0 and result["faults"] is None
+    )
     page = (folder / "index.html").read_text()
     assert "steep" in page and (folder / "pushes.png").is_file()
     assert result["films"] and all(film["caption"] in page for film in result["films"])

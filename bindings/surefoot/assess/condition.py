@@ -27,6 +27,7 @@ _RANGES = {
     "quiet_s": (0.1, 60.0),
     "height_within_mm": (0.0, 1000.0),
     "tilt_within_deg": (0.0, 90.0),
+    "foot_within_mm": (0.0, 1000.0),
 }
 
 
@@ -58,6 +59,7 @@ class Condition:
         pushes: Is it pushed as well?
         height_within_mm: How far off its height may be at the end of a quiet stand [mm].
         tilt_within_deg: How far off its attitude may be then [deg].
+        foot_within_mm: How far a foot may have moved, ever [mm].
     """
 
     name: str
@@ -81,6 +83,7 @@ class Condition:
     pushes: bool = False
     height_within_mm: float = 10.0
     tilt_within_deg: float = 2.0
+    foot_within_mm: float = 10.0
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():

@@ -129,7 +129,7 @@ def failures(
             words = f"{unit.degrees:g} deg, {min(above):g} % of the limit, seed {unit.seed}"
             file = str(folder / f"film_{kind}.webp")
             yield FilmUnit(unit, min(above), file, f"worst push, not passed ({kind}): {words}")
-    for number, condition in enumerate(settings.card.conditions[1:]):
+    for number, condition in enumerate(settings.card.conditions):
         for stand in plan.stands(settings.card, condition):
             if results[stand.key].get("passed") is False:
                 words = f"{condition.name}, heading {stand.heading:g} deg, seed {stand.seed}"

@@ -22,7 +22,7 @@ def works(settings: AssessSettings, limits: Limits) -> Iterator[Work]:
     card, contestant = settings.card, settings.contestant
     for unit in pushes(card, limits):
         yield Work(unit, contestant)
-    for condition in card.conditions[1:]:
+    for condition in card.conditions:
         for stand in stands(card, condition):
             yield Work(stand, contestant)
         for unit in condition_pushes(card, condition, limits):
@@ -46,7 +46,7 @@ def pushes(card: Card, limits: Limits) -> list[PushUnit]:
 
 def condition_pushes(card: Card, condition: Condition, limits: Limits) -> list[PushUnit]:
     """Return the pushes under a further condition, if there are any."""
-    if not condition.pushes:
+    if not condition.pushes or condition == card.conditions[0]:
         return []
     degrees, seeds = card.condition_degrees, card.condition_seeds
     return _around(condition, degrees, LENGTH, LIFT, seeds, limits)

@@ -33,7 +33,9 @@ def score(
         "pinned_pose": _pose(robot, limits),
         "push": push_section(plan.pushes(card, limits), limits, found),
         "conditions": [
-            _condition(settings, condition, limits, found) for condition in card.conditions[1:]
+            _condition(settings, condition, limits, found)
+            for condition in card.conditions
+            if plan.stands(card, condition) or plan.condition_pushes(card, condition, limits)
         ],
         "faults": _faults(settings, found),
         "references": {

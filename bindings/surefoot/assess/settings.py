@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import importlib.metadata
 import json
+import pickle
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -44,6 +45,13 @@ class AssessSettings:
             raise Error(f"deadline: got {self.deadline:g} s, expected 0.1 s to a day")
         if self.contestant.factory is None:
             find_factory(self.contestant)
+        try:
+            pickle.dumps(self.contestant)
+        except (pickle.PicklingError, AttributeError, TypeError) as problem:
+            raise Error(
+                f"controller '{self.contestant.name}': cannot be handed to another process "
+                f"({problem}); expected a function or class of a module"
+            ) from None
 
     def build(self) -> Robot:
         """Return the robot; raises Error."""

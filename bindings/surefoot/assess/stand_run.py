@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot.assess.condition import Condition
-from surefoot.assess.push_run import FOOT_TRAVEL, angles
+from surefoot.assess.push_run import angles
 from surefoot.assess.rollout import Track
 from surefoot.stand.geometry import pose_in_support, rotation_angle
 
@@ -35,13 +35,13 @@ class Stood:
     foot_mm: float
 
     def passes(self, condition: Condition) -> bool:
-        """Is it within what the condition asks for, and no foot moved by FOOT_TRAVEL?"""
+        """Is it within what the condition asks for?"""
         if self.tilt_deg is None or self.height_mm is None:
             return False
         return (
             self.tilt_deg <= condition.tilt_within_deg
             and self.height_mm <= condition.height_within_mm
-            and self.foot_mm <= 1e3 * FOOT_TRAVEL
+            and self.foot_mm <= condition.foot_within_mm
         )
 
 

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, replace
 from functools import lru_cache
 from typing import Any, ClassVar, Protocol
 
-from surefoot._core import Error
+from surefoot._core import Error, Robot, Supervisor, SupervisorOptions
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import Broken, Contestant
 from surefoot.assess.ground import Source, describe, move_time, plant_of
@@ -17,6 +17,7 @@ from surefoot.assess.stand_run import HOLD, judge_stand
 from surefoot.assess.sweep import as_rows, sweep
 from surefoot.faults.run import attempt
 from surefoot.faults.setting import Setup, set_up
+from surefoot.gain_files import gains_of
 from surefoot.plain import plain
 from surefoot.sim import Push
 
@@ -134,6 +135,8 @@ class FaultUnit:
     def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
         """Run it and return what came of it as plain JSON."""
         setup = _setup(source)
+        if contestant.gains:
+            setup = replace(setup, make_supervisor=_with_gains(contestant.gains))
         beat()
         found = attempt(setup, self.cell)
         return {name: found[name] for name in ("row", "verdict", "reason")}
@@ -168,6 +171,11 @@ def run_unit(
         return unit.run(source, contestant, beat)
     except (Broken, Error) as problem:
         return {"broken": str(problem)}
+
+
+def _with_gains(values: dict[str, float]) -> Callable[[Robot, SupervisorOptions], Supervisor]:
+    gains = gains_of(values)
+    return lambda robot, options: Supervisor(robot, gains, options)
 
 
 @lru_cache(maxsize=1)
