@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy.optimize import linprog
 
 from surefoot._core import Error
 from surefoot.assess.pinned import Pinned, direction
@@ -30,8 +31,6 @@ def quasi_static_force(pinned: Pinned, degrees: float, friction: float) -> float
     Raises:
         Error: It cannot stand there at all.
     """
-    from scipy.optimize import linprog
-
     rays = _rays(degrees, friction)  # (3, EDGES)
     balance = np.zeros((6, 1 + 4 * EDGES))
     balance[:3, 0] = direction(degrees)

@@ -21,6 +21,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from scipy.optimize import nnls
 
 from surefoot._core import LowCmd, LowState, Robot, StateEstimator
 from surefoot.low_state_layout import LOW_STATE, MOTORS
@@ -104,8 +105,6 @@ class ForceQp:
 
     def _solve(self, arms: Array, wanted: Array) -> Array:
         """Return the forces (12,): edges of the pyramids with weights that are not negative."""
-        from scipy.optimize import nnls
-
         A = np.zeros((6, 12))
         for leg, arm in enumerate(arms):
             A[:3, 3 * leg : 3 * leg + 3] = np.eye(3)
