@@ -34,7 +34,7 @@ def _draw_pushes(card: dict[str, Any]) -> Figure:
 
 
 def _draw_references(card: dict[str, Any]) -> Figure:
-    figure = Figure(figsize=(9.2, 4.8), layout="constrained")
+    figure = Figure(figsize=(9.2, 5.8), layout="constrained")
     for place, kind in enumerate(("survive", "strict")):
         ax = _axes(figure, 1, 2, place)
         _circle(ax, _standard(card["push"]), "limit_ns", RED, "own limit", ls="--")
