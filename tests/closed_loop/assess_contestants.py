@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import time
+from pathlib import Path
 
 import numpy as np
 import surefoot
@@ -72,6 +73,14 @@ def no_factory(robot: surefoot.Robot):
 def limp(robot: surefoot.Robot):
     command = surefoot.LowCmd()
     return lambda state: command
+
+
+def stalls_once(robot: surefoot.Robot):
+    """Stands still for ever in the first run after some that went well, and never again."""
+    marks = Path(os.environ["STALLS"])
+    runs = len(list(marks.iterdir()))
+    (marks / str(runs)).touch()
+    return never(robot) if runs == 3 else limp(robot)
 
 
 number = 5

@@ -134,6 +134,16 @@ def test_a_controller_that_takes_its_process_along_is_marked_and_the_run_goes_on
     assert result["push"]["survive_percent_of_limit_p5"] == 0.0
 
 
+def test_a_stall_costs_a_contestant_nothing_that_has_returned_before(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("STALLS", str(tmp_path))
+    card = Card("few", directions=3, seeds=1, condition_seeds=0, faults="none")
+    result = run_assess(AssessSettings("go1", contestant("stalls_once"), card, deadline=2.0))
+    assert result["push"]["broken"] == []
+    assert len(list(tmp_path.iterdir())) == 8  # two runs a unit; the second unit's came again
+
+
 def test_a_robot_that_falls_before_its_push_has_survived_nothing() -> None:
     rows = run_unit(push_unit(), "go1", contestant("limp"))["rows"]
     assert from_rows(rows).largest("survived") == 0.0

@@ -41,7 +41,7 @@ class _Worker:
         theirs.close()
         self.work: Work | None = None
         self.until = self.deadline = 0.0
-        self.fresh = True
+        self.fresh, self.late = True, False
 
     def give(self, work: Work, deadline: float) -> None:
         self.pipe.send(work)
@@ -64,7 +64,8 @@ def run_all(
     """Run work on several processes; yield what came of each, in the order in which they end.
 
     A process that dies, or of which nothing is heard for `deadline`, takes the unit that it was at
-    with it: {"broken": why}. Another takes its place.
+    with it: {"broken": why}. Another takes its place. Of a contestant that has returned before, a
+    unit that was late is tried once more, for machines stall as well.
 
     Args:
         works: In the order in which they are begun.
@@ -72,7 +73,8 @@ def run_all(
         jobs: Processes.
         deadline: For one run [s] of wall time.
     """
-    queue = iter(works)
+    queue, again = iter(works), list[Work]()
+    returned, late = set[str](), set[tuple[str, str]]()
     crew: list[_Worker] = []
     try:
         for work in queue:
@@ -83,8 +85,16 @@ def run_all(
         while crew:
             for worker, result in _heard(crew):
                 assert worker.work is not None
-                yield worker.work, result
-                crew = _onward(crew, worker, next(queue, None), source, deadline)
+                name = worker.work.contestant.name, worker.work.unit.key
+                if worker.late and name[0] in returned and name not in late:
+                    late.add(name)
+                    again.append(worker.work)
+                else:
+                    yield worker.work, result
+                if not worker.late:
+                    returned.add(name[0])
+                more = again.pop() if again else next(queue, None)
+                crew = _onward(crew, worker, more, source, deadline)
     finally:
         for worker in crew:
             worker.end()

@@ -35,7 +35,7 @@ class AssessSettings:
     contestant: Contestant = field(default_factory=Contestant)
     card: Card = field(default_factory=lambda: standard_card("quick"))
     jobs: int = 1
-    deadline: float = 30.0
+    deadline: float = 60.0
     store: str | None = None
 
     def __post_init__(self) -> None:

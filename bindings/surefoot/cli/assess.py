@@ -54,9 +54,9 @@ def add_assess_options(parser: argparse.ArgumentParser) -> None:
     add(
         "--deadline",
         type=float,
-        default=30.0,
+        default=60.0,
         metavar="S",
-        help="for one run of some seconds; a controller that takes longer never returns (30)",
+        help="for one run of some seconds; a controller that takes longer never returns (60)",
     )
     add("--store", metavar="FILE", help="results, one a line; an assessment in it goes on")
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
