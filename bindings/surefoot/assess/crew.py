@@ -91,7 +91,7 @@ def run_all(
                     again.append(worker.work)
                 else:
                     yield worker.work, result
-                if not worker.late:
+                if not worker.pipe.closed:
                     returned.add(name[0])
                 more = again.pop() if again else next(queue, None)
                 crew = _onward(crew, worker, more, source, deadline)
@@ -114,6 +114,7 @@ def _heard(crew: list[_Worker]) -> list[tuple[_Worker, dict[str, Any]]]:
                 done.append((worker, result))
         elif time.monotonic() > worker.until:
             worker.end()
+            worker.late = True
             done.append(
                 (worker, {"broken": f"never returned: no run ended in {worker.deadline:g} s"})
             )
