@@ -16,12 +16,13 @@ import json
 import math
 import sys
 from collections import Counter
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from dataclasses import dataclass, field
 
 import numpy as np
 import surefoot
 from surefoot import BodyReference, FaultReaction, Mode
+from surefoot.processes import spawn_pool
 from surefoot.sim import Plant, PlantSettings, Push
 
 LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # that a get-up keeps to
@@ -62,7 +63,7 @@ def main() -> None:
     count = math.ceil(3600.0 * arguments.hours / (STANDING + 10.0))
     seeds = range(arguments.first, arguments.first + count)
     runs: list[Run] = []
-    with ProcessPoolExecutor(arguments.jobs) as pool:
+    with spawn_pool(arguments.jobs) as pool:
         waiting = [pool.submit(healthy, arguments.robot, seed) for seed in seeds]
         for done in as_completed(waiting):
             runs.append(done.result())

@@ -8,6 +8,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NoReturn
 
+from surefoot.cli.assess import add_assess_options, assess
 from surefoot.cli.bench import add_bench_options, bench
 from surefoot.cli.estimate import estimate
 from surefoot.cli.estimate_options import add_estimate_options
@@ -68,6 +69,8 @@ def _build_parser() -> _Parser:
     )
     text = "inject every fault of the catalogue into a robot in simulation, and judge what it does"
     add_faults_options(add("faults", faults, text))
+    text = "fill the scorecard of a standing robot: pushes, ground, payload, link, motors, faults"
+    add_assess_options(add("assess", assess, text))
     tune = commands.add_parser(
         "tune", help="find gains", description="Find gains.", allow_abbrev=False
     )

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import multiprocessing
-import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import as_completed
-from concurrent.futures.process import BrokenProcessPool, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from typing import Any
 
 from surefoot._core import Error
@@ -16,6 +14,7 @@ from surefoot.faults.cell import broken, run_cell
 from surefoot.faults.joint_faults import power_level
 from surefoot.faults.setting import Setup, set_up
 from surefoot.faults.settings import FaultSettings
+from surefoot.processes import spawn_pool
 
 Progress = Callable[[int, int], None]
 """Called with how many cells are done, and how many there are."""
@@ -63,9 +62,7 @@ def _results(setup: Setup, names: list[str], jobs: int) -> Iterator[dict[str, An
         for name in names:
             yield attempt(setup, name)
         return
-    # Fresh interpreters: a fork would copy MuJoCo's threads half.
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(jobs, len(names)), context, _leave_ctrl_c) as pool:
+    with spawn_pool(min(jobs, len(names))) as pool:
         futures = [pool.submit(attempt, setup, name) for name in names]
         try:
             for future in as_completed(futures):
@@ -82,8 +79,3 @@ def attempt(setup: Setup, name: str) -> dict[str, Any]:
         return run_cell(setup, name)
     except Exception as problem:
         return broken(name, problem)
-
-
-def _leave_ctrl_c() -> None:
-    """Leave Ctrl-C to the process that started this one."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)

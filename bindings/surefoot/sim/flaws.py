@@ -16,7 +16,7 @@ Bias = tuple[float, float, float] | float | None
 
 @dataclass(frozen=True)
 class Flaws:
-    """How one robot differs from its drawings; the first three are there with real sensors only.
+    """How one robot differs from its drawings; the first four are there with real sensors only.
 
     A bias is three numbers, in IMU axes; or one, the standard deviation of a normal draw per axis;
     or None for the IMU's usual uniform draw.
@@ -26,6 +26,7 @@ class Flaws:
         accelerometer_bias: Of the accelerometer [m/s^2].
         torque_error: Each motor's torque is off from what its driver believes by a lasting
             fraction, drawn uniform in +- this.
+        torque_scale: Factor on every motor's torque besides: one torque constant for all.
         trunk_mass_scale: Factor on the trunk's mass and inertia.
         trunk_com_shift: Of the trunk's centre of mass, base frame [m].
     """
@@ -33,6 +34,7 @@ class Flaws:
     gyro_bias: Bias = None
     accelerometer_bias: Bias = None
     torque_error: float = 0.05
+    torque_scale: float = 1.0
     trunk_mass_scale: float = 1.0
     trunk_com_shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
@@ -40,6 +42,7 @@ class Flaws:
         _check_bias("gyro_bias", self.gyro_bias, 1.0)
         _check_bias("accelerometer_bias", self.accelerometer_bias, 10.0)
         number("torque_error", self.torque_error, 0.0, 0.9)
+        number("torque_scale", self.torque_scale, 0.0, 10.0)
         number("trunk_mass_scale", self.trunk_mass_scale, 0.01, 100.0)
         _three("trunk_com_shift", self.trunk_com_shift, 1.0)
 

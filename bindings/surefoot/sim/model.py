@@ -10,6 +10,7 @@ import numpy as np
 from surefoot._core import Error, Robot
 from surefoot.robots import RobotDescription, per_motor
 from surefoot.sim.backlash import add_backlash
+from surefoot.sim.moving_ground import BLOCK, PLATFORM, add_block, place_block
 from surefoot.sim.scene import (
     BODY_FRICTION,
     FOOT_SOLIMP,
@@ -19,7 +20,7 @@ from surefoot.sim.scene import (
     add_light_and_sky,
     set_physics,
 )
-from surefoot.sim.settings import PlantSettings
+from surefoot.sim.settings import LEGS, PlantSettings
 from surefoot.sim.soft_ground import add_soft_contacts, soften
 from surefoot.sim.urdf import load_urdf, root_body
 
@@ -54,13 +55,15 @@ def build_model(
     exclude_pairs(spec, description)
     flaw_trunk(spec, settings)
     add_payload(spec, settings)
-    add_sensors(spec, robot)
+    add_block(spec, settings)
+    add_sensors(spec, robot, settings)
     if visuals:
         from surefoot.sim.visuals import add_visuals
 
         add_visuals(spec, description)
     model = spec.compile()
     soften(model, robot, settings)
+    place_block(model, robot, settings)
     return model
 
 
@@ -84,7 +87,7 @@ def set_joints(
 def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
     """Make every foot a sphere at its frame, and name every geom after its body."""
     for body in spec.bodies:
-        if body.name == "world":
+        if body.name in ("world", PLATFORM):
             continue
         for k, geom in enumerate(body.geoms):
             geom.name = f"{body.name}_collision_{k}"
@@ -121,12 +124,22 @@ def exclude_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
             spec.add_exclude(bodyname1=first, bodyname2=second)
 
 
-def flaw_trunk(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
-    """Scale the trunk and move its centre of mass; it is the heaviest body fixed to the base."""
-    scale, shift = settings.flaws.trunk_mass_scale, settings.flaws.trunk_com_shift
+def trunk_of(spec: mujoco.MjSpec) -> mujoco.MjsBody:
+    """Return the trunk: the heaviest body fixed to the base, or the base."""
     base = root_body(spec)
     fixed = [base, *(body for body in base.bodies if not body.joints)]
-    trunk = max(fixed, key=lambda body: float(body.mass))
+    return max(fixed, key=lambda body: float(body.mass))
+
+
+def trunk_mass(description: RobotDescription) -> float:
+    """Return the trunk's mass [kg]; raises Error."""
+    return float(trunk_of(load_urdf(description)).mass)
+
+
+def flaw_trunk(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
+    """Scale the trunk and move its centre of mass."""
+    scale, shift = settings.flaws.trunk_mass_scale, settings.flaws.trunk_com_shift
+    trunk = trunk_of(spec)
     trunk.mass *= scale
     trunk.fullinertia = trunk.fullinertia * scale
     trunk.inertia = trunk.inertia * scale
@@ -155,7 +168,7 @@ def add_payload(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
     )
 
 
-def add_sensors(spec: mujoco.MjSpec, robot: Robot) -> None:
+def add_sensors(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
     """Add the IMU at its mount and the ground's net force on each foot."""
     root_body(spec).add_site(name=IMU, pos=robot.config.p_base_imu, quat=robot.config.quat_base_imu)
     for kind, name in (
@@ -164,12 +177,12 @@ def add_sensors(spec: mujoco.MjSpec, robot: Robot) -> None:
         (mujoco.mjtSensor.mjSENS_FRAMEQUAT, "quaternion"),
     ):
         spec.add_sensor(name=name, type=kind, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=IMU)
-    for name in robot.config.foot_frames:
+    for leg, name in zip(LEGS, robot.config.foot_frames, strict=True):
         spec.add_sensor(
             name=name,
             type=mujoco.mjtSensor.mjSENS_CONTACT,
             objtype=mujoco.mjtObj.mjOBJ_GEOM,
-            objname=GROUND,
+            objname=BLOCK if leg == settings.block_foot else GROUND,
             reftype=mujoco.mjtObj.mjOBJ_GEOM,
             refname=name,
             # Which fields, how contacts are merged (3: net force, world axes), how many.

@@ -47,7 +47,7 @@ class Motors(_plant.Motors):
         dt: Physics step [s].
         lag: Time constant of the torque [s]; 0 is none.
         scale_rng: Draws each motor's lasting torque error; None for perfect motors.
-        torque_error: Greatest fraction of that error.
+        flaws: Greatest fraction of that error, and a factor on all torques.
     """
 
     def __init__(
@@ -56,13 +56,15 @@ class Motors(_plant.Motors):
         dt: float,
         lag: float,
         scale_rng: np.random.Generator | None,
-        torque_error: float = Flaws.torque_error,
+        flaws: Flaws | None = None,
     ) -> None:
         # A first-order lag, exact for a target that holds for one step.
         share = 1.0 if lag <= 0.0 else -math.expm1(-dt / lag)
         scale = np.ones(MOTORS)
         if scale_rng is not None:
-            scale = scale_rng.uniform(1 - torque_error, 1 + torque_error, MOTORS)
+            flaws = flaws or Flaws()
+            error = flaws.torque_error
+            scale = flaws.torque_scale * scale_rng.uniform(1 - error, 1 + error, MOTORS)
         super().__init__(
             np.array(config.tau_max),
             np.array(config.corner_speed),

@@ -115,6 +115,18 @@ class Plant:
         self._pushes.append(push)
         self._schedule.add(push)
 
+    def renew(self, seed: int, pushes: Iterable[Push] = ()) -> None:
+        """Be another run on the same ground from the next reset() on; lifts are gone.
+
+        Building a plant takes as long as a run of seconds; this takes nothing.
+
+        Args:
+            seed: Of every random number.
+            pushes: Instead of those that were there.
+        """
+        self.settings = replace(self.settings, seed=seed)
+        self._pushes, self._lifts = list(pushes), []
+
     def add_lift(self, lift: Lift) -> None:
         """Add a lift by a hand; after reset() it comes again at its time."""
         self._lifts.append(lift)
@@ -128,8 +140,8 @@ class Plant:
         """
         settings = self.settings
         rng = np.random.default_rng([settings.seed, _MOTOR_STREAM]) if settings.real else None
-        error = settings.flaws.torque_error
-        self._motors = Motors(self.robot.config, settings.physics_dt, settings.lag, rng, error)
+        config, flaws = self.robot.config, settings.flaws
+        self._motors = Motors(config, settings.physics_dt, settings.lag, rng, flaws)
         self._motors.law = standing_law(self.robot)
         self._sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
         self._commands: deque[tuple[int, Law]] = deque()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mujoco
 
+from surefoot.sim.moving_ground import add_platform
 from surefoot.sim.rotations import slope_quaternion
 from surefoot.sim.settings import PlantSettings
 
@@ -34,7 +35,7 @@ def set_physics(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
 
 
 def add_ground(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
-    """Add an endless checkered plane through the origin, tilted by the slope."""
+    """Add an endless checkered plane through the origin, tilted by the slope; or a platform."""
     spec.add_texture(
         name=GROUND,
         type=mujoco.mjtTexture.mjTEXTURE_2D,
@@ -46,10 +47,15 @@ def add_ground(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
     )
     material = spec.add_material(name=GROUND, texrepeat=[2.0, 2.0], texuniform=True)
     material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = GROUND
-    spec.worldbody.add_geom(
+    body, shape = spec.worldbody, mujoco.mjtGeom.mjGEOM_PLANE
+    size, place = [0.0, 0.0, 0.5], [0.0, 0.0, 0.0]
+    if settings.platform_heading_deg is not None:
+        body, shape, size, place = add_platform(spec, settings.platform_heading_deg)
+    body.add_geom(
         name=GROUND,
-        type=mujoco.mjtGeom.mjGEOM_PLANE,
-        size=[0.0, 0.0, 0.5],
+        type=shape,
+        size=size,
+        pos=place,
         quat=slope_quaternion(settings.slope_deg, settings.slope_heading_deg),
         material=GROUND,
         friction=[BODY_FRICTION, 0.005, 0.0001],

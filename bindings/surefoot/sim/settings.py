@@ -10,6 +10,7 @@ from surefoot.sim.flaws import Flaws
 
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
+LEGS = ("FR", "FL", "RR", "RL")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
 LEAST_SINK, MOST_SINK = 1e-4, 0.1  # [m] of soft ground; rigid ground gives way by 20 um
 
@@ -39,6 +40,10 @@ class PlantSettings:
         motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
         flaws: IMU biases, torque errors, trunk mass (see sim/flaws.py).
+        platform_heading_deg: The ground is a platform that can be tilted, up towards this heading
+            [deg] (see sim/moving_ground.py); None is ground at rest.
+        block_foot: Foot, of FR FL RR RL, that stands on a block which can be raised (see
+            there); None is no block.
         hung: The base is fixed in the air, level, and the legs are free (see sim/hanging.py).
         seed: Of every random number; the same seed gives the same run.
     """
@@ -59,6 +64,8 @@ class PlantSettings:
     motor_lag: float | None = None
     extra_delay: float = 0.0
     flaws: Flaws = field(default_factory=Flaws)
+    platform_heading_deg: float | None = None
+    block_foot: str | None = None
     hung: bool = False
     seed: int = 0
 
@@ -66,6 +73,7 @@ class PlantSettings:
         one_of("sensors", self.sensors, _SENSORS)
         if self.foot_force is not None:
             one_of("foot_force", self.foot_force, _FOOT_FORCE)
+        self._check_moving_ground()
         for name, low, high in (
             ("friction", 0.0, 10.0),
             ("soft_ground_sink", 0.0, MOST_SINK),
@@ -120,6 +128,19 @@ class PlantSettings:
             raise Error(f"payload_position: got {self.payload_position!r}, expected x, y, z [m]")
         for value in self.payload_position:
             number("payload_position", value, -10.0, 10.0)
+
+    def _check_moving_ground(self) -> None:
+        if self.block_foot is not None:
+            one_of("block_foot", self.block_foot, LEGS)
+        if self.platform_heading_deg is not None:
+            number("platform_heading_deg", self.platform_heading_deg, -360.0, 360.0)
+        moving = [self.block_foot, self.platform_heading_deg]
+        others = self.hung or self.slope_deg != 0.0 or self.soft_ground_sink > 0.0
+        if moving.count(None) < (2 if others else 1):
+            raise Error(
+                "ground that moves: got it with another, a slope, soft ground or a hung robot, "
+                "expected a platform or a block alone"
+            )
 
     def _check_clock(self) -> None:
         steps = 1.0 / (self.control_rate * self.physics_dt)

@@ -40,6 +40,11 @@ def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> N
         if progress is not None:
             progress("film", k + 1, len(ticks))
     durations = np.diff([*ticks, len(log.time)]) * (1000.0 / log.rate)
+    save_film(pictures, durations, path)
+
+
+def save_film(pictures: list[Image.Image], durations: np.ndarray, path: Path) -> None:
+    """Write pictures, each shown for so long [ms], as an animated WebP that begins again."""
     durations[-1] += END_PAUSE_MS
     first, *rest = pictures
     first.save(

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-import multiprocessing
-import os
-import signal
-import threading
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Future
-from concurrent.futures.process import ProcessPoolExecutor
 from contextlib import contextmanager
 from typing import Any, Protocol
 
 from surefoot._core import Error
+from surefoot.processes import spawn_pool
 from surefoot.tune.search.rollout import Job, Outcome, judged
 
 CLUSTER_TIMEOUT = 10.0  # [s]
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 class Workers(Protocol):
@@ -51,7 +46,7 @@ class Processes:
 
     def __init__(self, jobs: int) -> None:
         self.count = jobs
-        self._pool = self._start()
+        self._pool = spawn_pool(jobs)
 
     def submit(self, job: Job) -> Future[Outcome]:
         """Hand a job to a process."""
@@ -60,7 +55,7 @@ class Processes:
     def renew(self) -> None:
         """Start fresh processes in place of the broken pool's."""
         self._pool.shutdown(wait=False, cancel_futures=True)
-        self._pool = self._start()
+        self._pool = spawn_pool(self.count)
 
     def check(self) -> None:
         """Raise BrokenExecutor if a worker has died.
@@ -72,15 +67,6 @@ class Processes:
     def close(self) -> None:
         """Let the processes go, each after the trial it is at."""
         self._pool.shutdown(wait=True, cancel_futures=True)
-
-    def _start(self) -> ProcessPoolExecutor:
-        # One thread each, for two that share a core do less than one; read when numpy is loaded,
-        # which is before any code of ours in a fresh interpreter.
-        for name in _THREADS:
-            os.environ.setdefault(name, "1")
-        # Fresh interpreters: a fork would copy MuJoCo's and Optuna's threads half.
-        context = multiprocessing.get_context("spawn")
-        return ProcessPoolExecutor(self.count, context, _die_with_parent)
 
 
 class Cluster:
@@ -142,16 +128,3 @@ def workers(jobs: int, cluster: str | None) -> Iterator[Processes | Cluster]:
         yield crew
     finally:
         crew.close()
-
-
-def _die_with_parent() -> None:
-    """Have this process end where the one that started it is killed, and not by Ctrl-C before."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    parent = multiprocessing.parent_process()
-    assert parent is not None
-
-    def wait() -> None:
-        parent.join()
-        os._exit(1)
-
-    threading.Thread(target=wait, daemon=True).start()

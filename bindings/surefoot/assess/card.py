@@ -1,0 +1,126 @@
+"""The card: which pushes, under which conditions, with how many seeds."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any
+
+from surefoot._core import Error
+from surefoot.assess.condition import Condition, read_condition
+from surefoot.robot_table import read_toml, suggest
+from surefoot.sim.checks import number
+
+USUAL = "level ground"
+MOST_SEEDS = 1000
+_FOLDER = Path(__file__).parent
+
+
+@dataclass(frozen=True)
+class Card:
+    """What is asked of a robot.
+
+    Attributes:
+        name: "full", "quick" or a file's.
+        directions: Of pushes, evenly all around, the first forward.
+        lengths_s: Of pushes [s].
+        heights_m: Of their lines of action above the centre of mass [m].
+        seeds: Runs of every push, each with other sensors and motors; 0 is the first seed.
+        condition_directions: Of pushes under each further condition, 0.1 s through the centre.
+        condition_seeds: Their seeds, and those of quiet stands.
+        faults: Is the matrix of faults run? "none", "brief" or "all".
+        references: Are the reference controllers pushed as well?
+        conditions: The usual one, under which all pushes are tried, first.
+    """
+
+    name: str
+    directions: int = 16
+    lengths_s: tuple[float, ...] = (0.1,)
+    heights_m: tuple[float, ...] = (0.0,)
+    seeds: int = 20
+    condition_directions: int = 8
+    condition_seeds: int = 20
+    faults: str = "brief"
+    references: bool = False
+    conditions: tuple[Condition, ...] = field(default_factory=lambda: (Condition(USUAL),))
+
+    def __post_init__(self) -> None:
+        for name, low in (("directions", 1), ("seeds", 1)):
+            _whole(name, getattr(self, name), low, MOST_SEEDS)
+        for name in ("condition_directions", "condition_seeds"):
+            _whole(name, getattr(self, name), 0, MOST_SEEDS)
+        _numbers("lengths_s", self.lengths_s, 0.002, 5.0)
+        _numbers("heights_m", self.heights_m, -1.0, 1.0)
+        if self.faults not in ("none", "brief", "all"):
+            raise Error(f"faults: got {self.faults!r}, expected none, brief or all")
+        if not isinstance(self.references, bool):
+            raise Error(f"references: got {self.references!r}, expected true or false")
+        names = [condition.name for condition in self.conditions]
+        if not names or len(set(names)) < len(names):
+            raise Error(f"condition: got {', '.join(names) or 'none'}, expected names, each once")
+
+    def described(self) -> dict[str, Any]:
+        """Return all of it as plain data."""
+        return asdict(self)
+
+    @property
+    def degrees(self) -> list[float]:
+        """Directions of pushes, from forward towards left [deg]."""
+        return [360.0 * k / self.directions for k in range(self.directions)]
+
+    @property
+    def condition_degrees(self) -> list[float]:
+        """Directions of pushes under further conditions [deg]."""
+        return [360.0 * k / self.condition_directions for k in range(self.condition_directions)]
+
+
+def standard_card(name: str) -> Card:
+    """Return "full", or "quick", which has the full one's conditions without their pushes."""
+    card = read_card(_FOLDER / f"{name}.toml", name)
+    if name != "quick":
+        return card
+    conditions = standard_card("full").conditions
+    return replace(card, conditions=tuple(replace(c, pushes=False) for c in conditions))
+
+
+def read_card(path: Path, name: str | None = None) -> Card:
+    """Read a card from a TOML file.
+
+    Raises:
+        Error: No such file, no TOML, an unknown key, a value that cannot be.
+    """
+    table = read_toml(path)
+    try:
+        return _card_of(table, name or path.stem)
+    except (Error, TypeError) as problem:
+        raise Error(f"scenario file '{path}': {problem}") from None
+
+
+def _card_of(table: dict[str, Any], name: str) -> Card:
+    valid = [f.name for f in fields(Card) if f.name not in ("name", "conditions")] + ["condition"]
+    for key in table:
+        if key not in valid:
+            hint = suggest(key, valid)
+            raise Error(f"unknown key '{key}'{hint}; valid names: {', '.join(valid)}")
+    values = {key: value for key, value in table.items() if key != "condition"}
+    for key in ("lengths_s", "heights_m"):
+        if isinstance(values.get(key), list):
+            values[key] = tuple(values[key])
+    tables = table.get("condition", [])
+    if not isinstance(tables, list):
+        raise Error(f"condition: got {tables!r}, expected tables [[condition]]")
+    if tables:
+        values["conditions"] = tuple(read_condition(entry) for entry in tables)
+    return Card(name=name, **values)
+
+
+def _whole(name: str, value: Any, low: int, high: int) -> None:
+    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+        raise Error(f"{name}: got {value!r}, expected a whole number {low} .. {high}")
+
+
+def _numbers(name: str, values: Any, low: float, high: float) -> None:
+    if not isinstance(values, tuple) or not values:
+        raise Error(f"{name}: got {values!r}, expected numbers")
+    for value in values:
+        number(name, value, low, high)

@@ -1,0 +1,138 @@
+"""What a robot stands on, what it is made of and what its link loses: one condition of the card."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+from surefoot._core import Error
+from surefoot.robot_table import suggest
+from surefoot.sim.checks import number, one_of
+
+FEET = ("FR", "FL", "RR", "RL")
+_RANGES = {
+    "friction": (0.01, 10.0),
+    "slope_deg": (0.0, 45.0),
+    "tilt_deg": (0.0, 30.0),
+    "tilt_deg_per_s": (0.1, 90.0),
+    "step_m": (0.0, 0.1),
+    "payload_share": (0.0, 3.0),
+    "mass_share": (-0.6, 3.0),
+    "latency_ms": (0.0, 100.0),
+    "loss_percent": (0.0, 90.0),
+    "joint_friction_scale": (0.0, 100.0),
+    "motor_lag_ms": (0.0, 100.0),
+    "torque_scale": (0.1, 2.0),
+    "soft_ground_mm": (0.0, 100.0),
+    "quiet_s": (0.1, 60.0),
+    "height_within_mm": (0.0, 1000.0),
+    "tilt_within_deg": (0.0, 90.0),
+    "foot_within_mm": (0.0, 1000.0),
+}
+
+
+@dataclass(frozen=True)
+class Condition:
+    """One condition; what is not said is as usual.
+
+    Attributes:
+        name: Its own, in words.
+        friction: True coefficient between foot and ground; nobody tells the controller.
+        slope_deg: Steepness of the ground [deg].
+        headings_deg: Of steepest ascent, of slope and platform, from forward towards left [deg];
+            each is tried.
+        tilt_deg: How far the platform tilts while the robot stands on it [deg].
+        tilt_deg_per_s: How fast [deg/s].
+        step_foot: Foot under which the ground rises while the robot stands; "" is none.
+        step_m: How far [m]; it takes half a second.
+        payload_share: Mass welded to the trunk, as a share of the robot's.
+        payload_offset_m: Where to, base frame [m].
+        mass_share: By how much the trunk is heavier than the model says, inertia in proportion, as
+            a share of the whole robot's mass.
+        latency_ms: Further delay of commands [ms].
+        loss_percent: Of the frames lost, each way [%].
+        joint_friction_scale: Factor on joint friction and damping.
+        motor_lag_ms: Time constant of the motors' torque [ms].
+        torque_scale: Factor on every motor's torque.
+        soft_ground_mm: How far a foot sinks under a quarter of the weight [mm].
+        quiet_s: Before a push, and of standing before anything is asked of it [s].
+        pushes: Is it pushed as well?
+        height_within_mm: How far off its height may be at the end of a quiet stand [mm].
+        tilt_within_deg: How far off its attitude may be then [deg].
+        foot_within_mm: How far a foot may have moved, ever [mm].
+    """
+
+    name: str
+    friction: float = 0.8
+    slope_deg: float = 0.0
+    headings_deg: tuple[float, ...] = (0.0,)
+    tilt_deg: float = 0.0
+    tilt_deg_per_s: float = 5.0
+    step_foot: str = ""
+    step_m: float = 0.03
+    payload_share: float = 0.0
+    payload_offset_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    mass_share: float = 0.0
+    latency_ms: float = 0.0
+    loss_percent: float = 0.0
+    joint_friction_scale: float = 1.0
+    motor_lag_ms: float = 2.0
+    torque_scale: float = 1.0
+    soft_ground_mm: float = 0.0
+    quiet_s: float = 0.4
+    pushes: bool = False
+    height_within_mm: float = 10.0
+    tilt_within_deg: float = 2.0
+    foot_within_mm: float = 10.0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str) or not self.name.strip():
+            raise Error(f"condition: name: got {self.name!r}, expected words")
+        try:
+            for name, (low, high) in _RANGES.items():
+                number(name, getattr(self, name), low, high)
+            one_of("step_foot", self.step_foot, ("", *FEET))
+            _check_numbers("payload_offset_m", self.payload_offset_m, 1.0)
+            if len(self.payload_offset_m) != 3:
+                raise Error(f"payload_offset_m: got {self.payload_offset_m!r}, expected x, y, z")
+            _check_numbers("headings_deg", self.headings_deg, 360.0)
+            if not isinstance(self.pushes, bool):
+                raise Error(f"pushes: got {self.pushes!r}, expected true or false")
+            if self.moves and (self.slope_deg or self.soft_ground_mm):
+                raise Error(
+                    "got ground that moves and a slope or soft ground, expected one of them"
+                )
+            if self.tilt_deg and self.step_foot:
+                raise Error("got a platform and a step, expected one of them")
+            if self.pushes and (self.slope_deg or self.moves):
+                raise Error("pushes: got true, expected false: their limits are of level ground")
+        except Error as problem:
+            raise Error(f"condition '{self.name}': {problem}") from None
+
+    @property
+    def moves(self) -> bool:
+        """Does the ground move?"""
+        return self.tilt_deg > 0.0 or bool(self.step_foot)
+
+
+def read_condition(table: Any) -> Condition:
+    """Return the condition of a TOML table; raises Error at an unknown or missing key."""
+    if not isinstance(table, dict):
+        raise Error(f"condition: got {table!r}, expected a table [[condition]]")
+    valid = [field.name for field in fields(Condition)]
+    label = f"condition '{table.get('name', '?')}'"
+    for key in table:
+        if key not in valid:
+            hint = suggest(key, valid)
+            raise Error(f"{label}: unknown key '{key}'{hint}; valid names: {', '.join(valid)}")
+    if "name" not in table:
+        raise Error("condition: got none of the key 'name', expected words")
+    values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in table.items()}
+    return Condition(**values)
+
+
+def _check_numbers(name: str, values: Any, most: float) -> None:
+    if not isinstance(values, tuple) or not values:
+        raise Error(f"{name}: got {values!r}, expected numbers")
+    for value in values:
+        number(name, value, -most, most)

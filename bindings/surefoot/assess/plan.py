@@ -1,0 +1,98 @@
+"""The plan: a card's units, in the order in which they are run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from surefoot.assess.card import Card
+from surefoot.assess.condition import Condition
+from surefoot.assess.contestant import REFERENCES, Contestant
+from surefoot.assess.crew import Work
+from surefoot.assess.push_limits import Limits
+from surefoot.assess.settings import AssessSettings
+from surefoot.assess.unit import FaultUnit, PushUnit, StandUnit
+from surefoot.faults import choose_cells
+
+LENGTH, LIFT = 0.1, 0.0  # [s], [m] of the pushes under further conditions and of references
+BRIEF = ("*/standing",)  # cells of the matrix of faults in brief
+
+
+def works(settings: AssessSettings, limits: Limits) -> Iterator[Work]:
+    """Yield everything that an assessment runs: pushes, conditions, faults, references."""
+    card, contestant = settings.card, settings.contestant
+    for unit in pushes(card, limits):
+        yield Work(unit, contestant)
+    for condition in card.conditions:
+        for stand in stands(card, condition):
+            yield Work(stand, contestant)
+        for unit in condition_pushes(card, condition, limits):
+            yield Work(unit, contestant)
+    for fault in faults(settings):
+        yield Work(fault, contestant)
+    for reference in references(settings):
+        for unit in reference_pushes(card, limits):
+            yield Work(unit, reference)
+
+
+def pushes(card: Card, limits: Limits) -> list[PushUnit]:
+    """Return the pushes under the usual condition."""
+    return [
+        unit
+        for duration in card.lengths_s
+        for lift in card.heights_m
+        for unit in _around(card.conditions[0], card.degrees, duration, lift, card.seeds, limits)
+    ]
+
+
+def condition_pushes(card: Card, condition: Condition, limits: Limits) -> list[PushUnit]:
+    """Return the pushes under a further condition, if there are any."""
+    if not condition.pushes or condition == card.conditions[0]:
+        return []
+    degrees, seeds = card.condition_degrees, card.condition_seeds
+    return _around(condition, degrees, LENGTH, LIFT, seeds, limits)
+
+
+def reference_pushes(card: Card, limits: Limits) -> list[PushUnit]:
+    """Return the pushes that reference controllers get."""
+    return _around(card.conditions[0], card.degrees, LENGTH, LIFT, card.seeds, limits)
+
+
+def stands(card: Card, condition: Condition) -> list[StandUnit]:
+    """Return the quiet stands under a condition."""
+    return [
+        StandUnit(condition, heading, seed)
+        for heading in condition.headings_deg
+        for seed in range(card.condition_seeds)
+    ]
+
+
+def faults(settings: AssessSettings) -> list[FaultUnit]:
+    """Return the cells of the matrix of faults; they are about the Supervisor of "surefoot"."""
+    if settings.card.faults == "none" or settings.contestant.name != "surefoot":
+        return []
+    patterns = BRIEF if settings.card.faults == "brief" else ()
+    return [FaultUnit(cell.id) for cell in choose_cells(patterns)]
+
+
+def references(settings: AssessSettings) -> list[Contestant]:
+    """Return who else is pushed."""
+    if not settings.card.references:
+        return []
+    return [Contestant(name) for name in REFERENCES if name != settings.contestant.name]
+
+
+def _around(
+    condition: Condition,
+    degrees: list[float],
+    duration: float,
+    lift: float,
+    seeds: int,
+    limits: Limits,
+) -> list[PushUnit]:
+    return [
+        PushUnit(
+            condition, angle, duration, lift, seed, limits.of(condition, angle, duration, lift).own
+        )
+        for angle in degrees
+        for seed in range(seeds)
+    ]

@@ -1,0 +1,100 @@
+"""Pictures of a filled card: how hard it can be pushed, all around."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.projections.polar import PolarAxes
+
+from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot
+
+_LINES = (("survive", BLUE), ("strict", GREEN))
+_REFERENCES = (ORANGE, "#8e5bb5", "#7a5c3e")
+
+
+def _draw_pushes(card: dict[str, Any]) -> Figure:
+    tables = card["push"]["tables"]
+    lengths = list(dict.fromkeys(table["length_s"] for table in tables))
+    heights = list(dict.fromkeys(table["height_m"] for table in tables))
+    size = 3.0 if len(tables) > 1 else 5.2
+    figure = Figure(figsize=(max(5.2, size * len(lengths)), size * len(heights) + 0.8))
+    figure.set_layout_engine("constrained")
+    for table in tables:
+        place = heights.index(table["height_m"]) * len(lengths) + lengths.index(table["length_s"])
+        ax = _axes(figure, len(heights), len(lengths), place)
+        _circle(ax, table, "limit_ns", RED, "own limit", ls="--")
+        _circle(ax, table, "lip_ns", GREY, "pendulum", ls=":")
+        for kind, color in _LINES:
+            _circle(ax, table, kind, color, kind)
+        _finish(ax, f"{table['length_s']:g} s, {table['height_m']:+g} m [N.s]")
+    _legend(figure)
+    return figure
+
+
+def _draw_references(card: dict[str, Any]) -> Figure:
+    figure = Figure(figsize=(9.2, 5.8), layout="constrained")
+    for place, kind in enumerate(("survive", "strict")):
+        ax = _axes(figure, 1, 2, place)
+        _circle(ax, _standard(card["push"]), "limit_ns", RED, "own limit", ls="--")
+        _circle(ax, _standard(card["push"]), kind, BLUE, card["controller"])
+        for (name, push), color in zip(card["references"].items(), _REFERENCES, strict=False):
+            _circle(ax, _standard(push), kind, color, name)
+        _finish(ax, f"{kind} [N.s]")
+    _legend(figure)
+    return figure
+
+
+def _standard(push: dict[str, Any]) -> dict[str, Any]:
+    tables: list[dict[str, Any]] = push["tables"]
+    wanted = [t for t in tables if (t["length_s"], t["height_m"]) == (0.1, 0.0)]
+    return (wanted or tables)[0]
+
+
+def _axes(figure: Figure, rows: int, columns: int, place: int) -> PolarAxes:
+    ax = figure.add_subplot(rows, columns, place + 1, projection="polar")
+    assert isinstance(ax, PolarAxes)
+    ax.set_theta_zero_location("N")  # forward is up, left is left
+    ax.set_rlabel_position(60.0)  # where limits leave room
+    return ax
+
+
+def _finish(ax: PolarAxes, title: str) -> None:
+    farthest = max(float(np.max(line.get_ydata())) for line in ax.get_lines())
+    ax.set_ylim(0.0, 1.05 * farthest)
+    ax.set_title(title, pad=14.0)
+
+
+def _circle(
+    ax: PolarAxes, table: dict[str, Any], name: str, color: str, label: str, ls: str = "-"
+) -> None:
+    rows = table["directions"]
+    angles = np.radians([row["degrees"] for row in rows])
+    values = [row[name]["ns"] if isinstance(row[name], dict) else row[name] for row in rows]
+    ax.plot(np.append(angles, angles[0]), [*values, values[0]], color=color, ls=ls, label=label)
+
+
+def _legend(figure: Figure) -> None:
+    handles, labels = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))
+
+
+PUSHES: Plot[dict[str, Any]] = Plot(
+    "pushes.png",
+    "Pushes all around",
+    "The hardest push below which all were passed, over seeds, towards each direction; forward is "
+    "up. One plot for each length and height above the centre of mass.",
+    _draw_pushes,
+)
+REFERENCES: Plot[dict[str, Any]] = Plot(
+    "references.png",
+    "Beside the reference controllers",
+    "Pushes of 0.1 s through the centre of mass.",
+    _draw_references,
+)
+
+
+def plots_of(card: dict[str, Any]) -> tuple[Plot[dict[str, Any]], ...]:
+    """Return the pictures that a filled card has something to show in."""
+    return (PUSHES, REFERENCES) if card["references"] else (PUSHES,)

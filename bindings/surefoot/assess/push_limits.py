@@ -1,0 +1,76 @@
+"""What a push is measured by: the pendulum's limit and the robot's own, in one direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from surefoot._core import Robot
+from surefoot.assess.condition import Condition
+from surefoot.assess.limits import Pendulum, braked_impulse, lip_impulse
+from surefoot.assess.pinned import Pinned, pin
+from surefoot.assess.quasi_static import quasi_static_force
+
+
+@dataclass(frozen=True)
+class PushLimit:
+    """Limits of pushes of one direction, length and height, at the pinned standing pose.
+
+    Attributes:
+        lip: Of the linear inverted pendulum, friction and motors without limits [N.s].
+        quasi_static_force: The largest that friction and motors can lean against [N].
+        quasi_static: Of the pendulum whose ground gives no more than that force [N.s].
+    """
+
+    lip: float
+    quasi_static_force: float
+    quasi_static: float
+
+    @property
+    def own(self) -> float:
+        """The robot's own limit: the smaller of both [N.s]."""
+        return min(self.lip, self.quasi_static)
+
+
+def push_limit(
+    pinned: Pinned, degrees: float, duration: float, lift: float, friction: float
+) -> PushLimit:
+    """Return the limits of a push.
+
+    Args:
+        pinned: The robot.
+        degrees: From forward towards left [deg].
+        duration: [s].
+        lift: Of its line of action above the centre of mass [m].
+        friction: True coefficient.
+
+    Raises:
+        Error: The robot cannot stand there.
+    """
+    pendulum = Pendulum(pinned.mass, pinned.height, pinned.reach(degrees))
+    force = quasi_static_force(pinned, degrees, friction)
+    return PushLimit(
+        lip_impulse(pendulum, duration, lift),
+        force,
+        braked_impulse(pendulum, force, duration, lift),
+    )
+
+
+class Limits:
+    """Limits of pushes on one robot; each is computed once.
+
+    Args:
+        robot: Whose.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        self.pinned = pin(robot)
+        self._known: dict[tuple[float, ...], PushLimit] = {}
+
+    def of(self, condition: Condition, degrees: float, duration: float, lift: float) -> PushLimit:
+        """Return the limits of a push under a condition: of its friction and its true mass."""
+        scale = 1.0 + condition.mass_share + condition.payload_share
+        key = (degrees, duration, lift, condition.friction, scale)
+        if key not in self._known:
+            pinned = replace(self.pinned, mass=scale * self.pinned.mass)
+            self._known[key] = push_limit(pinned, degrees, duration, lift, condition.friction)
+        return self._known[key]

@@ -1,0 +1,12 @@
+"""Reference controllers, to compare with: plain joint PD, and balance by forces alone."""
+
+from collections.abc import Callable
+from typing import Any
+
+from surefoot._core import Robot
+from surefoot.assess.references.force_qp import ForceQp
+from surefoot.assess.references.pd import JointPd
+
+FACTORIES: dict[str, Callable[[Robot], Any]] = {"pd": JointPd, "force_qp": ForceQp}
+
+__all__ = ["FACTORIES", "ForceQp", "JointPd"]

@@ -1,0 +1,134 @@
+"""Balance by contact forces alone, after unitree_guide's published equations.
+
+unitreerobotics/unitree_guide, BalanceCtrl and State_BalanceTest: the robot is one rigid body whose
+wanted acceleration is a PD law of its pose,
+
+    a = 150 (p_d - p) - 25 v,    dw = 200 log(R_d R') - 30 w,
+
+contact forces f (12,) of four standing feet minimise
+
+    |A f - b|_S^2 + 0.001 |f|_W^2 + 0.1 |f - f_last|_U^2,    b = (m (a - g), R I R' dw)
+
+in friction pyramids |f_x|, |f_y| <= mu f_z, and torques are tau = -J' f, with joint gains 0.8 / 0.8
+around the angles just measured. There is neither gyroscopic term nor limit of force or torque in
+the program; the torques are clipped. Ours are: the model's own mass, inertia and centre of mass,
+whose legs the program thinks massless; mu as the robot's TOML assumes it, for with their 0.4 it
+survives less; the state, from surefoot.StateEstimator; and the solver.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.optimize import nnls
+
+from surefoot._core import LowCmd, LowState, Robot, StateEstimator
+from surefoot.low_state_layout import LOW_STATE, MOTORS
+from surefoot.sim.rotations import Array
+from surefoot.sim.support import GRAVITY
+
+KP_POSITION, KD_POSITION = 150.0, 25.0  # [1/s^2], [1/s]
+KP_ROTATION, KD_ROTATION = 200.0, 30.0  # [1/s^2], [1/s]
+S = np.array([20.0, 20.0, 50.0, 450.0, 450.0, 450.0])
+W = np.tile([10.0, 10.0, 4.0], 4)
+U = np.full(12, 3.0)
+ALPHA, BETA = 0.001, 0.1
+KP_JOINT, KD_JOINT = 0.8, 0.8  # [N.m/rad], [N.m.s/rad]
+SERVO = 0x0A
+_EDGES = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
+
+
+class ForceQp:
+    """Holds the body where it was found.
+
+    Args:
+        robot: Its model.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        import pinocchio
+
+        self._pin: Any = pinocchio
+        self._model: Any = pinocchio.Model()
+        self._model.loadFromString(robot.serialized_model())
+        self._data: Any = self._model.createData()
+        self._robot, self._mass = robot, robot.mass
+        self._tau_max = np.array(robot.config.tau_max)
+        self._motors = np.array(robot.motor_to_v)
+        self._feet = [int(frame) for frame in robot.foot_frame_ids]
+        self._radius = robot.config.foot_radius * np.array([0.0, 0.0, 1.0])
+        pinocchio.ccrba(self._model, self._data, robot.q_standing(), np.zeros(robot.nv))
+        self._inertia = np.array(self._data.Ig.inertia)
+        self._estimator = StateEstimator(robot)
+        self._rays = _pyramids(robot.config.friction)
+        self._forces = np.zeros(12)
+        self._tick: int | None = None
+        self._place, self._attitude = np.zeros(3), np.eye(3)
+
+    def update(self, state: LowState) -> LowCmd:
+        """Compute one tick."""
+        step = 0 if self._tick is None else (state.tick - self._tick) % 2**32
+        first, self._tick = self._tick is None, state.tick
+        if first or step > 0:
+            self._estimator.update(state, max(step, 1) / 1000.0)
+        believed = self._estimator.state
+        pin, model, data = self._pin, self._model, self._data
+        pin.computeJointJacobians(model, data, believed.q)
+        pin.updateFramePlacements(model, data)
+        R, place = data.oMi[1].rotation, believed.q[:3]
+        com = pin.centerOfMass(model, data, believed.q, False)
+        if first:
+            self._place, self._attitude = np.array(place), np.array(R)
+        wanted = self._wrench(place, R, R @ believed.v[:3], R @ believed.v[3:6])
+        jacobians = [self._jacobian(frame) for frame in self._feet]
+        arms = [data.oMf[frame].translation - self._radius - com for frame in self._feet]
+        self._forces = self._solve(np.array(arms), wanted)
+        torque = np.zeros(MOTORS)
+        for leg, J in enumerate(jacobians):
+            torque -= J.T @ self._forces[3 * leg : 3 * leg + 3]
+        return self._command(state, np.clip(torque, -self._tau_max, self._tau_max))
+
+    def _wrench(self, place: Array, R: Array, v: Array, w: Array) -> Array:
+        a = KP_POSITION * (self._place - place) - KD_POSITION * v
+        error = self._pin.log3(self._attitude @ R.T)
+        dw = KP_ROTATION * error - KD_ROTATION * w
+        up = np.array([0.0, 0.0, GRAVITY])
+        return np.concatenate([self._mass * (a + up), R @ self._inertia @ R.T @ dw])
+
+    def _jacobian(self, frame: int) -> Array:
+        J = self._pin.getFrameJacobian(
+            self._model, self._data, frame, self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        )
+        roll = self._pin.skew(self._radius)
+        return np.asarray((J[:3] + roll @ J[3:])[:, self._motors])
+
+    def _solve(self, arms: Array, wanted: Array) -> Array:
+        """Return the forces (12,): edges of the pyramids with weights that are not negative."""
+        A = np.zeros((6, 12))
+        for leg, arm in enumerate(arms):
+            A[:3, 3 * leg : 3 * leg + 3] = np.eye(3)
+            A[3:, 3 * leg : 3 * leg + 3] = self._pin.skew(arm)
+        near = np.sqrt(BETA * U)
+        rows = np.vstack([np.sqrt(S)[:, None] * A, np.diag(np.sqrt(ALPHA * W)), np.diag(near)])
+        goal = np.concatenate([np.sqrt(S) * wanted, np.zeros(12), near * self._forces])
+        weights, _ = nnls(rows @ self._rays, goal)
+        return np.asarray(self._rays @ weights)
+
+    def _command(self, state: LowState, torque: Array) -> LowCmd:
+        angles = state.raw.view(LOW_STATE)[0]["motorState"]["q"][:MOTORS]
+        command = LowCmd()
+        for i in range(MOTORS):
+            motor = command.motorCmd[i]
+            motor.mode, motor.q, motor.dq, motor.tau = SERVO, angles[i], 0.0, torque[i]
+            motor.Kp, motor.Kd = KP_JOINT, KD_JOINT
+        return command
+
+
+def _pyramids(friction: float) -> Array:
+    """Return the edges (12, 16) of the four feet's friction pyramids: a cone is their hull."""
+    edges = np.vstack([friction * _EDGES, np.ones(4)])
+    rays = np.zeros((12, 16))
+    for leg in range(4):
+        rays[3 * leg : 3 * leg + 3, 4 * leg : 4 * leg + 4] = edges
+    return rays

@@ -1,0 +1,103 @@
+"""The report of an assessment: polar plots, tables, films of the failures; summary.json."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from surefoot.assess.plots import plots_of
+from surefoot.assess.report_tables import conditions_card, faults_card, push_card
+from surefoot.report_axes import draw_plots
+from surefoot.report_page import page_html, pictures_html, tiles_html
+
+_STYLE = """<style>
+.rows td:nth-child(n) { text-align: right; color: var(--ink); white-space: nowrap; }
+.rows td:first-child { text-align: left; } .rows td.fail { color: #d1342f; font-weight: 600; }
+.films { display: grid; grid-template-columns: 1fr 1fr; gap: 20px; }
+</style>"""
+
+
+def write_assess_report(card: dict[str, Any], folder: Path, command: str) -> Path:
+    """Write a report into a folder and return the page to open; raises OSError.
+
+    Args:
+        card: What run_assess() returned, its films in the folder already.
+        folder: Made if it is not there.
+        command: What started the run.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(card, indent=2, allow_nan=False)
+    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
+    plots = plots_of(card)
+    draw_plots(plots, card, folder)
+    parts = [
+        _STYLE,
+        f"<h1>{escape(card['robot'])}, {escape(card['controller'])}</h1>",
+        f'<p class="soft">{escape(card["card"])} card, {escape(card["push"]["statistic"])}</p>',
+        f"<pre>{escape(command)}</pre>",
+        f'<div class="tiles" style="margin-top: 20px">{tiles_html(_tiles(card))}</div>',
+        _broken(card),
+        pictures_html(plots),
+        *(push_card(table, name) for name, table in _tables(card)),
+        conditions_card(card),
+        faults_card(card),
+        _films_card(card["films"]),
+    ]
+    page = folder / "index.html"
+    page.write_text(page_html(f"{card['robot']} assessed", "\n".join(parts)), encoding="utf-8")
+    return page
+
+
+def _tables(card: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
+    pushes = {card["controller"]: card["push"], **card["references"]}
+    return [(name, table) for name, push in pushes.items() for table in push["tables"]]
+
+
+def _tiles(card: dict[str, Any]) -> list[tuple[str, str]]:
+    push, conditions, faults = card["push"], card["conditions"], card["faults"]
+    tiles = [
+        (
+            f"of its own limit {words}, worst direction",
+            f"{push[f'{kind}_percent_of_limit_p5']:.0f} %",
+        )
+        for kind, words in (("survive", "survived"), ("strict", "stood still after"))
+    ]
+    stands = [condition["stand"] for condition in conditions]
+    good = sum(stand["passed"] == stand["runs"] for stand in stands)
+    tiles += [("conditions stood in", f"{good} of {len(stands)}")] if stands else []
+    if faults is not None:
+        tiles.append(
+            ("faults passed", f"{faults['passed']} of {faults['passed'] + faults['failed']}")
+        )
+    return tiles
+
+
+def _broken(card: dict[str, Any]) -> str:
+    found = list(card["push"]["broken"])
+    for condition in card["conditions"]:
+        found += [f"{condition['name']}: {why}" for why in condition["stand"]["broken"]]
+    if not found:
+        return ""
+    lines = "".join(f"<p>{escape(why)}</p>" for why in found)
+    return f'<section class="card"><h2>What the controller did not do</h2>{lines}</section>'
+
+
+def _films_card(films: Sequence[dict[str, str]]) -> str:
+    if not films:
+        return ""
+    parts = []
+    for film in films:
+        caption = escape(film["caption"])
+        shown = (
+            f'<img src="{escape(film["film"])}" alt="{caption}">'
+            if "film" in film
+            else f"<p>{escape(film['broken'])}</p>"
+        )
+        parts.append(f'<div><p class="soft">{caption}</p>{shown}</div>')
+    return (
+        '<section class="card"><h2>Films of the failures</h2>'
+        f'<div class="films">{"".join(parts)}</div></section>'
+    )

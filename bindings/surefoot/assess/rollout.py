@@ -1,0 +1,95 @@
+"""One run of a contestant on a plant: the truth of every tick, until the robot falls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from surefoot._core import LowCmd
+from surefoot.assess.condition import Condition
+from surefoot.assess.contestant import Act
+from surefoot.assess.ground import mover
+from surefoot.sim import Plant
+from surefoot.sim.rotations import Array
+from surefoot.sim.truth import has_fallen
+
+_LOSS_STREAM = 17  # of random numbers; the plant has 0 .. 3
+
+Watch = Callable[[Plant, int], None]
+"""Called with the plant and the number of the tick."""
+
+
+@dataclass(frozen=True)
+class Track:
+    """What was seen. Row 0 is the robot as it was handed over; one row a control period.
+
+    Attributes:
+        base: (n, 7) position [m] and quaternion w x y z of the base, world.
+        feet: (n, 4, 3) centres of the foot spheres, world [m].
+        fell: Tick before which it had fallen, or None; then the track ends there.
+        rate: Rows per second [Hz].
+    """
+
+    base: Array
+    feet: Array
+    fell: int | None
+    rate: float
+
+
+def roll_out(
+    plant: Plant,
+    condition: Condition,
+    act: Act,
+    duration: float,
+    watch: Watch | None = None,
+) -> Track:
+    """Run a contestant on a plant that was renew()ed.
+
+    A lost report is not heard: the contestant gets the last one again, as from the SDK's GetRecv;
+    a lost command leaves the motors with the last one.
+
+    Args:
+        plant: Begins anew.
+        condition: Of the plant; its losses and movements are made here.
+        act: LowState in, LowCmd out.
+        duration: [s].
+        watch: Told of every tick; sees the plant as it was when the contestant was asked.
+
+    Raises:
+        Broken: The contestant did not do what a controller does.
+    """
+    ticks = round(duration * plant.settings.control_rate)
+    lost = _losses(condition, plant.settings.seed, ticks)
+    move = mover(condition, plant)
+    data, feet_of, root = plant.data, plant.handles.foot_bodies, plant.handles
+    base, feet = np.zeros((ticks + 1, 7)), np.zeros((ticks + 1, 4, 3))
+    heard = plant.reset()
+    base[0], feet[0] = data.qpos[:7], data.xpos[feet_of]
+    state, sent = heard, None
+    for k in range(ticks):
+        if not lost[0, k]:
+            heard = state
+        command = act(heard)
+        if not lost[1, k] or sent is None:
+            sent = LowCmd.from_bytes(command.raw.tobytes()) if condition.loss_percent else command
+        if watch is not None:
+            watch(plant, k)
+        if move is not None:
+            move(k / plant.settings.control_rate - condition.quiet_s)
+        state = plant.step(sent)
+        base[k + 1], feet[k + 1] = data.qpos[:7], data.xpos[feet_of]
+        if has_fallen(data, root):
+            return Track(base[: k + 2], feet[: k + 2], k + 1, plant.settings.control_rate)
+    return Track(base, feet, None, plant.settings.control_rate)
+
+
+def _losses(condition: Condition, seed: int, ticks: int) -> np.ndarray:
+    """Return (2, ticks) whether the report, the command of a tick is lost; never the first."""
+    if condition.loss_percent == 0.0:
+        return np.zeros((2, ticks), dtype=np.bool_)
+    rng = np.random.default_rng([seed, _LOSS_STREAM])
+    lost = rng.uniform(size=(2, ticks)) < condition.loss_percent / 100.0
+    lost[:, 0] = False
+    return np.asarray(lost)

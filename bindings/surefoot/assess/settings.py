@@ -1,0 +1,71 @@
+"""What an assessment is asked to be."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import json
+import pickle
+from dataclasses import dataclass, field
+from typing import Any
+
+from surefoot._core import Error, Robot
+from surefoot.assess.card import Card, standard_card
+from surefoot.assess.contestant import Contestant, find_factory
+from surefoot.assess.ground import Source, describe
+from surefoot.robots import build_robot
+
+MOST_JOBS = 256
+
+
+@dataclass(frozen=True)
+class AssessSettings:
+    """Robot, contestant, card, processes, store.
+
+    Attributes:
+        robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
+        contestant: Who is assessed.
+        card: What is asked.
+        jobs: Processes. Everything runs in processes of its own, so that none can stop the rest.
+        deadline: For one run of a few seconds [s] of wall time; who takes longer never returns.
+        store: File that results are kept in, and taken from; None keeps them in memory.
+    """
+
+    robot: Source = "go1"
+    contestant: Contestant = field(default_factory=Contestant)
+    card: Card = field(default_factory=lambda: standard_card("quick"))
+    jobs: int = 1
+    deadline: float = 60.0
+    store: str | None = None
+
+    def __post_init__(self) -> None:
+        if isinstance(self.jobs, bool) or not 1 <= self.jobs <= MOST_JOBS:
+            raise Error(f"jobs: got {self.jobs}, expected 1 to {MOST_JOBS}")
+        if not 0.1 <= self.deadline <= 86400.0:
+            raise Error(f"deadline: got {self.deadline:g} s, expected 0.1 s to a day")
+        if self.contestant.factory is None:
+            find_factory(self.contestant)
+        try:
+            pickle.dumps(self.contestant)
+        except (pickle.PicklingError, AttributeError, TypeError) as problem:
+            raise Error(
+                f"controller '{self.contestant.name}': cannot be handed to another process "
+                f"({problem}); expected a function or class of a module"
+            ) from None
+
+    def build(self) -> Robot:
+        """Return the robot; raises Error."""
+        return build_robot(describe(self.robot))
+
+    def described(self, robot: Robot) -> dict[str, Any]:
+        """Return as plain data what makes two runs the same."""
+        config = robot.config
+        numbers = [robot.serialized_model(), repr(describe(self.robot).table), config.foot_radius]
+        return {
+            "robot": robot.name,
+            "robot files": hashlib.sha256(json.dumps(numbers).encode()).hexdigest()[:16],
+            "controller": self.contestant.name,
+            "gains": self.contestant.gains,
+            "card": self.card.described(),
+            "version": importlib.metadata.version("surefoot"),
+        }

@@ -1,0 +1,35 @@
+"""Quiet stands in numbers: how many passed, and the worst of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from surefoot.assess.push_score import Found
+from surefoot.assess.unit import StandUnit
+
+
+def stand_section(units: list[StandUnit], found: Found) -> dict[str, Any]:
+    """Return what stands under one condition came to."""
+    results = [found[unit.key] for unit in units]
+    ran = [result for result in results if "broken" not in result]
+    by_heading = {
+        f"{heading:g}": _worst([found[u.key] for u in units if u.heading == heading])
+        for heading in dict.fromkeys(unit.heading for unit in units)
+    }
+    return {
+        "runs": len(results),
+        "passed": sum(result["passed"] for result in ran),
+        "stood": sum(result["stood"] for result in ran),
+        **_worst(results),
+        "headings_deg": by_heading,
+        "broken": sorted({result["broken"] for result in results if "broken" in result}),
+    }
+
+
+def _worst(results: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return the greatest of each figure among those that stood; None if none did."""
+    names = ("tilt_deg", "height_mm", "foot_mm")
+    return {
+        name: max((r[name] for r in results if r.get(name) is not None), default=None)
+        for name in names
+    }

@@ -1,0 +1,98 @@
+"""The store: every unit on disk when it is done, so that a run that ended, however, goes on."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO, Any
+
+from surefoot._core import Error
+
+_HEAD = "surefoot assess"  # key of the first line: what is assessed
+
+
+class Store:
+    """Results by contestant and key; JSON, one a line, the first says what is assessed.
+
+    Attributes:
+        results: What is there already.
+    """
+
+    def __init__(self, handle: IO[bytes] | None, results: dict[tuple[str, str], Any]) -> None:
+        self._handle, self.results = handle, results
+
+    def add(self, name: str, key: str, result: dict[str, Any]) -> None:
+        """Keep a result of a contestant; it is in the system's hands when this returns."""
+        self.results[name, key] = result
+        if self._handle is not None:
+            line = json.dumps({"who": name, "key": key, "result": result}, allow_nan=False)
+            self._handle.write(line.encode() + b"\n")
+            self._handle.flush()
+
+
+@contextmanager
+def open_store(path: str | None, head: dict[str, Any]) -> Iterator[Store]:
+    """Open a store, or keep results in memory only.
+
+    Args:
+        path: The file; made if it is not there.
+        head: What makes two runs the same.
+
+    Raises:
+        Error: The file holds something else, or another run is at work in it.
+        OSError: It cannot be written.
+    """
+    if path is None:
+        yield Store(None, {})
+        return
+    with Path(path).open("a+b") as handle:
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise Error(f"store '{path}': another run is at work in it") from None
+        entries = _read(path, handle)
+        if entries:
+            _check_same(path, entries[0].get(_HEAD), head)
+        else:
+            handle.write(json.dumps({_HEAD: head}).encode() + b"\n")
+            handle.flush()
+        yield Store(handle, {(e["who"], e["key"]): e["result"] for e in entries[1:]})
+
+
+def _read(path: str, handle: IO[bytes]) -> list[dict[str, Any]]:
+    """Return the entries; a last line that a killed run left unfinished is cut off."""
+    handle.seek(0)
+    whole, _, rest = handle.read().rpartition(b"\n")
+    lines = whole.split(b"\n") if whole else []
+    if rest:
+        if not lines and not rest.startswith(json.dumps({_HEAD: 0})[:-2].encode()[: len(rest)]):
+            raise Error(f"store '{path}': line 1 is no entry of surefoot assess")
+        handle.truncate(len(whole) + (1 if lines else 0))
+        handle.seek(0, 2)
+    return [_entry(path, number, line) for number, line in enumerate(lines, 1)]
+
+
+def _entry(path: str, number: int, line: bytes) -> dict[str, Any]:
+    try:
+        entry = json.loads(line)
+    except ValueError:
+        entry = None
+    known = {_HEAD} if number == 1 else {"who", "key", "result"}
+    if not isinstance(entry, dict) or set(entry) != known:
+        raise Error(f"store '{path}': line {number} is no entry of surefoot assess")
+    return entry
+
+
+def _check_same(path: str, there: Any, head: dict[str, Any]) -> None:
+    now = json.loads(json.dumps(head))
+    if there == now:
+        return
+    old = there if isinstance(there, dict) else {}
+    names = [name for name in now if old.get(name) != now[name]]
+    raise Error(
+        f"store '{path}': holds another run, which differs in {', '.join(names) or 'all'}; name "
+        "another file, or ask for what it was begun with"
+    )

@@ -1,0 +1,89 @@
+"""The sweep: which is the largest push below which every push that was tried is survived."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from surefoot.assess.push_run import Outcome
+
+COARSE = 10.0  # [%] of the robot's own limit
+FINE = 2.5  # [%]
+LOWEST = 10.0  # [%]
+HIGHEST = 200.0  # [%]
+
+
+@dataclass
+class Sweep:
+    """Pushes of rising strength, one direction, one seed.
+
+    Attributes:
+        tried: Outcome of every level, percent of the robot's own limit.
+    """
+
+    tried: dict[float, Outcome] = field(default_factory=dict)
+
+    def largest(self, kind: str) -> float:
+        """Return the largest level below which all that were tried passed, itself too; 0: none.
+
+        Args:
+            kind: "survived" or "strict".
+        """
+        best = 0.0
+        for level in sorted(self.tried):
+            if not getattr(self.tried[level], kind):
+                break
+            best = level
+        return best
+
+
+def sweep(run: Callable[[float], Outcome]) -> Sweep:
+    """Push harder and harder: coarse until the robot does not survive, then fine where it tipped.
+
+    Levels go up in steps of COARSE from LOWEST until one is not survived; then the steps of FINE
+    between each last pass and the first failure, upwards until one fails, for survival and for the
+    strict criterion apart. It is no bisection: a weak push that fails where a strong one passes
+    ends the count there.
+
+    Args:
+        run: Runs one level, in percent of the robot's own limit.
+    """
+    done = Sweep()
+    for level in _steps(LOWEST, HIGHEST, COARSE):
+        done.tried[level] = run(level)
+        if not done.tried[level].survived:
+            break
+    for kind in ("survived", "strict"):
+        last = done.largest(kind)
+        above = [level for level in done.tried if level > last]
+        if not above:
+            continue
+        for level in _steps(last + FINE, min(above) - FINE, FINE):
+            if level not in done.tried:
+                done.tried[level] = run(level)
+            if not getattr(done.tried[level], kind):
+                break
+    return done
+
+
+def _steps(low: float, high: float, step: float) -> Iterator[float]:
+    for k in range(1 + round((high - low) / step)):
+        yield low + k * step
+
+
+def as_rows(done: Sweep) -> list[list[Any]]:
+    """Return a sweep as plain JSON: level, survived, strict, foot_mm, back_mm, back_deg."""
+    return [
+        [level, o.survived, o.strict, _short(o.foot_mm), _short(o.back_mm), _short(o.back_deg)]
+        for level, o in sorted(done.tried.items())
+    ]
+
+
+def from_rows(rows: list[list[Any]]) -> Sweep:
+    """Return the sweep of as_rows()."""
+    return Sweep({row[0]: Outcome(*row[1:]) for row in rows})
+
+
+def _short(value: float | None) -> float | None:
+    return None if value is None else round(value, 3)

@@ -1,0 +1,131 @@
+"""surefoot assess: the options, the run, and where its results go."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shlex
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from surefoot.cli.progress import progress_bar
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.cli.simulation import (
+    check_json_place,
+    check_place,
+    check_report_place,
+    choose_graphics,
+    missing_module,
+    write_json,
+)
+from surefoot.gain_files import gain_values, load_gains
+from surefoot.robots import build_robot
+
+if TYPE_CHECKING:
+    from surefoot.assess import AssessSettings
+
+_TEXT = """\
+Pushes all around, then conditions of ground, payload, link and motors, with real sensors at 500 Hz,
+each with many seeds; impulses are compared with the linear inverted pendulum's limit and with the
+robot's own. With --store an assessment that was ended, however, goes on where it was.
+
+exit status: 0 done, 1 a file could not be written (results in the store are safe), 2 a wrong
+argument, scenario or store, 130 interrupted"""
+
+
+def add_assess_options(parser: argparse.ArgumentParser) -> None:
+    """Add every option of surefoot assess."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = _TEXT
+    add_robot_options(parser, "go1")
+    add = parser.add_argument
+    add(
+        "--controller",
+        default="surefoot",
+        metavar="NAME|MODULE:CALLABLE",
+        help="surefoot, pd, force_qp, or what is called with the surefoot.Robot and returns what "
+        "makes a LowCmd of each LowState (surefoot)",
+    )
+    add("--gains", metavar="FILE.toml", help="of the controller surefoot (the robot's own)")
+    add("--quick", action="store_true", help="one push, three seeds, their minimum: minutes")
+    add("--scenario", metavar="FILE.toml", help="a card of your own instead of the full one")
+    add("--jobs", type=int, metavar="N", help="processes (one a core)")
+    add(
+        "--deadline",
+        type=float,
+        default=60.0,
+        metavar="S",
+        help="for one run of some seconds; a controller that takes longer never returns (60)",
+    )
+    add("--store", metavar="FILE", help="results, one a line; an assessment in it goes on")
+    add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
+    add("--report", metavar="DIR", help="write index.html, plots, films, tables and summary.json")
+
+
+def assess(arguments: argparse.Namespace) -> None:
+    """Run the assessment, and print and write what was asked for.
+
+    Raises:
+        Error: A wrong argument, scenario or store.
+        OSError: A file could not be written.
+    """
+    choose_graphics()
+    check_json_place(arguments.json)
+    check_place("--store", arguments.store)
+    check_report_place(arguments.report, "assess", "surefoot.assess.report")
+    try:
+        from surefoot.assess import assess_text, run_assess
+
+        settings = _settings(arguments)
+    except ModuleNotFoundError as problem:
+        raise missing_module("assess", problem) from None
+    try:
+        folder = None if arguments.report is None else Path(arguments.report)
+        result = run_assess(settings, progress_bar(), folder)
+    except KeyboardInterrupt:
+        where = f"in {arguments.store}: the same command goes on"
+        kept = where if arguments.store else "lost; --store FILE would have kept them"
+        print(f"surefoot: the results so far are {kept}", file=sys.stderr)
+        raise
+    command = shlex.join(["surefoot", *arguments.words])
+    result = {"command": command, **result}
+    write_json(arguments.json, result)
+    if folder is not None:
+        from surefoot.assess.report import write_assess_report
+
+        print(f"report {write_assess_report(result, folder, command)}", file=sys.stderr)
+    if arguments.json != "-":
+        print(assess_text(result))
+
+
+def _settings(arguments: argparse.Namespace) -> AssessSettings:
+    from surefoot._core import Error
+    from surefoot.assess import AssessSettings, Contestant, read_card, standard_card
+    from surefoot.assess.settings import MOST_JOBS
+
+    description = chosen_robot(arguments, default="go1")
+    assert description is not None  # there is a default
+    robot: str | tuple[str, str] = arguments.robot or "go1"
+    if arguments.urdf is not None:
+        robot = (str(Path(arguments.urdf).resolve()), str(Path(arguments.config).resolve()))
+    gains: dict[str, float] = {}
+    if arguments.gains is not None:
+        if arguments.controller != "surefoot":
+            raise Error(f"--gains: got controller '{arguments.controller}', expected surefoot")
+        own = build_robot(description).config.gains
+        gains = gain_values(load_gains(arguments.gains, own))
+    if arguments.scenario is not None and arguments.quick:
+        raise Error("--scenario: got --quick too, expected one of them")
+    if arguments.scenario is not None:
+        card = read_card(Path(arguments.scenario))
+    else:
+        card = standard_card("quick" if arguments.quick else "full")
+    return AssessSettings(
+        robot,
+        Contestant(arguments.controller, gains),
+        card,
+        arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS),
+        arguments.deadline,
+        arguments.store,
+    )

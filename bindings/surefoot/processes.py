@@ -1,0 +1,41 @@
+"""Processes that help: fresh interpreters of one thread each that end with the one they help."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import threading
+from concurrent.futures.process import ProcessPoolExecutor
+from multiprocessing.context import SpawnContext
+
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+def spawn_context() -> SpawnContext:
+    """Return what starts fresh interpreters: a fork would copy MuJoCo's and Optuna's threads half.
+
+    They compute with one thread each, for two that share a core do less than one; numpy reads that
+    when it is loaded, which is before any code of ours in a fresh interpreter.
+    """
+    for name in _THREADS:
+        os.environ.setdefault(name, "1")
+    return multiprocessing.get_context("spawn")
+
+
+def spawn_pool(jobs: int) -> ProcessPoolExecutor:
+    """Return a pool of `jobs` such processes; jobs are whatever can be pickled."""
+    return ProcessPoolExecutor(jobs, spawn_context(), die_with_parent)
+
+
+def die_with_parent() -> None:
+    """Have this process end where the one that started it is killed, and not by Ctrl-C before."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+
+    def wait() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=wait, daemon=True).start()

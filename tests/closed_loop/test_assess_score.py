@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is made of results: percentiles, worst directions, conditions, faults, references."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+import surefoot
+from surefoot.assess import AssessSettings, Card, Condition, Contestant, assess_text
+from surefoot.assess.plan import works
+from surefoot.assess.push_limits import Limits
+from surefoot.assess.push_run import Outcome
+from surefoot.assess.push_score import low_end, statistic
+from surefoot.assess.score import score
+from surefoot.assess.sweep import as_rows, sweep
+from surefoot.assess.unit import FaultUnit, PushUnit, StandUnit, run_unit
+
+CARD = Card(
+    "mine",
+    directions=4,
+    seeds=20,
+    condition_directions=2,
+    condition_seeds=3,
+    references=True,
+    conditions=(
+        Condition("usual"),
+        Condition("icy", friction=0.2, pushes=True),
+        Condition("slope", slope_deg=10.0, headings_deg=(0.0, 90.0)),
+    ),
+)
+ROBOT = surefoot.load_robot("go1")
+LIMITS = Limits(ROBOT)
+
+
+def pushed(survives: float, strict: float) -> dict[str, Any]:
+    done = sweep(lambda level: Outcome(level <= survives, level <= strict, 1.0, 1.0, 0.1))
+    return {"rows": as_rows(done)}
+
+
+def result_of(unit: PushUnit | StandUnit | FaultUnit) -> dict[str, Any]:
+    """Seed 0 is bad, direction 90 worse; one heading fails once; one fault fails."""
+    if isinstance(unit, PushUnit):
+        bad = 50.0 * (unit.seed == 0) + 10.0 * (unit.degrees == 90.0)
+        return pushed(110.0 - bad, 80.0 - bad)
+    if isinstance(unit, StandUnit):
+        failed = unit.heading == 90.0 and unit.seed == 2
+        good = {"stood": True, "tilt_deg": 0.1, "height_mm": 1.0, "foot_mm": 0.5, "passed": True}
+        return {**good, "tilt_deg": 3.0, "passed": False} if failed else good
+    if unit.cell == "healthy/off/standing":
+        return {"row": "healthy", "verdict": "fail", "reason": "a false alarm"}
+    return {"row": unit.cell.partition("/")[0], "verdict": "pass", "reason": ""}
+
+
+@pytest.fixture(scope="module")
+def card() -> dict[str, Any]:
+    settings = AssessSettings("go1", card=CARD)
+    results = {(w.contestant.name, w.unit.key): result_of(w.unit) for w in works(settings, LIMITS)}
+    return score(settings, ROBOT, LIMITS, results)
+
+
+def test_many_seeds_have_a_percentile_and_few_a_minimum_that_is_labelled_so() -> None:
+    assert low_end([float(k) for k in range(20)]) == pytest.approx(0.95)
+    assert low_end([3.0, 1.0, 2.0]) == 1.0
+    assert statistic(20) == "5th percentile of 20 seeds"
+    assert statistic(3) == "minimum of 3 seeds"
+
+
+def test_the_worst_direction_counts_by_its_percentile(card: dict[str, Any]) -> None:
+    push = card["push"]
+    expected = np.percentile([50.0, *[100.0] * 19], 5.0)
+    assert push["survive_percent_of_limit_p5"] == pytest.approx(expected)
+    assert push["strict_percent_of_limit_p5"] == pytest.approx(expected - 30.0)
+    assert push["statistic"] == "5th percentile of 20 seeds"
+    for row in push["tables"][0]["directions"]:
+        impulse = row["survive"]["percent_of_limit"] / 100.0 * row["limit_ns"]
+        assert row["survive"]["ns"] == pytest.approx(impulse, rel=1e-4)
+        share = row["survive"]["percent_of_lip"] * row["lip_ns"]
+        assert share == pytest.approx(100.0 * impulse, rel=1e-4)
+
+
+def test_conditions_have_limits_of_their_own_and_count_what_passed(card: dict[str, Any]) -> None:
+    usual, icy, slope = card["conditions"]
+    assert usual["settings"] == {} and usual["stand"]["passed"] == 3 and usual["push"] is None
+    assert icy["settings"]["friction"] == 0.2 and icy["push"]["statistic"] == "minimum of 3 seeds"
+    limit = card["push"]["tables"][0]["directions"][0]["limit_ns"]
+    assert icy["push"]["tables"][0]["directions"][0]["limit_ns"] < 0.7 * limit
+    assert icy["push"]["survive_percent_of_limit_p5"] == 60.0
+    assert slope["push"] is None
+    stand = slope["stand"]
+    assert (stand["runs"], stand["passed"], stand["stood"]) == (6, 5, 6)
+    assert stand["tilt_deg"] == 3.0 and stand["headings_deg"]["0"]["tilt_deg"] == 0.1
+
+
+def test_faults_and_references_are_on_the_card(card: dict[str, Any]) -> None:
+    assert card["faults"]["failures"] == {"healthy/off/standing": "a false alarm"}
+    assert card["faults"]["rows"]["healthy"]["failed"] == 1 and card["faults"]["passed"] > 100
+    assert set(card["references"]) == {"pd", "force_qp"}
+    assert card["references"]["pd"]["survive_percent_of_limit_p5"] > 90.0
+    text = assess_text(card)
+    assert "reference pd" in text and "a false alarm" in text and "5 of 6" in text
+
+
+def test_what_broke_has_survived_nothing_and_says_why() -> None:
+    few = Card("mine", directions=2, seeds=2, condition_seeds=0, faults="none")
+    settings = AssessSettings("go1", Contestant("pd"), few)
+    results = {
+        (w.contestant.name, w.unit.key): pushed(100.0, 90.0) for w in works(settings, LIMITS)
+    }
+    results[next(iter(results))] = {"broken": "threw ValueError"}
+    card = score(settings, ROBOT, LIMITS, results)
+    first, second = card["push"]["tables"][0]["directions"]
+    assert first["survive"]["ns"] == 0.0 and first["broken"] == ["threw ValueError"]
+    assert second["survive"]["percent_of_limit"] == 100.0 and second["broken"] == []
+    assert card["push"]["broken"] == ["threw ValueError"] and card["faults"] is None
+
+
+def test_a_cell_of_the_matrix_of_faults_is_a_unit() -> None:
+    unit = FaultUnit("emergency_stop/wrong/lying")
+    found = run_unit(unit, "go1", Contestant("surefoot"))
+    assert found == {"row": "emergency_stop", "verdict": "pass", "reason": ""}
