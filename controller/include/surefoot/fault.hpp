@@ -18,6 +18,8 @@ enum class FaultId : int {
   kFrozen,            ///< tick advances, the sensors repeat themselves byte by byte
   kLoss,              ///< too many reports are missing
   kJointJump,         ///< a joint's angle jumps against its own speed
+  kEncoder,           ///< a leg's encoders have stopped while it moves
+  kClock,             ///< the robot's clock goes faster than its joints
   kQuaternion,        ///< no unit length, or it contradicts gyroscope and legs
   kAttitude,          ///< attitude and gyroscope jump against each other, or there is none
   kGyroscope,         ///< zero, constant, saturated or contradicted

@@ -29,6 +29,13 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kLoss, kWatch, 1.0, kGone, "more than 5 % of the reports of a second are missing"},
     {FaultId::kJointJump, kDamp, 0.020, kArm,
      "an angle jumps more than its speed explains: held for 10 ms, then damping"},
+    {FaultId::kEncoder, kDamp, 0.060, kArm,
+     "a leg's angles and speeds repeat themselves bit by bit, while a speed of theirs above 0.2 "
+     "rad/s "
+     "says that it moves; slower, once that makes 0.01 rad"},
+    {FaultId::kClock, kDamp, 0.200, kArm,
+     "joints that move go less than 0.7 of the way that their speeds make by the robot's clock: it "
+     "goes too fast, and what goes by it with it"},
     {FaultId::kQuaternion, kDegrade, 0.1, kGone,
      "no unit length, or contradicted by gyroscope and legs: standing goes on without it"},
     {FaultId::kAttitude, kDamp, 0.020, kArm,
@@ -85,36 +92,14 @@ FaultInfo fault_info(FaultId id) noexcept {
 }
 
 const char* to_string(FaultId id) noexcept {
-  constexpr std::array<const char*, kFaults> names = {"none",
-                                                      "stop",
-                                                      "button",
-                                                      "state_not_finite",
-                                                      "state_implausible",
-                                                      "stale_tick",
-                                                      "frozen",
-                                                      "loss",
-                                                      "joint_jump",
-                                                      "quaternion",
-                                                      "attitude",
-                                                      "gyroscope",
-                                                      "accelerometer",
-                                                      "foot_force",
-                                                      "slip",
-                                                      "lifted",
-                                                      "payload",
-                                                      "tilt",
-                                                      "motor_mode",
-                                                      "motor_weak",
-                                                      "overridden",
-                                                      "temperature",
-                                                      "joint_stop",
-                                                      "power",
-                                                      "torque_rate",
-                                                      "controller",
-                                                      "hanging",
-                                                      "battery",
-                                                      "operator",
-                                                      "link"};
+  constexpr std::array<const char*, kFaults> names = {
+      "none",       "stop",        "button",     "state_not_finite", "state_implausible",
+      "stale_tick", "frozen",      "loss",       "joint_jump",       "encoder",
+      "clock",      "quaternion",  "attitude",   "gyroscope",        "accelerometer",
+      "foot_force", "slip",        "lifted",     "payload",          "tilt",
+      "motor_mode", "motor_weak",  "overridden", "temperature",      "joint_stop",
+      "power",      "torque_rate", "controller", "hanging",          "battery",
+      "operator",   "link"};
   return names[static_cast<int>(id)];
 }
 

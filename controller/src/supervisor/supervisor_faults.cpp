@@ -24,6 +24,10 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   } else {
     sensors.reset(log);
   }
+  encoders.update(state, dt);
+  log.set(FaultId::kEncoder, encoders.motor() >= 0, encoders.motor());
+  pace.update(state, dt);
+  log.set(FaultId::kClock, pace.fast());
   if (!imu.attitude_fits()) log.set(FaultId::kQuaternion, true);
   if (imu.accelerometer_bad()) log.set(FaultId::kAccelerometer, true);
   if (imu.gyroscope_bad()) log.set(FaultId::kGyroscope, true);

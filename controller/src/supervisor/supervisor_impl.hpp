@@ -4,6 +4,8 @@
 #include "safety/command_keeper.hpp"
 #include "safety/tick_clock.hpp"
 #include "supervisor/arming.hpp"
+#include "supervisor/clock_watch.hpp"
+#include "supervisor/encoder_watch.hpp"
 #include "supervisor/fault_log.hpp"
 #include "supervisor/height_motion.hpp"
 #include "supervisor/imu_watch.hpp"
@@ -88,6 +90,8 @@ struct Supervisor::Impl {
   std::uint32_t last_tick = 0;
   ImuWatch imu;
   JointWatch joints;
+  EncoderWatch encoders;
+  ClockWatch pace;
   Lasting battery;
   FaultId bad = FaultId::kNone;  // what is wrong with the report itself
   unsigned heard = 0;            // heartbeats
