@@ -35,11 +35,7 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   judge_rest(state, dt);
 }
 
-// Of the torque protections this is the last word; the command is not read.
 void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
-  const bool protect = active() && options.power_level > 0;
-  log.set(FaultId::kPower,
-          protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
   log.set(FaultId::kLoss, arming.loss() > kLossWatched);
   const BmsState& bms = state.bms;
   const bool told = bms.SOC > 0 || bms.bms_status > 0 || bms.version_h > 0;
@@ -81,9 +77,9 @@ void Supervisor::Impl::react() noexcept {
     if (log.report().has(asked)) latch(asked);
   }
   if (!active()) return;
-  const FaultId worst = log.first(FaultReaction::kDamp);
   // What is wrong with the report alone is bridged first: see tick().
-  if (worst != FaultId::kNone && worst != bad) latch(worst);
+  const FaultId worst = log.first(FaultReaction::kDamp, bad);
+  if (worst != FaultId::kNone) latch(worst);
   const bool up = now.mode == Mode::kStand || now.mode == Mode::kRise;
   if (up && log.first(FaultReaction::kSit) != FaultId::kNone) enter(Mode::kSit);
 }
