@@ -32,6 +32,8 @@ enum class FaultId : int {
   kMotorMode,         ///< a motor left servo mode
   kMotorWeak,         ///< a motor does not give the torque it is told
   kOverridden,        ///< several legs do not: somebody else commands the robot too
+  kWiring,            ///< legs or motors are not where they are taken to be
+  kWrongRobot,        ///< it is another robot than it is taken for
   kTemperature,       ///< a motor is hot: its torque is derated, then the robot sits down
   kJointStop,         ///< a joint is beyond its stop
   kPower,             ///< the power protection tripped

@@ -58,6 +58,12 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kOverridden, kDamp, 0.2, kArm,
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
+    {FaultId::kWiring, kDamp, 4.0, kArm,
+     "lying, legs folded: a leg does not hang on its hip as it must, or the rear legs press and "
+     "the nose does not go down: legs are swapped, a motor turns the other way, or it does not lie "
+     "free on the ground"},
+    {FaultId::kWrongRobot, kDamp, 4.0, kArm,
+     "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says"},
     {FaultId::kTemperature, kSit, 2.0, kGone,
      "torque limits fall from temperature_warning on; the robot sits down at temperature_stop"},
     {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},
@@ -92,14 +98,40 @@ FaultInfo fault_info(FaultId id) noexcept {
 }
 
 const char* to_string(FaultId id) noexcept {
-  constexpr std::array<const char*, kFaults> names = {
-      "none",       "stop",        "button",     "state_not_finite", "state_implausible",
-      "stale_tick", "frozen",      "loss",       "joint_jump",       "encoder",
-      "clock",      "quaternion",  "attitude",   "gyroscope",        "accelerometer",
-      "foot_force", "slip",        "lifted",     "payload",          "tilt",
-      "motor_mode", "motor_weak",  "overridden", "temperature",      "joint_stop",
-      "power",      "torque_rate", "controller", "hanging",          "battery",
-      "operator",   "link"};
+  constexpr std::array<const char*, kFaults> names = {"none",
+                                                      "stop",
+                                                      "button",
+                                                      "state_not_finite",
+                                                      "state_implausible",
+                                                      "stale_tick",
+                                                      "frozen",
+                                                      "loss",
+                                                      "joint_jump",
+                                                      "encoder",
+                                                      "clock",
+                                                      "quaternion",
+                                                      "attitude",
+                                                      "gyroscope",
+                                                      "accelerometer",
+                                                      "foot_force",
+                                                      "slip",
+                                                      "lifted",
+                                                      "payload",
+                                                      "tilt",
+                                                      "motor_mode",
+                                                      "motor_weak",
+                                                      "overridden",
+                                                      "wiring",
+                                                      "wrong_robot",
+                                                      "temperature",
+                                                      "joint_stop",
+                                                      "power",
+                                                      "torque_rate",
+                                                      "controller",
+                                                      "hanging",
+                                                      "battery",
+                                                      "operator",
+                                                      "link"};
   return names[static_cast<int>(id)];
 }
 

@@ -68,7 +68,7 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   // d(up)/dt = up x w; the tilt grows as its z falls.
   const double rate = -up.cross(w).z() / sine;
   // While legs fold the body lies, and may roll off one.
-  const double ahead = standing() || folded ? kForesight : 0.0;
+  const double ahead = standing() || upward() ? kForesight : 0.0;
   log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
 
