@@ -83,6 +83,11 @@ BOOST_FIXTURE_TEST_CASE(legs_on_the_wrong_side_are_named_and_so_is_another_robot
   down[3] *= 5.0;
   BOOST_TEST((weigh(down) == Verdict::kWrongSide));
   BOOST_TEST(weighing.motor() == 3);
+  Vector12 inward = bearing();  // the front legs
+  inward[0] = inward[3] *= 2.2;
+  inward[0] *= -1.0;
+  BOOST_TEST((weigh(inward) == Verdict::kWrongSide));
+  BOOST_TEST(weighing.motor() < 6);
   BOOST_TEST((weigh(bearing(0.4)) == Verdict::kWrongWeight));
   BOOST_TEST((weigh(bearing(0.2)) == Verdict::kWrongWeight));
   BOOST_TEST((weigh(bearing(4.0)) == Verdict::kWrongWeight));

@@ -40,6 +40,9 @@ def _run(scene: Scene, cell: Cell, height: float) -> dict[str, Any]:
     problem = ""
     if not (cell.expect.reaction == Reaction.REFUSE and scene.fault.from_start):
         problem = approach(scene, ASKED_TO_RISE if _shows_early(scene, cell) else cell.mode)
+    if _shows_early(scene, cell) and not scene.armed and scene.failures:
+        # Arming refuses by name: as good, and sooner.
+        return _record(scene, cell, Observed(), scene.judge.violations())
     seen = Observed() if problem else observe(scene, cell.expect, cell.mode)
     found = [problem] if problem else shortcomings(seen, cell.expect, cell.mode, height)
     if not problem and cell.case.says and cell.case.says not in scene.failures:

@@ -9,7 +9,7 @@ from surefoot.faults.observe import Observed
 from surefoot.faults.reaction import Expectation, Reaction
 
 GRAVITY = 9.81  # [m/s^2]
-LYING_SHARE = 0.15  # of its standing height, by which a body that lies may be pressed up
+LYING_SHARE = 0.25  # of its standing height: folding legs prop healthy bodies up by 0.15
 SLACK = 1e-9  # [s] of rounding
 
 

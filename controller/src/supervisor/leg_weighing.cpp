@@ -53,21 +53,19 @@ const JointReference& LegWeighing::step(const Vector12& measured, const Vector12
 
 // All legs alike are another robot's; one that is not like the others is in the wrong place.
 void LegWeighing::judge() noexcept {
-  int light = 0, heavy = 0;
+  const Eigen::Vector4d share = measured_.cwiseQuotient(model_);
+  int worst = 0;
+  double off = -1.0;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const double share = measured_[leg] / model_[leg];
-    const bool off = !(share > kLeast && share < kMost);
-    light += off && std::abs(share) < kLeast;
-    heavy += off && share > kMost;
-    if (off && motor_ < 0) motor_ = kLegJoints * leg;
+    const double size = std::log(std::max(share[leg], 1e-3));
+    if (std::abs(size) > off) worst = leg, off = std::abs(size);
   }
-  const double all = measured_.cwiseAbs().sum() / model_.cwiseAbs().sum();
-  if (light == kLegs || heavy == kLegs || (motor_ < 0 && !(all > kLight && all < kHeavy))) {
-    motor_ = -1;
-    verdict_ = Verdict::kWrongWeight;
-  } else if (motor_ >= 0) {
-    verdict_ = Verdict::kWrongSide;
-  }
+  const double least = share.minCoeff(), most = share.maxCoeff(), all = share.mean();
+  const bool fits = least > kLeast && most < kMost && all > kLight && all < kHeavy;
+  if (fits) return;
+  const bool alike = least > 0.0 && most < kAlike * least;
+  motor_ = alike ? -1 : kLegJoints * worst;
+  verdict_ = alike ? Verdict::kWrongWeight : Verdict::kWrongSide;
 }
 
 }  // namespace surefoot

@@ -18,6 +18,7 @@ class LegWeighing {
   static constexpr double kOut = 0.2;    ///< [rad]
   static constexpr double kLeast = 0.4;  ///< times the model's weight: a leg that hangs free ...
   static constexpr double kMost = 2.5;   ///< ... is between these, however its hip rubs
+  static constexpr double kAlike = 2.0;  ///< times the lightest leg: so much may the heaviest weigh
   static constexpr double kLight = 0.6;  ///< the same of all legs together ...
   static constexpr double kHeavy = 1.5;  ///< ... and whatever they are dressed in
 
