@@ -201,8 +201,20 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
   expect(FaultId::kOverridden, [](LowState& r, const LowState&) {
     r.motorState[2].tauEst = r.motorState[8].tauEst = 20.0F;
   });
+  expect(FaultId::kOverridden, [](LowState& r, const LowState&) {
+    for (const int i : {2, 8}) r.motorState[i].tauEst += r.tick % 4 == 0 ? 2.0F : -2.0F;
+  });
+  expect(FaultId::kEncoder, [](LowState& r, const LowState&) { r.motorState[1].dq = 0.3F; });
   expect(FaultId::kJointJump, [](LowState& r, const LowState&) { r.motorState[1].q = -2.0F; });
   expect(FaultId::kPower, [](LowState& r, const LowState&) {
+    r.motorState[0].q += r.tick % 4 == 0 ? 1e-4F : -1e-4F;
+    r.motorState[0].dq = 15.0F;
+    r.motorState[0].tauEst = 8.0F;
+  });
+  int reports = 0;
+  expect(FaultId::kPower, [&](LowState& r, const LowState&) {  // of a blow, disbelieved at first
+    r.imu.gyroscope[0] = std::min(4.0F * float(++reports), 12.0F);
+    r.motorState[0].q += r.tick % 4 == 0 ? 1e-4F : -1e-4F;
     r.motorState[0].dq = 15.0F;
     r.motorState[0].tauEst = 8.0F;
   });

@@ -37,10 +37,12 @@ def run_cell(setup: Setup, name: str) -> dict[str, Any]:
 
 
 def _run(scene: Scene, cell: Cell, height: float) -> dict[str, Any]:
-    refused_from_start = cell.expect.reaction == Reaction.REFUSE and scene.fault.from_start
     problem = ""
-    if not (refused_from_start and cell.mode == "lying"):
-        problem = approach(scene, cell.mode if not refused_from_start else ASKED_TO_RISE)
+    if not (cell.expect.reaction == Reaction.REFUSE and scene.fault.from_start):
+        problem = approach(scene, ASKED_TO_RISE if _shows_early(scene, cell) else cell.mode)
+    if _shows_early(scene, cell) and not scene.armed and scene.failures:
+        # Arming refuses by name: as good, and sooner.
+        return _record(scene, cell, Observed(), scene.judge.violations())
     seen = Observed() if problem else observe(scene, cell.expect, cell.mode)
     found = [problem] if problem else shortcomings(seen, cell.expect, cell.mode, height)
     if not problem and cell.case.says and cell.case.says not in scene.failures:
@@ -52,6 +54,12 @@ def _run(scene: Scene, cell: Cell, height: float) -> dict[str, Any]:
         found += [f"a false {fault}" for fault in scene.told]
     found += scene.fault.complaints() + scene.judge.violations()
     return _record(scene, cell, seen, found)
+
+
+def _shows_early(scene: Scene, cell: Cell) -> bool:
+    """Return whether a fault from the start may show as soon as the robot is asked to rise."""
+    expect = cell.expect
+    return scene.fault.from_start and (expect.reaction == Reaction.STAY or expect.unless != "")
 
 
 def _record(scene: Scene, cell: Cell, seen: Observed, found: list[str]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from surefoot._core import FaultId, Mode, RequestStatus
@@ -34,6 +35,8 @@ class Observed:
         accepted: When one of them was accepted.
         mode: At the end.
         speed: Greatest speed of the body downwards [m/s].
+        lowest: Of the body's height [m].
+        rose: Greatest height of the body above the lowest before it [m].
         time: Seen for so long.
         told: When the fault expected was told.
         why: Name of the fault that the damping latched for.
@@ -50,6 +53,8 @@ class Observed:
     accepted: float | None = None
     mode: Mode = Mode.PASSIVE
     speed: float = 0.0
+    lowest: float = math.inf
+    rose: float = 0.0
     time: float = 0.0
     told: float | None = None
     why: str = ""
@@ -81,7 +86,7 @@ def observe(scene: Scene, expect: Expectation, mode: str) -> Observed:
 def _longest(expect: Expectation, mode: str) -> float:
     if expect.reaction == Reaction.SIT:
         return expect.within + SIT_TIME
-    if expect.reaction == Reaction.DAMP:
+    if expect.reaction in (Reaction.DAMP, Reaction.STAY):
         return expect.within + STAND_TIME
     if mode == "rising":
         return RISE_TIME
@@ -93,7 +98,7 @@ def _longest(expect: Expectation, mode: str) -> float:
 def _enough(seen: Observed, expect: Expectation, mode: str) -> bool:
     """Return whether what is expected, or its contrary, has been seen for long enough."""
     since = seen.damped if expect.reaction != Reaction.SIT else seen.passive
-    if expect.reaction in (Reaction.DAMP, Reaction.SIT):
+    if expect.reaction in (Reaction.DAMP, Reaction.SIT, Reaction.STAY):
         return since is not None and seen.time > since + QUIET
     if mode != "rising":
         return False
@@ -117,6 +122,9 @@ def _look(scene: Scene, seen: Observed, time: float) -> None:
     if now == Mode.STAND and seen.fell is None and has_fallen(plant.data, plant.handles):
         seen.fell = time
     seen.mode, seen.time, seen.why = now, time, scene.supervisor.reason.name.lower()
+    height = float(plant.data.qpos[2])
+    seen.lowest = min(seen.lowest, height)
+    seen.rose = max(seen.rose, height - seen.lowest)
     seen.speed = max(seen.speed, -float(plant.data.qvel[2]))
 
 

@@ -18,6 +18,7 @@ class Reaction(Enum):
     SIT = "sits down"
     DAMP = "damps, latched"
     REFUSE = "refuses"
+    STAY = "stays down, latched"
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,11 @@ def damp(within: float) -> Expectation:
 def refuse(within: float) -> Expectation:
     """Return that arming and rising are refused within a time [s]."""
     return Expectation(Reaction.REFUSE, within)
+
+
+def stays(fault: str, later: float = 0.0) -> Expectation:
+    """Return that a rise is refused for a fault: latched before the body leaves the ground."""
+    return replace(as_table(fault, later), reaction=Reaction.STAY)
 
 
 def unless(fault: str) -> Expectation:

@@ -9,6 +9,7 @@ from surefoot.faults.observe import Observed
 from surefoot.faults.reaction import Expectation, Reaction
 
 GRAVITY = 9.81  # [m/s^2]
+LYING_SHARE = 0.25  # of its standing height: folding legs prop healthy bodies up by 0.15
 SLACK = 1e-9  # [s] of rounding
 
 
@@ -23,6 +24,7 @@ def reaction_time(seen: Observed, expect: Expectation) -> float | None:
         Reaction.DAMP: seen.damped,
         Reaction.SIT: seen.sat,
         Reaction.REFUSE: seen.refused,
+        Reaction.STAY: seen.damped,
         Reaction.WATCH: None,
         Reaction.DEGRADE: None,
     }[expect.reaction]
@@ -39,6 +41,8 @@ def shortcomings(seen: Observed, expect: Expectation, mode: str, height: float) 
     """
     if expect.reaction == Reaction.DAMP:
         return _damps(seen, expect)
+    if expect.reaction == Reaction.STAY:
+        return _stays(seen, expect, height)
     if expect.reaction == Reaction.SIT:
         return _sits(seen, expect) + falls_fast(seen, height)
     if expect.reaction == Reaction.REFUSE:
@@ -74,6 +78,15 @@ def _damps(seen: Observed, expect: Expectation) -> list[str]:
         found.append(f"not latched: {seen.mode.name} at the end")
     if seen.torques_again is not None:
         found.append(f"torques again after {_ms(seen.torques_again)}")
+    return found
+
+
+def _stays(seen: Observed, expect: Expectation, height: float) -> list[str]:
+    found = _damps(seen, expect)
+    if seen.damped is not None and seen.why != expect.fault:
+        found.append(f"latched for {seen.why}, expected {expect.fault}")
+    if seen.rose > LYING_SHARE * height:
+        found.append(f"rose by {100 * seen.rose:.0f} cm")
     return found
 
 

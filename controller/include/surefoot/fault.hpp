@@ -18,6 +18,8 @@ enum class FaultId : int {
   kFrozen,            ///< tick advances, the sensors repeat themselves byte by byte
   kLoss,              ///< too many reports are missing
   kJointJump,         ///< a joint's angle jumps against its own speed
+  kEncoder,           ///< a leg's encoders have stopped while it moves
+  kClock,             ///< the robot's clock goes faster than its joints
   kQuaternion,        ///< no unit length, or it contradicts gyroscope and legs
   kAttitude,          ///< attitude and gyroscope jump against each other, or there is none
   kGyroscope,         ///< zero, constant, saturated or contradicted
@@ -30,6 +32,8 @@ enum class FaultId : int {
   kMotorMode,         ///< a motor left servo mode
   kMotorWeak,         ///< a motor does not give the torque it is told
   kOverridden,        ///< several legs do not: somebody else commands the robot too
+  kWiring,            ///< legs or motors are not where they are taken to be
+  kWrongRobot,        ///< it is another robot than it is taken for
   kTemperature,       ///< a motor is hot: its torque is derated, then the robot sits down
   kJointStop,         ///< a joint is beyond its stop
   kPower,             ///< the power protection tripped

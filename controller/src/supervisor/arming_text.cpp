@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 
 #include "surefoot/arming.hpp"
@@ -20,7 +21,10 @@ std::string format(const char* pattern, Values... values) {
 std::string describe_order(const ArmingCheck& check, const RobotConfig& config) {
   if (check.motor < 0) return "every angle fits its motor";
   const char* motor = kMotorNames[check.motor];
-  if (check.other >= 0) return format("%s and %s seem swapped", motor, kMotorNames[check.other]);
+  if (check.other >= 0) {
+    return format("%s and %s seem swapped", kMotorNames[std::min(check.motor, check.other)],
+                  kMotorNames[std::max(check.motor, check.other)]);
+  }
   return format(
       "%s is %.2f rad outside the range of a %s: another robot, or another order of motors", motor,
       check.value, config.name.c_str());

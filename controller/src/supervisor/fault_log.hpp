@@ -35,10 +35,10 @@ class FaultLog {
     report_.active[k] = there;
   }
 
-  /// The first fault there is with a reaction, or kNone.
-  FaultId first(FaultReaction reaction) const noexcept {
+  /// The first fault there is with a reaction, but for one, or kNone.
+  FaultId first(FaultReaction reaction, FaultId but = FaultId::kNone) const noexcept {
     for (const FaultInfo& info : fault_table()) {
-      if (info.reaction == reaction && report_.has(info.id)) return info.id;
+      if (info.reaction == reaction && info.id != but && report_.has(info.id)) return info.id;
     }
     return FaultId::kNone;
   }

@@ -29,6 +29,13 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kLoss, kWatch, 1.0, kGone, "more than 5 % of the reports of a second are missing"},
     {FaultId::kJointJump, kDamp, 0.020, kArm,
      "an angle jumps more than its speed explains: held for 10 ms, then damping"},
+    {FaultId::kEncoder, kDamp, 0.060, kArm,
+     "a leg's angles and speeds repeat themselves bit by bit, while a speed of theirs above 0.2 "
+     "rad/s "
+     "says that it moves; slower, once that makes 0.01 rad"},
+    {FaultId::kClock, kDamp, 0.200, kArm,
+     "joints that move go less than 0.7 of the way that their speeds make by the robot's clock: it "
+     "goes too fast, and what goes by it with it"},
     {FaultId::kQuaternion, kDegrade, 0.1, kGone,
      "no unit length, or contradicted by gyroscope and legs: standing goes on without it"},
     {FaultId::kAttitude, kDamp, 0.020, kArm,
@@ -51,6 +58,12 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kOverridden, kDamp, 0.2, kArm,
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
+    {FaultId::kWiring, kDamp, 4.0, kArm,
+     "lying, legs folded: a leg does not hang on its hip as it must, or the rear legs press and "
+     "the nose does not go down: legs are swapped, a motor turns the other way, or it does not lie "
+     "free on the ground"},
+    {FaultId::kWrongRobot, kDamp, 4.0, kArm,
+     "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says"},
     {FaultId::kTemperature, kSit, 2.0, kGone,
      "torque limits fall from temperature_warning on; the robot sits down at temperature_stop"},
     {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},
@@ -97,6 +110,8 @@ const char* to_string(FaultId id) noexcept {
                                                       "frozen",
                                                       "loss",
                                                       "joint_jump",
+                                                      "encoder",
+                                                      "clock",
                                                       "quaternion",
                                                       "attitude",
                                                       "gyroscope",
@@ -109,6 +124,8 @@ const char* to_string(FaultId id) noexcept {
                                                       "motor_mode",
                                                       "motor_weak",
                                                       "overridden",
+                                                      "wiring",
+                                                      "wrong_robot",
                                                       "temperature",
                                                       "joint_stop",
                                                       "power",

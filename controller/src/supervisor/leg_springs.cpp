@@ -53,11 +53,13 @@ bool LegSprings::can_hold() noexcept {
   return (hold(1.0).cwiseAbs() - most).maxCoeff() < 0.0;
 }
 
-double LegSprings::borne(const LowState& state) noexcept {
+Vector12 LegSprings::in_air() noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
-  const Vector12 in_air = hold(0.0), way = hold(1.0) - in_air;
-  Vector12 measured;
-  for (int i = 0; i < kMotors; ++i) measured[i] = state.motorState[i].tauEst;
+  return hold(0.0);
+}
+
+double LegSprings::borne(const Vector12& measured) noexcept {
+  const Vector12 in_air = this->in_air(), way = hold(1.0) - in_air;
   return way.dot(measured - in_air) / std::max(way.squaredNorm(), 1e-9);
 }
 

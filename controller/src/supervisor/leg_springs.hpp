@@ -31,10 +31,12 @@ class LegSprings {
   /// @param load share of the robot's weight that the feet bear, 0 .. 1
   /// @return shape (12,), SDK motor order [N.m]
   Vector12 torques(const JointReference& reference, double load) noexcept;
+  /// Torques that bear the legs alone in the pose read, shape (12,), SDK motor order [N.m].
+  Vector12 in_air() noexcept;
   /// Can the motors hold the whole robot in the pose read?
   bool can_hold() noexcept;
   /// Share of the robot's weight that the legs bear by the torques measured, about 0 .. 1.
-  double borne(const LowState& state) noexcept;
+  double borne(const Vector12& measured) noexcept;
 
  private:
   Vector12 hold(double load) noexcept;

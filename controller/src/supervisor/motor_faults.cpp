@@ -16,6 +16,9 @@ constexpr double kTorqueTime = 0.03;     // [s] smoothing, longer than delay and
 constexpr double kTorqueOff = 0.12;      // of tau_max that a motor may be off ...
 constexpr double kTorqueOffShare = 0.4;  // ... and of what it is told
 constexpr double kWeakTime = 0.05;       // [s]
+constexpr double kZigzag = 0.03;         // of tau_max: torques that go to and fro, report by report
+constexpr double kZigzagMore = 4.0;      // times what they are told to
+constexpr double kZigzagTime = 0.05;     // [s] smoothing
 constexpr double kHeatTime = 0.5;        // [s] smoothing: one mad report is no heat
 constexpr double kHotTime = 0.5;         // [s] before the robot sits down
 
@@ -25,6 +28,7 @@ void MotorFaults::reset() noexcept {
   told_.setZero();
   expected_.setZero();
   measured_.setZero();
+  told_zigzag_ = measured_zigzag_ = {};
   weak_ = {};
   hot_ = {};
   bad_modes_ = bad_angles_ = 0;
@@ -59,6 +63,7 @@ void MotorFaults::judge_modes(const LowState& state, FaultLog& log) noexcept {
 // beside what a dead motor leaves out.
 void MotorFaults::judge_torques(const LowState& state, double dt, FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
+  const int disturbed = legs_disturbed(state, dt);
   int weak = -1, legs = 0, last_leg = -1;
   for (int i = 0; i < kMotors; ++i) {
     expected_[i] += share * (told_[i] - expected_[i]);
@@ -71,8 +76,25 @@ void MotorFaults::judge_torques(const LowState& state, double dt, FaultLog& log)
     if (i / kLegJoints != last_leg) ++legs;
     last_leg = i / kLegJoints;
   }
-  log.set(FaultId::kOverridden, legs > 1, weak);
+  log.set(FaultId::kOverridden, legs > 1 || disturbed > 1, weak);
   log.set(FaultId::kMotorWeak, legs == 1, weak);
+}
+
+// Two who command in turn make torques go to and fro, which the mean hides. Neither delay nor lag
+// of a motor makes more of that than there is in what it is told.
+int MotorFaults::legs_disturbed(const LowState& state, double dt) noexcept {
+  const double share = -std::expm1(-dt / kZigzagTime);
+  int legs = 0, last_leg = -1;
+  for (int i = 0; i < kMotors; ++i) {
+    const double told = told_zigzag_[i].update(told_[i], share);
+    const double measured = measured_zigzag_[i].update(state.motorState[i].tauEst, share);
+    const double least = kZigzag * robot_.config().tau_max[i];
+    const bool off = measured > least * least + kZigzagMore * std::max(told, 0.0);
+    if (!off || i / kLegJoints == last_leg) continue;
+    ++legs;
+    last_leg = i / kLegJoints;
+  }
+  return legs;
 }
 
 void MotorFaults::judge_heat(const LowState& state, double dt, FaultLog& log) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "supervisor/fault_log.hpp"
+#include "supervisor/zigzag.hpp"
 #include "surefoot/safety.hpp"
 
 namespace surefoot {
@@ -33,6 +34,7 @@ class MotorFaults {
  private:
   void judge_modes(const LowState& state, FaultLog& log) noexcept;
   void judge_torques(const LowState& state, double dt, FaultLog& log) noexcept;
+  int legs_disturbed(const LowState& state, double dt) noexcept;
   void judge_heat(const LowState& state, double dt, FaultLog& log) noexcept;
   void judge_angles(const LowState& state, FaultLog& log) noexcept;
 
@@ -42,7 +44,8 @@ class MotorFaults {
   Vector12 told_ = Vector12::Zero();      // [N.m] by the last command
   Vector12 expected_ = Vector12::Zero();  // [N.m] told, smoothed
   Vector12 measured_ = Vector12::Zero();  // [N.m] tauEst, smoothed
-  Vector12 heat_ = Vector12::Zero();      // [deg C] smoothed
+  std::array<Zigzag, kMotors> told_zigzag_, measured_zigzag_;
+  Vector12 heat_ = Vector12::Zero();  // [deg C] smoothed
   Vector12 share_ = Vector12::Ones();
   std::array<Lasting, kMotors> weak_;
   Lasting hot_;

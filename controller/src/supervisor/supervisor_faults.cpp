@@ -24,6 +24,10 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   } else {
     sensors.reset(log);
   }
+  encoders.update(state, dt);
+  log.set(FaultId::kEncoder, encoders.motor() >= 0, encoders.motor());
+  pace.update(state, dt);
+  log.set(FaultId::kClock, pace.fast());
   if (!imu.attitude_fits()) log.set(FaultId::kQuaternion, true);
   if (imu.accelerometer_bad()) log.set(FaultId::kAccelerometer, true);
   if (imu.gyroscope_bad()) log.set(FaultId::kGyroscope, true);
@@ -31,11 +35,7 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   judge_rest(state, dt);
 }
 
-// Of the torque protections this is the last word; the command is not read.
 void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
-  const bool protect = active() && options.power_level > 0;
-  log.set(FaultId::kPower,
-          protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
   log.set(FaultId::kLoss, arming.loss() > kLossWatched);
   const BmsState& bms = state.bms;
   const bool told = bms.SOC > 0 || bms.bms_status > 0 || bms.version_h > 0;
@@ -68,7 +68,7 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   // d(up)/dt = up x w; the tilt grows as its z falls.
   const double rate = -up.cross(w).z() / sine;
   // While legs fold the body lies, and may roll off one.
-  const double ahead = standing() || folded ? kForesight : 0.0;
+  const double ahead = standing() || upward() ? kForesight : 0.0;
   log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
 
@@ -77,9 +77,9 @@ void Supervisor::Impl::react() noexcept {
     if (log.report().has(asked)) latch(asked);
   }
   if (!active()) return;
-  const FaultId worst = log.first(FaultReaction::kDamp);
   // What is wrong with the report alone is bridged first: see tick().
-  if (worst != FaultId::kNone && worst != bad) latch(worst);
+  const FaultId worst = log.first(FaultReaction::kDamp, bad);
+  if (worst != FaultId::kNone) latch(worst);
   const bool up = now.mode == Mode::kStand || now.mode == Mode::kRise;
   if (up && log.first(FaultReaction::kSit) != FaultId::kNone) enter(Mode::kSit);
 }

@@ -27,6 +27,8 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       plan(plan_rise(r, kPlannedShare * watts(o))),
       arming(r, {o.arming_time, o.temperature_warning, o.joint_margin, plan.torque_share}),
       folding(plan),
+      weighing(plan),
+      pressing(plan),
       motion(plan),
       springs(r, plan, kLimitedShare * watts(o)),
       stand(r, gains, o.stand),
@@ -82,7 +84,9 @@ void Supervisor::Impl::obey(int request) noexcept {
     now.mode = Mode::kPassive;
     now.armed = true;
     keeper.reset();
-    log.set(FaultId::kController, false);  // it begins anew
+    for (const FaultId over : {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot}) {
+      log.set(over, false);  // it begins anew
+    }
     reason = FaultId::kNone;
     if (take) take_over();
   } else if (request != Requests::kNothing) {
@@ -118,7 +122,7 @@ Drive Supervisor::Impl::drive(Source source, const LowState& state) noexcept {
   Drive out;
   if (source == Source::kDamping) out.kd = damping_kd;
   if (source == Source::kSprings) {
-    out.tau = springs.torques(reference, folded ? motion.load() : 0.0);
+    out.tau = springs.torques(reference, upward() ? motion.load() : 0.0);
     out.kd = springs.damping();
   }
   if (source != Source::kProgram) return out;
@@ -152,7 +156,7 @@ void Supervisor::Impl::publish() noexcept {
   requests.publish(now);
   report.write(arming.report());
   faults.write(log.report());
-  const bool on_the_way = active() && folded;
+  const bool on_the_way = active() && upward();
   height = on_the_way ? motion.position() : 0.0;
 }
 

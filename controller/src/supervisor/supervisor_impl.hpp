@@ -4,12 +4,17 @@
 #include "safety/command_keeper.hpp"
 #include "safety/tick_clock.hpp"
 #include "supervisor/arming.hpp"
+#include "supervisor/clock_watch.hpp"
+#include "supervisor/encoder_watch.hpp"
 #include "supervisor/fault_log.hpp"
 #include "supervisor/height_motion.hpp"
 #include "supervisor/imu_watch.hpp"
 #include "supervisor/joint_watch.hpp"
 #include "supervisor/leg_folding.hpp"
+#include "supervisor/leg_lift.hpp"
+#include "supervisor/leg_pressing.hpp"
 #include "supervisor/leg_springs.hpp"
+#include "supervisor/leg_weighing.hpp"
 #include "supervisor/motor_faults.hpp"
 #include "supervisor/published.hpp"
 #include "supervisor/repeated_report.hpp"
@@ -36,6 +41,8 @@ struct Supervisor::Impl {
   RisePlan plan;
   Arming arming;
   LegFolding folding;
+  LegWeighing weighing;
+  LegPressing pressing;
   HeightMotion motion;
   LegSprings springs;
   StandController stand;
@@ -53,6 +60,9 @@ struct Supervisor::Impl {
   /// [s] After it no command lives: a longer step must be confirmed, for a tick may be mad.
   static constexpr double kLongestStep = 0.015;
 
+  /// How far a rise is. All but the last: the body lies on the ground.
+  enum class Stage { kHoldLegs, kFold, kWeigh, kPress, kUp };
+
   bool read(const LowState& state, double step) noexcept;
   FaultId find_bad(const LowState& state, double step) noexcept;
   void judge(const LowState& state, double dt) noexcept;
@@ -65,6 +75,12 @@ struct Supervisor::Impl {
   void start_rise() noexcept;
   void move(const LowState& state, double dt) noexcept;
   void rise(const LowState& state, double dt) noexcept;
+  void hold_legs(const LowState& state, double dt) noexcept;
+  void fold(double dt) noexcept;
+  void weigh(const LowState& state, double dt) noexcept;
+  void press(const LowState& state, double dt) noexcept;
+  void go_up(const LowState& state, double dt) noexcept;
+  void refuse(FaultId why, int motor) noexcept;
   void sit(double dt) noexcept;
   void lie() noexcept;
   void latch(FaultId why) noexcept;
@@ -72,6 +88,7 @@ struct Supervisor::Impl {
   const LowCmd& command(const LowState& state, double dt) noexcept;
   void publish() noexcept;
   bool active() const noexcept { return now.mode != Mode::kPassive && now.mode != Mode::kDamping; }
+  bool upward() const noexcept { return stage == Stage::kUp; }
   bool standing() const noexcept { return now.mode == Mode::kStand && !fade.moving(); }
 
   RequestContext now;
@@ -79,7 +96,8 @@ struct Supervisor::Impl {
   CommandKeeper keeper;
   TorqueFade fade;
   JointReference reference;  // of the springs
-  bool folded = false;       // is the rise past folding the legs?
+  Stage stage = Stage::kHoldLegs;
+  LegLift lift;
   FaultLog log;
   MotorFaults motors;
   SensorFaults sensors;
@@ -88,6 +106,8 @@ struct Supervisor::Impl {
   std::uint32_t last_tick = 0;
   ImuWatch imu;
   JointWatch joints;
+  EncoderWatch encoders;
+  ClockWatch pace;
   Lasting battery;
   FaultId bad = FaultId::kNone;  // what is wrong with the report itself
   unsigned heard = 0;            // heartbeats

@@ -26,6 +26,8 @@ void Supervisor::Impl::lose() noexcept {
   // What was before says nothing of what comes.
   clock.reset();
   joints = {};
+  encoders = {};
+  pace = {};
   imu = {};
   repeated = {};
   now.seen = now.ready = fresh = false;

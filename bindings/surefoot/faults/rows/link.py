@@ -6,7 +6,7 @@ from surefoot.faults import clock_faults as clock
 from surefoot.faults import link_faults as link
 from surefoot.faults.case import Row, case
 from surefoot.faults.fault import Fault
-from surefoot.faults.reaction import WATCH, as_table, refuse
+from surefoot.faults.reaction import WATCH, as_table, refuse, unless
 
 STALE = as_table("stale_tick")
 SLOW = refuse(0.5)  # until 1 % of the reports is missing
@@ -59,7 +59,14 @@ LINK = (
         (
             case("wrong", "50 ms ahead", lambda: clock.Tick(lambda t, k: t + 50), WATCH, None),
             case("slow", "half as fast", lambda: clock.Tick(clock.at_speed(1)), WATCH, WATCH),
-            case("wrong", "twice as fast", lambda: clock.Tick(clock.at_speed(4)), WATCH, None),
+            case(
+                "wrong",
+                "twice as fast",
+                lambda: clock.Tick(clock.at_speed(4)),
+                unless("clock"),
+                None,
+                rising=as_table("clock"),
+            ),
             case(
                 "intermittent",
                 "8 ms ahead in 1 frame of 50",

@@ -80,8 +80,9 @@ ROWS = (
                 "stuck",
                 "angles and speeds of a leg",
                 _leg,
-                unless("motor_weak"),
+                unless("encoder"),
                 lying=None,
+                rising=as_table("encoder"),
             ),
             case("delayed", "all by 6 ms", lambda: Sensors(inject.delayed(3)), WATCH, WATCH),
             case(

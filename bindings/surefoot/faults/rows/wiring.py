@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from surefoot.faults import setup_faults as setup
 from surefoot.faults.case import Row, case
-from surefoot.faults.reaction import WATCH, refuse
+from surefoot.faults.reaction import WATCH, refuse, stays, unless
 
 KNEE, HIP = 5, 3  # FL_2, FL_0
-LYING = ("lying",)
+LYING, RISING = ("lying",), ("rising",)
+FOLD = 8.0  # [s] that legs may take to fold; only folded they tell
+MISWIRED, ANOTHER = stays("wiring", FOLD), stays("wrong_robot", FOLD)
 TYPICAL = refuse(1.5)  # arming begins anew with every robot: a second and a little
 
 ROWS = (
@@ -30,20 +32,27 @@ ROWS = (
                 "front legs are swapped",
                 lambda: setup.Wiring(setup.legs(0, 1)),
                 WATCH,
-                TYPICAL,
+                MISWIRED,
                 None,
                 LYING,
-                "FR",
             ),
             case(
                 "wrong",
                 "right legs are swapped",
                 lambda: setup.Wiring(setup.legs(0, 2)),
                 WATCH,
-                TYPICAL,
+                MISWIRED,
                 None,
                 LYING,
-                "FR",
+            ),
+            case(
+                "wrong",
+                "front legs are swapped with rear ones",
+                lambda: setup.Wiring({**setup.legs(0, 2), **setup.legs(1, 3)}),
+                WATCH,
+                MISWIRED,
+                None,
+                LYING,
             ),
             case(
                 "wrong",
@@ -60,10 +69,9 @@ ROWS = (
                 "FL's hip turns the other way",
                 lambda: setup.Wiring({}, (HIP,)),
                 WATCH,
-                TYPICAL,
+                MISWIRED,
                 None,
                 LYING,
-                "FL_0",
             ),
         ),
     ),
@@ -75,17 +83,16 @@ ROWS = (
                 "wrong",
                 "the one most like it",
                 lambda: setup.Mistaken(setup.NEAR),
-                WATCH,
-                TYPICAL,
+                unless("wrong_robot"),
                 None,
-                LYING,
+                modes=RISING,
             ),
             case(
                 "wrong",
                 "one of another size",
                 lambda: setup.Mistaken(setup.FAR),
                 WATCH,
-                TYPICAL,
+                ANOTHER,
                 None,
                 LYING,
             ),

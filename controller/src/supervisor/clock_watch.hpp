@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "supervisor/fault_log.hpp"
+#include "surefoot/low_level.hpp"
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Holds the robot's clock against its joints: over a while an angle changes by what its speed adds
+/// up to in true time. Where most of the joints that move say that less time has passed than the
+/// tick does, the clock is fast, and everything that goes by it, a rise above all, is too. A slow
+/// one only makes the robot slow. Real-time: yes.
+class ClockWatch {
+ public:
+  static constexpr double kWindow = 0.06;  ///< [s] of the tick's time, compared at a time
+  static constexpr int kWindows = 2;       ///< in a row
+  static constexpr double kWay = 0.01;     ///< [rad] by its speed: from here on a joint counts
+  static constexpr double kFast = 0.7;     ///< true time over the tick's below which it is fast
+  static constexpr double kAgainst = 0.2;  ///< and above which the two have nothing in common
+  static constexpr int kJoints = 4;        ///< that must move
+  static constexpr double kMost = 0.75;    ///< share of them that must say so
+
+  /// Judge a report. @param step [s] since the report before, by the tick
+  void update(const LowState& state, double step) noexcept {
+    time_ += step;
+    Vector12 q;
+    for (int i = 0; i < kMotors; ++i) {
+      q[i] = state.motorState[i].q;
+      way_[i] += state.motorState[i].dq * step;
+    }
+    if (started_ && time_ < kWindow) return;
+    if (started_) judge((q - q_).eval());
+    q_ = q;
+    way_.setZero();
+    time_ = 0.0;
+    started_ = true;
+  }
+  /// Is the clock fast, by the last windows?
+  bool fast() const noexcept { return windows_ >= kWindows; }
+
+ private:
+  void judge(const Vector12& gone) noexcept {
+    int moving = 0, late = 0;
+    for (int i = 0; i < kMotors; ++i) {
+      if (std::abs(way_[i]) < kWay) continue;
+      const double share = gone[i] / way_[i];
+      ++moving;
+      late += share > kAgainst && share < kFast;
+    }
+    // Who hardly moves says nothing, neither for nor against.
+    if (moving < kJoints) return;
+    windows_ = late >= kMost * moving ? windows_ + 1 : 0;
+  }
+
+  Vector12 q_ = Vector12::Zero(), way_ = Vector12::Zero();  // [rad] at the window's begin; by dq
+  double time_ = 0.0;                                       // [s] of the window
+  int windows_ = 0;                                         // in a row that say so
+  bool started_ = false;
+};
+
+}  // namespace surefoot

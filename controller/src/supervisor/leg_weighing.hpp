@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "supervisor/leg_folding.hpp"
+
+namespace surefoot {
+
+/// Whether the folded legs of a lying robot weigh on their hips as the model says.
+///
+/// A leg that is held outward in the air asks its hip for a torque whose sign says on which side of
+/// the body it is and which way its motor turns, and whose size is the leg's weight: as good as the
+/// robot's size. Reports and commands of two legs that are swapped whole agree with each other in
+/// all else. The hips go outward by kOut, for a body may rest on them when they are straight; one
+/// on the wrong side goes inward, and soon lies on the ground. After a rest torques are averaged;
+/// then the hips go back. Real-time: yes.
+class LegWeighing {
+ public:
+  static constexpr double kOut = 0.2;    ///< [rad]
+  static constexpr double kLeast = 0.4;  ///< times the model's weight: a leg that hangs free ...
+  static constexpr double kMost = 2.5;   ///< ... is between these, however its hip rubs
+  static constexpr double kAlike = 2.0;  ///< times the lightest leg: so much may the heaviest weigh
+  static constexpr double kLight = 0.6;  ///< the same of all legs together ...
+  static constexpr double kHeavy = 1.5;  ///< ... and whatever they are dressed in
+
+  enum class Verdict { kNone = 0, kFits, kWrongSide, kWrongWeight };
+
+  explicit LegWeighing(const RisePlan& plan) : plan_(plan) {}
+
+  /// @param reference of the folded legs, where it ended
+  void start(const Vector12& reference) noexcept;
+  /// @param measured, model torques of all motors that hold the legs up [N.m] @param dt [s]
+  const JointReference& step(const Vector12& measured, const Vector12& model, double dt) noexcept;
+  Verdict verdict() const noexcept { return verdict_; }
+  /// SDK number of the hip that was found on the wrong side, or -1.
+  int motor() const noexcept { return motor_; }
+
+ private:
+  void judge() noexcept;
+
+  RisePlan plan_;
+  JointReference reference_;
+  Vector12 start_ = Vector12::Zero();                   // [rad]
+  Eigen::Vector4d measured_ = Eigen::Vector4d::Zero();  // [N.m] hips, summed up
+  Eigen::Vector4d model_ = Eigen::Vector4d::Zero();     // [N.m]
+  double time_ = 0.0;                                   // [s]
+  Verdict verdict_ = Verdict::kNone;
+  int motor_ = -1;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace surefoot {
+
+/// How much a signal goes to and fro from one sample to the next: the mean of minus the product of
+/// neighbouring changes. Positive for what alternates and for white noise (its variance), negative
+/// for what moves smoothly, zero for steps that come now and then. Real-time: yes.
+class Zigzag {
+ public:
+  /// @param share of this sample in the mean @return the mean, in the value's unit squared
+  double update(double value, double share) noexcept {
+    const double change = started_ ? value - value_ : 0.0;
+    mean_ += share * (-change * change_ - mean_);
+    value_ = value;
+    change_ = change;
+    started_ = true;
+    return mean_;
+  }
+
+ private:
+  double value_ = 0.0, change_ = 0.0, mean_ = 0.0;
+  bool started_ = false;
+};
+
+}  // namespace surefoot
