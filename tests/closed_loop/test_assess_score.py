@@ -120,3 +120,16 @@ def test_a_cell_of_the_matrix_of_faults_is_a_unit() -> None:
     unit = FaultUnit("emergency_stop/wrong/lying")
     found = run_unit(unit, "go1", Contestant("surefoot"))
     assert found == {"row": "emergency_stop", "verdict": "pass", "reason": ""}
+
+
+def test_who_asks_for_the_delay_is_told_it() -> None:
+    told: list[float] = []
+
+    def asks(robot: surefoot.Robot, delay: float) -> Any:
+        told.append(delay)
+        return surefoot.StandController(robot)
+
+    for latency in (0.0, 20.0):
+        unit = StandUnit(Condition("late", latency_ms=latency, quiet_s=0.1), 0.0, 1)
+        run_unit(unit, "go1", Contestant("asks", factory=asks))
+    np.testing.assert_allclose(told, [0.004, 0.024])

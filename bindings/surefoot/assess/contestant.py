@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import math
 import os
 import struct
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
-from surefoot._core import Error, LowCmd, LowState, Robot, StandController
+from surefoot._core import Error, LowCmd, LowState, Robot, StandController, StandOptions
 from surefoot.gain_files import gains_of
 from surefoot.low_state_layout import MOTORS
 
 Act = Callable[[LowState], LowCmd]
-Factory = Callable[[Robot], Any]
+Factory = Callable[..., Any]
 REFERENCES = ("pd", "force_qp")
 BUILT_IN = ("surefoot", *REFERENCES)
+_UNPREDICTED = 0.0095  # [s] of delay: two periods and a latency of 5 ms are left as they are
+_FARTHEST = 0.05  # [s] of StandOptions.delay
 _FIELDS = ("q", "dq", "tau", "Kp", "Kd")
 _NUMBERS = struct.Struct("<22x" + MOTORS * "x5f12x")  # of a LowCmd's twelve motors, and no more
 
@@ -34,19 +38,28 @@ class Contestant:
     Attributes:
         name: Of BUILT_IN, or MODULE:CALLABLE, or what a callable is called.
         gains: Every gain of "surefoot" by name; empty for the robot's own.
-        factory: Called with the surefoot.Robot, returns what is called with each LowState, or
-            something with a method update() that is; None: found by the name.
+        factory: Called with the surefoot.Robot, and with delay= if it has such a parameter; returns
+            what is called with each LowState, or something with a method update() that is; None:
+            found by the name.
     """
 
     name: str = "surefoot"
     gains: dict[str, float] = field(default_factory=dict)
     factory: Factory | None = None
 
-    def make(self, robot: Robot) -> Act:
-        """Make a controller for one run; raises Broken."""
+    def make(self, robot: Robot, delay: float) -> Act:
+        """Make a controller for one run.
+
+        Args:
+            robot: That it is to control.
+            delay: From a measurement to the action of the command made from it [s].
+
+        Raises:
+            Broken: It cannot be made, or what is made cannot be called.
+        """
         factory = self.factory or find_factory(self)
         try:
-            made = factory(robot)
+            made = factory(robot, delay=delay) if _asks_delay(factory) else factory(robot)
         except (Exception, SystemExit) as problem:
             raise Broken(f"making it threw {_told(problem)}") from None
         act = getattr(made, "update", made)
@@ -63,8 +76,7 @@ def find_factory(contestant: Contestant) -> Factory:
     """
     name = contestant.name
     if name == "surefoot":
-        gains = contestant.gains
-        return lambda robot: StandController(robot, gains_of(gains) if gains else None)
+        return partial(_stand_controller, gains=contestant.gains)
     if name in BUILT_IN:
         from surefoot.assess.references import FACTORIES
 
@@ -84,6 +96,19 @@ def find_factory(contestant: Contestant) -> Factory:
         raise Error(f"controller '{name}': got {type(found).__name__}, expected a callable")
     factory: Factory = found
     return factory
+
+
+def _stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -> StandController:
+    # What a few ticks cost is less than what prediction adds of the sensors' noise.
+    options = StandOptions(delay=min(delay, _FARTHEST) if delay > _UNPREDICTED else 0.0)
+    return StandController(robot, gains_of(gains) if gains else None, options)
+
+
+def _asks_delay(factory: Factory) -> bool:
+    try:
+        return "delay" in inspect.signature(factory).parameters
+    except (TypeError, ValueError):  # not every callable of an extension has one
+        return False
 
 
 def _checked(act: Act) -> Act:

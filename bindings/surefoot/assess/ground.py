@@ -62,6 +62,12 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
     )
 
 
+def delay_of(plant: Plant) -> float:
+    """Return how long it takes from a measurement to the action of the command made from it [s]."""
+    settings = plant.settings
+    return (2.0 if settings.real else 0.0) / settings.control_rate + settings.extra_delay
+
+
 def move_time(condition: Condition) -> float:
     """Return for how long the ground moves [s]."""
     tilts = condition.tilt_deg / condition.tilt_deg_per_s

@@ -12,7 +12,7 @@ from surefoot.sim.rotations import Array
 
 UPRIGHT = 3.0  # [s] after the push in which a robot that survived may not fall
 BACK = 2.0  # [s] after which it is back, for a strict pass
-FOOT_TRAVEL = 0.01  # [m] most that any foot may move, ever
+FOOT_TRAVEL = 0.01  # [m] most that any foot may slide or lift, ever; rolling is neither
 BACK_DISTANCE = 0.01  # [m] of the base from where it was
 BACK_ANGLE = 2.0  # [deg] of the base from how it was
 
@@ -25,7 +25,7 @@ class Outcome:
         survived: Upright UPRIGHT after the push, and nothing but feet touched the ground.
         strict: Survived, no foot ever moved by FOOT_TRAVEL, and from BACK on the base is where and
             as it was.
-        foot_mm: Farthest that a foot moved [mm].
+        foot_mm: Farthest that a foot slid or lifted [mm].
         back_mm: Farthest that the base is off from BACK on [mm]; None if it fell.
         back_deg: Most that it is turned [deg].
     """

@@ -11,6 +11,7 @@ from surefoot._core import LowCmd
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import Act
 from surefoot.assess.ground import mover
+from surefoot.assess.rolling import without_rolling
 from surefoot.sim import Plant
 from surefoot.sim.rotations import Array
 from surefoot.sim.truth import has_fallen
@@ -27,7 +28,7 @@ class Track:
 
     Attributes:
         base: (n, 7) position [m] and quaternion w x y z of the base, world.
-        feet: (n, 4, 3) centres of the foot spheres, world [m].
+        feet: (n, 4, 3) centres of the foot spheres, world, less what they rolled [m].
         fell: Tick before which it had fallen, or None; then the track ends there.
         rate: Rows per second [Hz].
     """
@@ -63,10 +64,9 @@ def roll_out(
     ticks = round(duration * plant.settings.control_rate)
     lost = _losses(condition, plant.settings.seed, ticks)
     move = mover(condition, plant)
-    data, feet_of, root = plant.data, plant.handles.foot_bodies, plant.handles
-    base, feet = np.zeros((ticks + 1, 7)), np.zeros((ticks + 1, 4, 3))
+    seen = _Seen(plant, ticks + 1)
     heard = plant.reset()
-    base[0], feet[0] = data.qpos[:7], data.xpos[feet_of]
+    seen.look(0)
     state, sent = heard, None
     for k in range(ticks):
         if not lost[0, k]:
@@ -79,10 +79,40 @@ def roll_out(
         if move is not None:
             move(k / plant.settings.control_rate - condition.quiet_s)
         state = plant.step(sent)
-        base[k + 1], feet[k + 1] = data.qpos[:7], data.xpos[feet_of]
-        if has_fallen(data, root):
-            return Track(base[: k + 2], feet[: k + 2], k + 1, plant.settings.control_rate)
-    return Track(base, feet, None, plant.settings.control_rate)
+        seen.look(k + 1)
+        if has_fallen(plant.data, plant.handles):
+            return seen.track(k + 2, k + 1)
+    return seen.track(ticks + 1, None)
+
+
+class _Seen:
+    """The truth of a run, row by row."""
+
+    def __init__(self, plant: Plant, rows: int) -> None:
+        self._plant = plant
+        self._base = np.zeros((rows, 7))
+        self._feet, self._forces = np.zeros((rows, 4, 3)), np.zeros((rows, 4, 3))
+        self._turns = np.zeros((rows, 4, 4))
+
+    def look(self, row: int) -> None:
+        """Write a row of the plant as it is."""
+        data, handles = self._plant.data, self._plant.handles
+        self._base[row] = data.qpos[:7]
+        self._feet[row] = data.xpos[handles.foot_bodies]
+        self._turns[row] = data.xquat[handles.foot_bodies]
+        self._forces[row] = data.sensordata[handles.foot_forces]
+
+    def track(self, rows: int, fell: int | None) -> Track:
+        """Return what the first rows show."""
+        normal = self._plant.handles.ground_normal
+        feet = without_rolling(
+            self._feet[:rows],
+            self._turns[:rows],
+            self._forces[:rows] @ normal > 0.0,
+            self._plant.robot.config.foot_radius,
+            normal,
+        )
+        return Track(self._base[:rows], feet, fell, self._plant.settings.control_rate)
 
 
 def _losses(condition: Condition, seed: int, ticks: int) -> np.ndarray:

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Protocol
 from surefoot._core import Error, Robot, Supervisor, SupervisorOptions
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import Broken, Contestant
-from surefoot.assess.ground import Source, describe, move_time, plant_of
+from surefoot.assess.ground import Source, delay_of, describe, move_time, plant_of
 from surefoot.assess.push_run import Outcome, judge, run_length
 from surefoot.assess.rollout import Track, Watch, roll_out
 from surefoot.assess.stand_run import HOLD, judge_stand
@@ -71,7 +71,8 @@ class PushUnit:
         begin, plant = self.condition.quiet_s, plant_of(source, self.condition)
         impulse = level / 100.0 * self.limit
         plant.renew(self.seed, [Push(self.degrees, impulse, self.duration, begin, self.lift)])
-        act, length = contestant.make(plant.robot), run_length(begin, self.duration)
+        act = contestant.make(plant.robot, delay_of(plant))
+        length = run_length(begin, self.duration)
         return roll_out(plant, self.condition, act, length, watch)
 
 
@@ -109,7 +110,8 @@ class StandUnit:
         plant = plant_of(source, condition)
         plant.renew(self.seed)
         length = condition.quiet_s + move_time(condition) + HOLD
-        return roll_out(plant, condition, contestant.make(plant.robot), length, watch)
+        act = contestant.make(plant.robot, delay_of(plant))
+        return roll_out(plant, condition, act, length, watch)
 
     @property
     def _turned(self) -> Condition:
