@@ -156,6 +156,20 @@ BOOST_FIXTURE_TEST_CASE(a_gap_between_reports_is_the_links_to_judge, Rising) {
   BOOST_TEST(!motors_brake(last));
 }
 
+BOOST_FIXTURE_TEST_CASE(who_damps_for_gaps_in_the_link_is_no_second_program, Rising) {
+  supervisor.count_reports(1.0, 0.0);
+  for (int k = 0; k < 100; ++k) {
+    step(12);
+    for (const int i : {2, 8}) report.motorState[i].tauEst += k % 2 == 0 ? 2.0F : -2.0F;
+    report.tick += 2;
+    report.imu.gyroscope[2] = 1e-6F * float(report.tick % 7);
+    last = supervisor.update(report);
+    supervisor.bridge(0.011);
+  }
+  BOOST_TEST(!supervisor.faults().has(FaultId::kOverridden));
+  BOOST_TEST((supervisor.mode() == Mode::kRise), to_string(supervisor.reason()));
+}
+
 BOOST_FIXTURE_TEST_CASE(without_a_link_a_tenth_of_a_second_missing_latches, Rising) {
   step(50);
   step();

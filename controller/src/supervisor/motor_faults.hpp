@@ -24,6 +24,10 @@ class MotorFaults {
   void update(const LowState& state, double dt, FaultLog& log) noexcept;
   /// What the motors have just been told: compared with what they report from now on.
   void sent(const LowCmd& command, const LowState& state) noexcept;
+  /// Something else than sent() has left since: torques go to and fro for it.
+  void interrupted() noexcept {
+    for (int i = 0; i < kMotors; ++i) told_zigzag_[i].interrupt(), measured_zigzag_[i].interrupt();
+  }
   /// Share of each motor's torque that its temperature leaves it, kLeastShare .. 1.
   const Vector12& torque_share() const noexcept { return share_; }
   /// Forget torques and counts, not temperatures.

@@ -65,6 +65,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     out = &command(state, dt);
   } else {
     out = &keeper.refuse(dt, damping_kd);
+    motors.interrupted();
     if (keeper.latched() || clock.gap() > kAwayTime) latch(bad);
   }
   if (good) motors.sent(*out, state);

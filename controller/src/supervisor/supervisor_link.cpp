@@ -13,7 +13,9 @@ const LowCmd& Supervisor::Impl::bridge(double age) noexcept {
   if (age > kStaleTime) now.seen = false;
   publish();
   const bool moving = active() || fade.moving();
-  return moving && age <= kHoldTime ? keeper.last() : keeper.accept(damping_low_cmd(damping_kd));
+  if (moving && age <= kHoldTime) return keeper.last();
+  motors.interrupted();
+  return keeper.accept(damping_low_cmd(damping_kd));
 }
 
 void Supervisor::Impl::lose() noexcept {

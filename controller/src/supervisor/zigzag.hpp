@@ -18,6 +18,12 @@ class Zigzag {
     return mean_;
   }
 
+  /// What comes next is not to be compared with what came last.
+  void interrupt() noexcept {
+    started_ = false;
+    change_ = 0.0;
+  }
+
  private:
   double value_ = 0.0, change_ = 0.0, mean_ = 0.0;
   bool started_ = false;
