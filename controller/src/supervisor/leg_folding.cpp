@@ -28,6 +28,7 @@ constexpr double kWait = 1.0;      // [s] ... in this time
 constexpr double kBackTime = 1.5;  // [s] that a leg backs out for
 constexpr double kBackStep = 0.6;  // [rad] thigh: how far, on the first try
 constexpr double kOpenCalf = 1.2;  // [rad] while it does
+constexpr int kOtherEnd = 2;       // FR RR, FL RL: the legs of a side
 
 double turned_back(const Vector12& folded, const Vector12& q, int thigh) {
   return std::copysign(1.0, folded[thigh]) * q[thigh];
@@ -55,8 +56,9 @@ int LegFolding::most_tries() const noexcept {
 // A leg has caught that neither moves nor is where it is to be.
 void LegFolding::watch(int leg, const Vector12& measured, double dt) noexcept {
   Leg& one = legs_[leg];
-  if (one.back > 0.0) {
+  if (one.back > 0.0 || one.rest > 0.0) {
     one.back -= dt;
+    one.rest -= dt;
     return;
   }
   const int hip = kLegJoints * leg;
@@ -70,16 +72,29 @@ void LegFolding::watch(int leg, const Vector12& measured, double dt) noexcept {
   one.still += dt;
   if (one.still < kWait) return;
   one.still = 0.0;
-  one.back = kBackTime;
   ++one.tries;
+  // Every other time the leg beside it makes room, which may hold it: both at once only wrestle.
+  Leg& beside = legs_[leg ^ kOtherEnd];
+  if (one.tries % 2 == 1 || beside.back > 0.0 || beside.rest > 0.0) {
+    one.back = kBackTime;
+    return;
+  }
+  one.rest = kBackTime;
+  beside.q = measured.segment<kLegJoints>(kLegJoints * (leg ^ kOtherEnd));
+  beside.back = kBackTime;
+  beside.tries = std::max(beside.tries, 1);
 }
 
 Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
   const int hip = kLegJoints * leg, thigh = hip + 1;
   const Leg& one = legs_[leg];
   Vector3 target = plan_.folded.segment<kLegJoints>(hip);
+  if (one.rest > 0.0) return measured.segment<kLegJoints>(hip);
   if (one.back > 0.0) {
-    const double step = std::copysign(one.tries * kBackStep, target[1] - one.q[1]);
+    const double left = target[1] - one.q[1];
+    // Who is there already backs out the way it came.
+    const double way = std::abs(left) < kNear ? target[1] : left;
+    const double step = std::copysign(one.tries * kBackStep, way);
     target[0] = plan_.widest[hip];
     target[1] = std::clamp(one.q[1] - step, plan_.lower[thigh], plan_.upper[thigh]);
     target[2] = std::copysign(kOpenCalf, target[2]);

@@ -21,7 +21,8 @@ struct JointReference {
 /// leans outward would lay it on the back. A knee that leans over the body is turned back until its
 /// hip is straight: upright it would wedge itself against the body's edge. A joint that is held up
 /// makes its reference wait. A leg that has caught on something backs out the way it came, hip
-/// outward and calf open, further from try to try. Real-time: yes.
+/// outward and calf open, further from try to try; every other time it lies still while the leg
+/// beside it does so, which may have folded onto it. Real-time: yes.
 class LegFolding {
  public:
   explicit LegFolding(const RisePlan& plan) : plan_(plan) {}
@@ -41,6 +42,7 @@ class LegFolding {
     Vector3 q = Vector3::Zero();  // [rad] where it moved last, or caught
     double still = 0.0;           // [s] since
     double back = 0.0;            // [s] that it still backs out for
+    double rest = 0.0;            // [s] that it lies still for, while the leg beside it backs out
     int tries = 0;
   };
 
