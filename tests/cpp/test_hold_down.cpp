@@ -102,6 +102,7 @@ BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_fo
       WholeBodyController controller(robot, gains, {form});
       Reference r = controller.hold(state);
       r.a_com.z() = -30.0;
+      r.v_com.y() = sway;  // nothing but the height asks for anything
       RobotState leaning = state;
       leaning.v.y() = sway;
       const Solution& s = controller.update(leaning, r);
@@ -110,7 +111,8 @@ BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_fo
       if (sway == 0.0) {
         BOOST_TEST(load < 4.0 * gains.hold_down + 0.02);  // as little as holds feet down
       } else {
-        BOOST_TEST(std::abs(load - gains.edge_load) < 0.1);
+        BOOST_TEST(load > gains.edge_load - 0.02);
+        BOOST_TEST(load < 0.9);  // more than nothing, less than what it stands with
       }
     }
   }

@@ -128,7 +128,7 @@ BOOST_FIXTURE_TEST_CASE(a_rise_that_nothing_follows_gives_up_and_damps, AtRest) 
   BOOST_TEST((supervisor.mode() == Mode::kRise));
   run(12.0);
   BOOST_TEST((supervisor.mode() == Mode::kRise));  // it tries again
-  run(15.0);
+  run(30.0);
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
   BOOST_TEST(supervisor.stuck());
   BOOST_TEST(motors_brake(last));
