@@ -40,6 +40,18 @@ def test_a_lifted_trunk_takes_every_load_away_at_once_and_gives_it_back(robot: s
     assert all(greatest_change(share[:, leg]) > 0.2 for leg in range(4))
 
 
+def test_a_trunk_that_is_put_down_bears_its_weight_before_the_hand_lets_go() -> None:
+    lift = Lift("trunk", 1.0, 1.0, height=0.06, speed=0.3, ramp=0.1, lowering=0.2)
+    assert [lift.wanted(1.0 + t) for t in (0.1, 0.5, 1.0, 1.05)] == pytest.approx(
+        [0.03, 0.06, 0.0, 0.0], abs=1e-12
+    )
+    time, share, height = loads("go1", lift, 4.0)
+    assert np.all(share[(time > 1.3) & (time < 1.6)] == 0.0)
+    assert share[(time > 1.97) & (time < 2.0)].sum(axis=1).mean() > 0.1
+    assert share[-1].min() > 0.1
+    assert abs(height) < 0.01
+
+
 @pytest.mark.parametrize("part", PARTS[1:])
 def test_a_lifted_foot_bears_nothing_while_the_others_stand(part: str) -> None:
     time, share, height = loads("go1", Lift(part, 1.0), 4.0)
@@ -65,7 +77,8 @@ def test_a_lift_comes_again_after_reset() -> None:
 
 
 @pytest.mark.parametrize(
-    ("field", "value"), [("part", "tail"), ("time", -1.0), ("height", 0.0), ("duration", 0.01)]
+    ("field", "value"),
+    [("part", "tail"), ("time", -1.0), ("height", 0.0), ("duration", 0.01), ("lowering", 0.0)],
 )
 def test_a_bad_lift_raises_an_error_that_names_the_field(field: str, value: object) -> None:
     good = {"part": "trunk", "time": 1.0}

@@ -14,6 +14,7 @@ from surefoot.cli.estimate import estimate
 from surefoot.cli.estimate_options import add_estimate_options
 from surefoot.cli.export import export
 from surefoot.cli.faults import add_faults_options, faults
+from surefoot.cli.replay import add_replay_options, replay
 from surefoot.cli.robot import robot
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
 from surefoot.cli.robot_options import add_virtual_robot_options
@@ -62,6 +63,8 @@ def _build_parser() -> _Parser:
     add_run_options(add("run", run, "let a robot stand over the SDK's UDP frames"))
     text = "run the state estimator over a log of a robot's sensors"
     add_estimate_options(add("estimate", estimate, text))
+    text = "play a log into a fresh controller: are its commands the same, bit for bit?"
+    add_replay_options(add("replay", replay, text))
     _add_export_options(add("export", export, "write the one file that a robot computer needs"))
     add_bench_options(add("bench", bench, "time the controller on recorded runs"))
     add_virtual_robot_options(

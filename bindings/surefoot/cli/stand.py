@@ -19,6 +19,7 @@ from surefoot.cli.simulation import (
 )
 from surefoot.estimate import write_log
 from surefoot.gain_files import load_gains
+from surefoot.replay import tape_columns
 from surefoot.robot_table import suggest
 from surefoot.robots import RobotDescription, build_robot
 
@@ -37,7 +38,7 @@ def stand(arguments: argparse.Namespace) -> int:
     """
     choose_graphics()
     try:
-        from surefoot.stand import SensorRecorder, run_stand, summarise
+        from surefoot.stand import SensorRecorder, run_stand, stand_tape, summarise
         from surefoot.stand.text import summary_text
     except ModuleNotFoundError as problem:
         raise missing_module("stand", problem) from None
@@ -49,7 +50,7 @@ def stand(arguments: argparse.Namespace) -> int:
     sensors = None if arguments.log is None else SensorRecorder()
     log = run_stand(settings, progress, sensors)
     if sensors is not None:
-        write_log(arguments.log, sensors.log())
+        write_log(arguments.log, sensors.log(), tape_columns(stand_tape(log, sensors)))
     summary = summarise(log)
     write_json(arguments.json, summary)
     if arguments.report is not None:

@@ -33,7 +33,8 @@ def add_stand_options(parser: argparse.ArgumentParser) -> None:
     add(
         "--log",
         metavar="FILE.npz|FILE.csv",
-        help="write what the controller was told, and the truth apart, for surefoot estimate",
+        help="write what the controller was told, and the truth apart, for surefoot estimate, and "
+        "surefoot replay (npz)",
     )
     add("--report", metavar="DIR", help="write film, plots, index.html and summary.json")
 

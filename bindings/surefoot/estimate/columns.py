@@ -69,6 +69,7 @@ COLUMNS: tuple[Column, ...] = (
     Column("truth_com", _XYZ, "m", "centre of mass, world"),
 )
 BY_NAME = {column.name: column for column in COLUMNS}
+REPLAY = "replay_"  # begin of the names of arrays for surefoot replay, in the same file
 CLOCKS = ("tick", "time")
 SENSORS = ("gyroscope", "accelerometer", "quaternion", "q", "dq", "tauEst")
 FEET = ("footForce", "footForceEst")

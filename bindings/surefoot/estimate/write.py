@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -11,11 +12,18 @@ from surefoot.estimate.sensor_log import SensorLog
 from surefoot.estimate.tables import check_table_name, write_table
 
 
-def write_log(path: str | Path, log: SensorLog) -> None:
+def write_log(
+    path: str | Path, log: SensorLog, replay: Mapping[str, np.ndarray] | None = None
+) -> None:
     """Write a log, as CSV or NPZ by the file's name.
 
     Sensors are written as LowState carries them (float32, int16, tick as uint32), so that what is
     read again is the same to the last bit for an estimator.
+
+    Args:
+        path: The file.
+        log: What the sensors said.
+        replay: What surefoot replay needs besides (see replay/file.py), for an NPZ.
 
     Raises:
         Error: Another suffix.
@@ -27,6 +35,8 @@ def write_log(path: str | Path, log: SensorLog) -> None:
         if column.name in log.columns:
             values = log.columns[column.name]
             table[column.name] = _as_carried(column.name, values, column.width)
+    if replay is not None and path.suffix.lower() == ".npz":
+        table.update(replay)
     write_table(path, table)
 
 

@@ -9,25 +9,18 @@ import numpy.typing as npt
 
 from surefoot._core import LowCmd, LowState, Robot, Safety
 from surefoot.faults.reaction import HOLD
+from surefoot.low_cmd_layout import LOW_CMD
 from surefoot.low_state_layout import MOTORS
 
 PERIOD = 0.002  # [s]
 RATE_SHARE = 0.1  # of a motor's torque limit, in one control period: 50 times the limit a second
 _ROUNDING = 1e-6
-_MOTOR_CMD = np.dtype(
-    {
-        "names": ["mode", "q", "dq", "tau", "Kp", "Kd"],
-        "formats": ["u1", "<f4", "<f4", "<f4", "<f4", "<f4"],
-        "offsets": [0, 1, 5, 9, 13, 17],
-        "itemsize": 33,
-    }
-)
-_MOTORS = slice(22, 22 + MOTORS * 33)
 
 
 def motors_of(command: LowCmd) -> npt.NDArray[Any]:
     """Return the twelve motors of a command as one array of fields; a view."""
-    return command.raw[_MOTORS].view(_MOTOR_CMD)
+    motors: npt.NDArray[Any] = command.raw.view(LOW_CMD)[0]["motorCmd"][:MOTORS]
+    return motors
 
 
 def is_damping(command: LowCmd) -> bool:

@@ -34,6 +34,7 @@ class Lift:
         height: How far above the place of the grip the hand wants the part [m].
         speed: With which it wants it there [m/s].
         ramp: In which the grip closes, and opens [s].
+        lowering: Speed of putting it down before the grip opens [m/s]; None: let go up there.
     """
 
     part: str
@@ -42,16 +43,26 @@ class Lift:
     height: float = 0.03
     speed: float = 0.6
     ramp: float = 0.02
+    lowering: float | None = None
 
     def __post_init__(self) -> None:
         one_of("part", self.part, PARTS)
         number("time", self.time, 0.0, 1e9)
         for name, most in (("duration", 1e6), ("height", 1.0), ("speed", 100.0), ("ramp", 10.0)):
             number(name, getattr(self, name), 1e-6, most)
+        if self.lowering is not None:
+            number("lowering", self.lowering, 1e-6, 100.0)
         if self.duration < self.ramp:
             raise Error(
                 f"duration: got {self.duration:g} s, expected the ramp's {self.ramp:g} or more"
             )
+
+    def wanted(self, time: float) -> float:
+        """Return how far above the place of the grip the hand wants the part at a time [m]."""
+        height = min(self.height, self.speed * (time - self.time))
+        if self.lowering is not None:
+            height = min(height, self.lowering * (self.time + self.duration - time))
+        return max(0.0, height)
 
     def grip(self, time: float) -> float:
         """Return how firm the grip is, 0 .. 1, at a time [s]."""
@@ -89,8 +100,7 @@ class Hand:
         twist = np.zeros(6)  # angular, linear, world axes, of the body's origin
         kind = mujoco.mjtObj.mjOBJ_XBODY
         mujoco.mj_objectVelocity(self._model, data, kind, self._body, twist, 0)
-        rise = self._lift.speed * (time - self._lift.time)
-        target = self._start[0] + [0.0, 0.0, min(self._lift.height, rise)]
+        target = self._start[0] + [0.0, 0.0, self._lift.wanted(time)]
         stiffness, damping = self._hold()
         force = grip * (stiffness * (target - place) - damping * twist[3:])
         # MuJoCo applies the force at the body's own centre of mass.

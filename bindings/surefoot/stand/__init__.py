@@ -8,6 +8,7 @@ from surefoot.stand.pushes import PushRequest, parse_push
 from surefoot.stand.references import ReferenceRequest, parse_reference
 from surefoot.stand.sensor_recorder import SensorRecorder
 from surefoot.stand.settings import StandSettings
+from surefoot.stand.tape import stand_tape
 from surefoot.summary_field import Field
 
 __all__ = [
@@ -21,5 +22,6 @@ __all__ = [
     "parse_push",
     "parse_reference",
     "run_stand",
+    "stand_tape",
     "summarise",
 ]

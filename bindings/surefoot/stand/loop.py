@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import LowCmd, PosStopF, StandController, StandOptions, VelStopF
+from surefoot._core import LowCmd, PosStopF, StandController, VelStopF
 from surefoot.sim import Plant, Push, Truth
 from surefoot.stand.log import StandLog
 from surefoot.stand.references import body_references
@@ -42,8 +42,7 @@ def run_stand(
     """
     plant = make_plant(settings)
     gains = settings.gains or plant.robot.config.gains
-    options = StandOptions(settings.motor_damping, settings.predict, settings.form)
-    controller = StandController(plant.robot, gains, options)
+    controller = StandController(plant.robot, gains, settings.options)
     references = body_references(settings.references, settings.plant.control_rate)
     head = _describe(settings, plant)
     recorder = _Recorder(settings.ticks, plant.robot.nq, plant.robot.nv)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from surefoot._core import LowState
 from surefoot.estimate.clock import read_clock
@@ -29,9 +30,14 @@ class SensorRecorder:
         self._states.append(state.to_bytes())
         self._truths.append(truth)
 
+    @property
+    def reports(self) -> npt.NDArray[np.uint8]:
+        """(n, 937) bytes of the LowStates so far."""
+        return np.frombuffer(b"".join(self._states), dtype=np.uint8).reshape(-1, LOW_STATE.itemsize)
+
     def log(self, source: str = "surefoot stand") -> SensorLog:
         """Return the rows so far, sensors to the last bit and truth_ columns; raises Error."""
-        states = np.frombuffer(b"".join(self._states), dtype=LOW_STATE)
+        states = self.reports.view(LOW_STATE)[:, 0]
         motors = states["motorState"][:, :MOTORS]
         columns = {"tick": states["tick"][:, None]}
         for name in ("gyroscope", "accelerometer", "quaternion"):

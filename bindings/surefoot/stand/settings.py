@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from surefoot._core import Error, Form, Gains
+from surefoot._core import Error, Form, Gains, StandOptions
 from surefoot.robot_files import RobotDescription
 from surefoot.sim import PlantSettings
 from surefoot.stand.pushes import PushRequest
@@ -64,6 +64,11 @@ class StandSettings:
                 f"{what}: got time {time} s, expected one before the end of the run at "
                 f"{self.duration} s"
             )
+
+    @property
+    def options(self) -> StandOptions:
+        """Of the StandController."""
+        return StandOptions(self.motor_damping, self.predict, self.form)
 
     @property
     def ticks(self) -> int:

@@ -14,6 +14,7 @@ constexpr double kSpeed = 1.2;          // [rad/s]
 constexpr double kAcceleration = 15.0;  // [rad/s^2]
 constexpr double kPull = 4.0;           // [1/s] how the reference ends
 constexpr double kLead = 0.4;           // [rad] that it may run ahead of its joint
+constexpr double kWedgedLead = 0.3;    // [rad] of legs that hold each other: none is to fly
 constexpr double kKneeForward = -0.8;   // [rad] thigh: from here the hip is turned outward ...
 constexpr double kKneeBelow = 0.2;      // ... until it is wholly here ...
 constexpr double kKneeBeside = 1.3;     // ... up to here ...
@@ -79,6 +80,7 @@ void LegFolding::watch(int leg, const Vector12& measured, double dt) noexcept {
     one.back = kBackTime;
     return;
   }
+  one.wedged = beside.wedged = true;
   one.rest = kBackTime;
   beside.q = measured.segment<kLegJoints>(kLegJoints * (leg ^ kOtherEnd));
   beside.back = kBackTime;
@@ -113,7 +115,8 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
 void LegFolding::follow(int joint, double wanted, double measured, double dt) noexcept {
   double &q = reference_.q[joint], &dq = reference_.dq[joint];
   const double left = wanted - q;
-  const double ahead = std::copysign(1.0, left) * (q - measured) / kLead;
+  const double lead = legs_[joint / kLegJoints].wedged ? kWedgedLead : kLead;
+  const double ahead = std::copysign(1.0, left) * (q - measured) / lead;
   const double most = kSpeed * std::clamp(2.0 * (1.0 - ahead), 0.0, 1.0);
   const double speed = std::clamp(kPull * left, -most, most);
   dq += std::clamp(speed - dq, -kAcceleration * dt, kAcceleration * dt);

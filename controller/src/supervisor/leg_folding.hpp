@@ -44,6 +44,7 @@ class LegFolding {
     double back = 0.0;            // [s] that it still backs out for
     double rest = 0.0;            // [s] that it lies still for, while the leg beside it backs out
     int tries = 0;
+    bool wedged = false;  // by the leg beside it, as it seems
   };
 
   int most_tries() const noexcept;

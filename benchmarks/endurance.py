@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Quiet standing for a day: does anything drift, grow, trip, or mind that the robot's clock wraps?
+
+    python benchmarks/endurance.py --robot go1 --hours 24 --json FILE
+
+A Supervisor takes a standing robot over, real sensors, and is asked for nothing. LowState.tick
+wraps at 2^32 ms half way. Every tick must be solved by the program itself and no fault may begin;
+every tenth of a second the true pose is held against that after ten seconds, every minute this
+process's memory. LIMITS says by how much they may differ. Heap allocations of a tick are counted by
+the C++ test surefoot_allocations, not here: each command that Python gets is one.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
+import numpy as np
+import surefoot
+from surefoot import Mode, Rung, Start, Status
+from surefoot.sim import Plant, PlantSettings
+from surefoot.sim.rotations import matrix_from_wxyz
+
+LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # of the power protection
+PERIOD = 0.002  # [s]
+SETTLED = 10.0  # [s] after which the pose and the memory are those to keep
+LOOK, WEIGH, HOUR = 50, 30_000, 1_800_000  # [ticks] between poses, between memory figures; an hour
+WRAP = 2**32  # [ms]
+# What may differ from after SETTLED: heights over and places relative to the feet's mean.
+LIMITS = {
+    "height_mm": 1.0,
+    "tilt_deg": 0.2,
+    "yaw_deg": 0.5,
+    "foot_travel_mm": 5.0,
+    "com_mm": 2.0,
+    "memory_mb": 4.0,
+}
+
+Progress = Callable[[float], None]  # is told the simulated time [s]
+
+
+@dataclass(frozen=True)
+class Pose:
+    """What must stay: feet (3, 4) [m]; base over them [m], its attitude, centre of mass (3,)."""
+
+    feet: np.ndarray
+    height: float
+    R_world_base: np.ndarray
+    com: np.ndarray
+
+    @staticmethod
+    def of(plant: Plant) -> Pose:
+        """Return the true one."""
+        data, handles = plant.data, plant.handles
+        feet = data.xpos[handles.foot_bodies].T.copy()
+        middle = feet.mean(axis=1)
+        com = data.subtree_com[handles.root] - middle
+        R = matrix_from_wxyz(data.qpos[3:7])
+        return Pose(feet, float(data.qpos[2] - middle[2]), R, com)
+
+    def drift(self, start: Pose) -> dict[str, float]:
+        """Return by how much it differs from another, by LIMITS' names."""
+        up = self.R_world_base[2] @ start.R_world_base[2]
+        turned = self.R_world_base @ start.R_world_base.T
+        return {
+            "height_mm": 1e3 * abs(self.height - start.height),
+            "tilt_deg": math.degrees(math.acos(min(1.0, float(up)))),
+            "yaw_deg": abs(math.degrees(math.atan2(turned[1, 0], turned[0, 0]))),
+            "foot_travel_mm": 1e3 * float(np.linalg.norm(self.feet - start.feet, axis=0).max()),
+            "com_mm": 1e3 * float(np.linalg.norm(self.com - start.com)),
+        }
+
+
+@dataclass
+class Watch:
+    """What is kept of a run: worst and last drifts, bad ticks, memory [MB] by the minute."""
+
+    worst: dict[str, float] = field(default_factory=lambda: dict.fromkeys(LIMITS, 0.0))
+    last: dict[str, float] = field(default_factory=dict)
+    memory: list[float] = field(default_factory=list)
+    memory_start: float = 0.0
+    failed_ticks: int = 0
+    other_rungs: int = 0
+    wraps: int = 0
+    ended: str = ""
+
+    def look(self, drift: dict[str, float]) -> None:
+        """Take down a drift."""
+        self.last = {**self.last, **drift}
+        for name, value in drift.items():
+            self.worst[name] = float(np.maximum(self.worst[name], value))  # NaN stays
+
+    def weigh(self) -> None:
+        """Take down this process's memory."""
+        self.memory.append(resident_mb())
+        self.look({"memory_mb": self.memory[-1] - self.memory_start})
+
+
+def resident_mb() -> float:
+    """Return the resident memory of this process [MB]."""
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+def endure(
+    robot: str, seconds: float, seed: int = 0, progress: Progress | None = None
+) -> dict[str, Any]:
+    """Stand for a time, the clock's wrap in its middle, and return what was found as plain JSON."""
+    ticks = round(seconds / PERIOD)
+    tick0 = (WRAP - round(500.0 * seconds)) % WRAP
+    plant = Plant(robot, PlantSettings(seed=seed, physics_dt=0.001), tick0=tick0)
+    options = surefoot.SupervisorOptions(power_level=LEVELS[robot], start=Start.STANDING)
+    supervisor = surefoot.Supervisor(plant.robot, options=options)
+    watch, begin = Watch(), time.process_time()
+    start, state, before = Pose.of(plant), plant.reset(), 0
+    for k in range(ticks):
+        now = int(state.tick)
+        watch.wraps += now < before
+        before = now
+        state = plant.step(supervisor.update(state))
+        watch.failed_ticks += supervisor.stand.status != Status.OK
+        watch.other_rungs += supervisor.stand.rung != Rung.SOLVED
+        if k == round(SETTLED / PERIOD):
+            start, watch.memory_start = Pose.of(plant), resident_mb()
+        elif k * PERIOD > SETTLED and k % LOOK == 0:
+            watch.look(Pose.of(plant).drift(start))
+            if k % WEIGH == 0:
+                watch.weigh()
+                if progress is not None:
+                    progress(k * PERIOD)
+        if supervisor.mode != Mode.STAND or (k % LOOK == 0 and plant.truth.fell):
+            watch.ended = f"{plant.time:.1f} s: {supervisor.mode.name}, {supervisor.reason.name}"
+            break
+    watch.weigh()
+    return summary(plant, supervisor, watch, time.process_time() - begin)
+
+
+def summary(
+    plant: Plant, supervisor: surefoot.Supervisor, watch: Watch, cpu: float
+) -> dict[str, Any]:
+    """Return a run's figures, and in `failures` what is not as it must be."""
+    counts = {info.name: supervisor.faults.count(info.id) for info in surefoot.fault_table()}
+    faults = {name: count for name, count in counts.items() if count}
+    failures = [
+        f"{name} {watch.worst[name]:.3f}, at most {limit:g}"
+        for name, limit in LIMITS.items()
+        if not watch.worst[name] <= limit
+    ]
+    failures += [f"fault {name} {count} times" for name, count in faults.items()]
+    failures += [f"{watch.failed_ticks} ticks failed"] * bool(watch.failed_ticks)
+    failures += [f"{watch.other_rungs} ticks needed a lower rung"] * bool(watch.other_rungs)
+    failures += [f"LowState.tick wrapped {watch.wraps} times, not once"] * (watch.wraps != 1)
+    failures += [watch.ended] * bool(watch.ended)
+    per_hour = HOUR // WEIGH
+    return {
+        "robot": plant.robot.name,
+        "hours": plant.time / 3600.0,
+        "cpu_hours": cpu / 3600.0,
+        "limits": LIMITS,
+        "worst": watch.worst,
+        "last": watch.last,
+        "memory_mb": {
+            "start": watch.memory_start,
+            "hour": watch.memory[per_hour - 1] if len(watch.memory) > per_hour else None,
+            "end": watch.memory[-1],
+        },
+        "wraps": watch.wraps,
+        "failed_ticks": watch.failed_ticks,
+        "other_rungs": watch.other_rungs,
+        "faults": faults,
+        "failures": failures,
+    }
+
+
+def text(result: dict[str, Any]) -> str:
+    """Return the figures as a few lines."""
+    memory = result["memory_mb"]
+    hour = "" if memory["hour"] is None else f", {memory['hour']:.1f} after an hour"
+    drifts = ", ".join(
+        f"{name} {value:.3f} ({result['limits'][name]:g})"
+        for name, value in result["worst"].items()
+    )
+    return (
+        f"{result['robot']}: {result['hours']:.2f} h in {result['cpu_hours']:.2f} h of processor, "
+        f"{result['wraps']} wrap, {result['failed_ticks']} failed ticks, faults "
+        f"{result['faults'] or 'none'}\n  worst (limit): {drifts}\n"
+        f"  memory {memory['start']:.1f} MB at {SETTLED:g} s{hour}, "
+        f"{memory['end']:.1f} at the end\n"
+        f"  {'; '.join(result['failures']) or 'all within limits'}"
+    )
+
+
+def main() -> int:
+    """Run, print, write JSON; 3 if anything is not as it must be."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--robot", default="go1", choices=sorted(LEVELS))
+    parser.add_argument("--hours", type=float, default=24.0, help="simulated")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--json", type=Path)
+    options = parser.parse_args()
+    if 3600.0 * options.hours <= SETTLED:
+        parser.error(f"--hours: got {options.hours:g}, expected more than {SETTLED / 3600.0:.4f}")
+
+    def progress(seconds: float) -> None:
+        every = 60.0 if sys.stderr.isatty() else 600.0
+        if seconds % every < 1e-6:
+            end = "\r" if sys.stderr.isatty() else "\n"
+            print(f"{seconds / 3600.0:.2f} h, {resident_mb():.1f} MB", end=end, file=sys.stderr)
+
+    result = endure(options.robot, 3600.0 * options.hours, options.seed, progress)
+    print(text(result))
+    if options.json:
+        options.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    return 3 if result["failures"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,75 @@
+"""surefoot replay: a log through a fresh controller; are its commands the same, bit for bit?"""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import asdict
+
+from surefoot.cli.progress import progress_bar
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.cli.simulation import check_json_place, write_json
+from surefoot.replay import Replay, Tape, play, read_tape
+from surefoot.replay.build import build_id
+from surefoot.robots import build_robot
+
+DIFFERS = 4
+_TEXT = """\
+The log has all that went into the controller: its gains and options, every LowState, and what was
+asked of it in between. Bits are promised on the same build of the library and the same machine.
+
+exit status: 0 identical, 4 the commands differ, 1 a file could not be written, 2 a wrong argument
+or a log that cannot be replayed, 130 interrupted"""
+
+
+def add_replay_options(parser: argparse.ArgumentParser) -> None:
+    """Add every option of surefoot replay."""
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = _TEXT
+    parser.add_argument("log", metavar="LOG.npz", help="that surefoot stand --log wrote")
+    add_robot_options(parser, "the one that the log names")
+    parser.add_argument("--json", metavar="FILE|-", help="write the result as JSON; - is stdout")
+
+
+def replay(arguments: argparse.Namespace) -> int | None:
+    """Play the log and say what differs; return the exit status.
+
+    Raises:
+        Error: A wrong argument, or a log that cannot be replayed.
+        OSError: A file could not be written.
+    """
+    check_json_place(arguments.json)
+    tape = read_tape(arguments.log)
+    description = chosen_robot(arguments, default=tape.robot)
+    assert description is not None  # there is a default
+    result = play(tape, build_robot(description), progress_bar())
+    write_json(arguments.json, _record(tape, result))
+    if arguments.json != "-":
+        print(replay_text(tape, result))
+    return None if result.first is None else DIFFERS
+
+
+def replay_text(tape: Tape, result: Replay) -> str:
+    """Return what is said of a replay."""
+    what = f"{len(tape.commands)} commands of a {tape.kind} on {tape.robot}"
+    other = f"\nthe log is of build {tape.build}, this is {build_id()}: bits may differ"
+    build = "" if result.same_build else other
+    if result.first is None:
+        return f"identical: {what}{build}"
+    first = result.first
+    return (
+        f"differs first in row {first.row} (LowState.tick {first.tick}): {first.field}: logged "
+        f"{first.logged!r}, replayed {first.replayed!r}\n{result.differing} of {what} differ{build}"
+    )
+
+
+def _record(tape: Tape, result: Replay) -> dict[str, object]:
+    return {
+        "identical": result.first is None,
+        "kind": tape.kind,
+        "robot": tape.robot,
+        "commands": len(tape.commands),
+        "differing": result.differing,
+        "first": None if result.first is None else asdict(result.first),
+        "build": build_id(),
+        "build_of_log": tape.build,
+    }

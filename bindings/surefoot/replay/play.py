@@ -1,0 +1,115 @@
+"""A tape played into a fresh controller, its commands held against those of then."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from surefoot._core import LowState, Robot
+from surefoot.low_cmd_layout import LOW_CMD
+from surefoot.low_state_layout import LOW_STATE
+from surefoot.replay.build import build_id
+from surefoot.replay.calls import carry_out
+from surefoot.replay.tape import Bytes, Call, Tape
+
+Progress = Callable[[str, int, int], None]
+
+
+@dataclass(frozen=True)
+class Difference:
+    """The first thing that is not as it was.
+
+    Attributes:
+        row: Of the tape.
+        tick: LowState.tick of that row [ms].
+        field: Of LowCmd, such as motorCmd[4].tau, or the call whose answer it is.
+        logged: What it was.
+        replayed: What it is.
+    """
+
+    row: int
+    tick: int
+    field: str
+    logged: Any
+    replayed: Any
+
+
+@dataclass(frozen=True)
+class Replay:
+    """What came of it.
+
+    Attributes:
+        commands: (n, 734) bytes of the LowCmds of now.
+        differing: Rows whose commands are not the same, byte for byte.
+        first: The first difference; None: all is identical.
+        same_build: Did this very build of the library make the tape?
+    """
+
+    commands: Bytes
+    differing: int
+    first: Difference | None
+    same_build: bool
+
+
+def play(tape: Tape, robot: Robot, progress: Progress | None = None) -> Replay:
+    """Play a tape to its end, whatever differs on the way.
+
+    Args:
+        tape: What to play.
+        robot: The model that the tape's controller had.
+        progress: Told how far it is.
+
+    Raises:
+        Error: Another robot, gains or options that are refused.
+    """
+    controller = tape.make(robot)
+    calls: dict[int, list[Call]] = {}
+    for call in tape.calls:
+        calls.setdefault(call.row, []).append(call)
+    commands = np.zeros_like(tape.commands)
+    answers: list[Difference] = []
+    state, ticks = LowState(), tape.reports.view(LOW_STATE)[:, 0]["tick"]
+    for k, report in enumerate(tape.reports):
+        for call in calls.get(k, ()):
+            answer = carry_out(controller, call.name, call.argument)
+            if answer != call.answer:
+                field = f"answer of {call.name}()"
+                answers.append(Difference(k, int(ticks[k]), field, call.answer, answer))
+        state.raw[:] = report
+        commands[k] = controller.update(state).raw
+        if progress is not None:
+            progress("replay", k + 1, len(commands))
+    rows = np.flatnonzero((commands != tape.commands).any(axis=1))
+    found = answers[:1]
+    if len(rows) and not (found and found[0].row <= rows[0]):
+        k = int(rows[0])
+        found = [_difference(k, int(ticks[k]), tape.commands[k], commands[k])]
+    first = found[0] if found else None
+    return Replay(commands, len(rows), first, tape.build == build_id())
+
+
+def _difference(row: int, tick: int, logged: Bytes, replayed: Bytes) -> Difference:
+    """Return the first field of two commands that is not the same."""
+    byte = int(np.flatnonzero(logged != replayed)[0])
+    name, kind, start = field_at(LOW_CMD, byte)
+    span = slice(start, start + kind.itemsize)
+    then, now = (np.ascontiguousarray(c[span]).view(kind)[0].item() for c in (logged, replayed))
+    return Difference(row, tick, name.removeprefix("."), then, now)
+
+
+def field_at(layout: np.dtype[Any], byte: int) -> tuple[str, np.dtype[Any], int]:
+    """Return name, type and first byte of the number that a byte of a packed struct is in."""
+    if layout.subdtype is not None:
+        element = layout.subdtype[0]
+        index, rest = divmod(byte, element.itemsize)
+        name, kind, start = field_at(element, rest)
+        return f"[{index}]{name}", kind, index * element.itemsize + start
+    for part, entry in (layout.fields or {}).items():
+        inner, begin = entry[0], entry[1]
+        if begin <= byte < begin + inner.itemsize:
+            name, kind, start = field_at(inner, byte - begin)
+            return f".{part}{name}", kind, begin + start
+    return "", layout, 0

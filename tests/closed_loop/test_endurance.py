@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The short form of benchmarks/endurance.py: a few seconds across the clock's wrap."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+
+import endurance
+from endurance import LIMITS, Pose, Watch, endure
+from surefoot.sim import Plant, PlantSettings, Push
+
+
+@pytest.mark.parametrize("robot", ["go1", "b1"])
+def test_quiet_standing_does_not_mind_that_the_clock_wraps(monkeypatch, robot: str) -> None:
+    monkeypatch.setattr(endurance, "SETTLED", 2.0)
+    result = endure(robot, 6.0, seed=1)
+    assert result["failures"] == []
+    assert result["wraps"] == 1
+    assert result["hours"] == pytest.approx(6.0 / 3600.0)
+    for name, limit in LIMITS.items():
+        if name != "memory_mb":  # other tests' doing
+            assert 0.0 < result["worst"][name] < 0.2 * limit, name
+
+
+@pytest.mark.parametrize(
+    ("share", "said"),
+    [(0.5, ("tilt_deg", "com_mm")), (4.0, ("DAMPING", "fault power 1 times", "ticks failed"))],
+)
+def test_what_is_not_as_it_must_be_is_said(
+    monkeypatch, share: float, said: tuple[str, ...]
+) -> None:
+    class Pushed(Plant):
+        def __init__(self, robot: str, settings: PlantSettings, tick0: int) -> None:
+            super().__init__(robot, settings, tick0=0)
+            self.add_push(Push("lateral", share * self.lip_limit("lateral"), time=3.0))
+
+    monkeypatch.setattr(endurance, "SETTLED", 2.0)
+    monkeypatch.setattr(endurance, "Plant", Pushed)
+    failures = "; ".join(endure("go1", 6.0)["failures"])
+    assert [part for part in (*said, "wrapped 0 times") if part not in failures] == []
+
+
+def test_a_drift_that_is_no_number_is_the_worst() -> None:
+    watch = Watch()
+    for value in (0.5, float("nan"), 0.2):
+        watch.look({"height_mm": value})
+    assert not watch.worst["height_mm"] <= LIMITS["height_mm"]
+
+
+def test_drift_is_measured_in_the_units_of_the_limits() -> None:
+    feet, com, c, s = np.zeros((3, 4)), np.zeros(3), np.cos(0.1), np.sin(0.1)
+    start = Pose(feet, 0.3, np.eye(3), com)
+    yawed = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+    pitched = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+    step, shift = np.array([[0.003], [0.0], [0.004]]), np.array([0.0, 0.002, 0.0])
+    moved = Pose(feet + step, 0.301, yawed, com + shift)
+    drift = moved.drift(start)
+    expected = {"height_mm": 1.0, "yaw_deg": np.degrees(0.1), "foot_travel_mm": 5.0, "com_mm": 2.0}
+    assert {name: drift[name] for name in expected} == pytest.approx(expected)
+    assert drift["tilt_deg"] == pytest.approx(0.0, abs=1e-6)
+    tilted = Pose(feet, 0.3, pitched, com).drift(start)
+    assert tilted["tilt_deg"] == pytest.approx(np.degrees(0.1))
+    assert tilted["yaw_deg"] == pytest.approx(0.0, abs=1e-6)
