@@ -46,7 +46,7 @@ def judge(track: Track, begin: float, duration: float) -> Outcome:
         duration: Of the push [s].
     """
     first = min(round(begin * track.rate), len(track.base) - 1)  # it may fall before
-    feet = np.linalg.norm(track.feet[first:] - track.feet[first], axis=2)
+    feet = np.linalg.norm(track.unrolled[first:] - track.unrolled[first], axis=2)
     foot = float(feet.max())
     if track.fell is not None:
         return Outcome(False, False, 1e3 * foot, None, None)

@@ -28,13 +28,15 @@ class Track:
 
     Attributes:
         base: (n, 7) position [m] and quaternion w x y z of the base, world.
-        feet: (n, 4, 3) centres of the foot spheres, world, less what they rolled [m].
+        feet: (n, 4, 3) centres of the foot spheres, world [m].
+        unrolled: (n, 4, 3) the same less what they rolled: where feet slid or lifted to.
         fell: Tick before which it had fallen, or None; then the track ends there.
         rate: Rows per second [Hz].
     """
 
     base: Array
     feet: Array
+    unrolled: Array
     fell: int | None
     rate: float
 
@@ -105,14 +107,16 @@ class _Seen:
     def track(self, rows: int, fell: int | None) -> Track:
         """Return what the first rows show."""
         normal = self._plant.handles.ground_normal
-        feet = without_rolling(
-            self._feet[:rows],
+        feet = self._feet[:rows]
+        unrolled = without_rolling(
+            feet,
             self._turns[:rows],
             self._forces[:rows] @ normal > 0.0,
             self._plant.robot.config.foot_radius,
             normal,
         )
-        return Track(self._base[:rows], feet, fell, self._plant.settings.control_rate)
+        rate = self._plant.settings.control_rate
+        return Track(self._base[:rows], feet, unrolled, fell, rate)
 
 
 def _losses(condition: Condition, seed: int, ticks: int) -> np.ndarray:

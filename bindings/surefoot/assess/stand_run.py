@@ -48,7 +48,7 @@ class Stood:
 def judge_stand(track: Track, condition: Condition) -> Stood:
     """Judge a run."""
     axes = 2 if condition.moves else 3
-    foot = float(np.linalg.norm((track.feet - track.feet[0])[:, :, :axes], axis=2).max())
+    foot = float(np.linalg.norm((track.unrolled - track.unrolled[0])[:, :, :axes], axis=2).max())
     if track.fell is not None:
         return Stood(False, None, None, 1e3 * foot)
     last = slice(-round(WINDOW * track.rate), None)
