@@ -12,20 +12,16 @@ from __future__ import annotations
 
 import argparse
 import json
-import multiprocessing
-import os
 import sys
-import time
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests" / "closed_loop"))
 
 import mujoco
 import numpy as np
 from get_up_helpers import LEVELS, Watched
+from seed_runs import run_seeds
 from surefoot import Error, Mode, RequestStatus, Status
 
 ARMING_TIME = 20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
@@ -109,12 +105,6 @@ def touching(robot: Watched) -> str:
     return ", ".join(sorted(found)) or "nothing touches"
 
 
-def run_all(jobs: list[tuple[str, int]], processes: int) -> Iterator[Outcome]:
-    """Run every job, as they come."""
-    with multiprocessing.get_context("spawn").Pool(processes) as pool:
-        yield from pool.imap_unordered(run, jobs)
-
-
 def summarise(outcomes: list[Outcome]) -> dict[str, object]:
     """Return one robot's figures."""
     risen = [o for o in outcomes if o.ok]
@@ -154,18 +144,7 @@ def main() -> int:
     options = parser.parse_args()
     seeds = range(options.first, options.first + options.count)
     jobs = [(robot, seed) for seed in seeds for robot in options.robot or LEVELS]
-    outcomes: list[Outcome] = []
-    begin = time.monotonic()
-    for outcome in run_all(jobs, options.jobs):
-        outcomes.append(outcome)
-        if not outcome.ok:
-            print(f"{outcome.robot} seed {outcome.seed}: {outcome.why}", flush=True)
-        stand = sum(o.ok for o in outcomes)
-        line = f"{len(outcomes)} of {len(jobs)}, {stand} stand, {time.monotonic() - begin:.0f} s"
-        if sys.stderr.isatty():
-            print(line, end="\r", file=sys.stderr, flush=True)
-        elif len(outcomes) % 50 == 0:
-            print(line, file=sys.stderr, flush=True)
+    outcomes = run_seeds(run, jobs, options.jobs, lambda o: f"{o.robot} seed {o.seed}")
     robots = [[o for o in outcomes if o.robot == r] for r in options.robot or LEVELS]
     summaries = [summarise(of_robot) for of_robot in robots]
     print("\n".join(text_of(summary) for summary in summaries))

@@ -15,19 +15,14 @@ from __future__ import annotations
 
 import argparse
 import json
-import multiprocessing
-import os
 import sys
-import time
 from collections import Counter
-from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")
-
 import numpy as np
 import surefoot
+from seed_runs import run_seeds
 from surefoot import Mode, Start, Status
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.truth import has_fallen
@@ -134,12 +129,6 @@ def run(job: tuple[str, str, int]) -> Outcome:
     )
 
 
-def run_all(jobs: list[tuple[str, str, int]], processes: int) -> Iterator[Outcome]:
-    """Run every job, as they come."""
-    with multiprocessing.get_context("spawn").Pool(processes) as pool:
-        yield from pool.imap_unordered(run, jobs)
-
-
 def summarise(outcomes: list[Outcome]) -> dict[str, object]:
     """Return the figures of one robot and kind."""
     stand = [o for o in outcomes if o.ok]
@@ -179,18 +168,7 @@ def main() -> int:
     groups = [(r, k) for r in options.robot or ROBOTS for k in options.kind or KINDS]
     seeds = range(options.first, options.first + options.count)
     jobs = [(robot, kind, seed) for robot, kind in groups for seed in seeds]
-    outcomes: list[Outcome] = []
-    begin = time.monotonic()
-    for outcome in run_all(jobs, options.jobs):
-        outcomes.append(outcome)
-        if not outcome.ok:
-            print(f"{outcome.robot} {outcome.kind} seed {outcome.seed}: {outcome.why}", flush=True)
-        stand = sum(o.ok for o in outcomes)
-        line = f"{len(outcomes)} of {len(jobs)}, {stand} stand, {time.monotonic() - begin:.0f} s"
-        if sys.stderr.isatty():
-            print(line, end="\r", file=sys.stderr, flush=True)
-        elif len(outcomes) % 50 == 0:
-            print(line, file=sys.stderr, flush=True)
+    outcomes = run_seeds(run, jobs, options.jobs, lambda o: f"{o.robot} {o.kind} seed {o.seed}")
     parts = [[o for o in outcomes if (o.robot, o.kind) == group] for group in groups]
     summaries = [summarise(part) for part in parts]
     print("\n".join(text_of(summary) for summary in summaries))
