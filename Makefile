@@ -48,7 +48,8 @@ test: install .venv/.browser
 	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
 	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz
 	cd $(BUILD) && ctest --output-on-failure
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not alone"; status=$$?; \
+	  $(BIN)/python -m pytest -m alone && exit $$status
 
 # The committed code of a tick's dynamics, anew from bindings/src/symbolic; a test compares them.
 GENERATED := controller/src/dynamics/generated/leg_dynamics.hpp

@@ -103,6 +103,11 @@ void bind_controller(nb::module_& m) {
            "Ask for another pose of the body; it goes there at limited speed.")
       .def_prop_ro("body_reference", &StandController::body_reference, "Where it is on the way.")
       .def_prop_ro("reach", &StandController::reach, "What keeps it from getting there.")
+      .def("give_up", &StandController::give_up, "leg"_a,
+           "Give a leg up (0 .. 3) until reset: its foot bears nothing from now on.")
+      .def_prop_ro("lost_leg", &StandController::lost_leg, "The leg that was given up, or -1.")
+      .def("margin_without", &StandController::margin_without, "leg"_a,
+           "Return how far the capture point is inside the other three feet's triangle [m].")
       .def("add_task", &StandController::add_task, "task"_a, "Add a task of your own.")
       .def_prop_ro("status", &StandController::status, "What this tick's command is worth.")
       .def_prop_ro("fault", &StandController::fault, "What was wrong when a tick last was not OK.")

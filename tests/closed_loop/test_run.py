@@ -12,6 +12,8 @@ import pytest
 from surefoot import protocol
 from virtual_robot_helpers import controller, start, wait_for
 
+pytestmark = pytest.mark.alone
+
 
 @pytest.mark.parametrize("name", ["a1", "go1", "b1"])
 def test_a_robot_stands_over_udp_in_its_own_generation(name: str, tmp_path: Path) -> None:

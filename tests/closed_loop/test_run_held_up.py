@@ -14,6 +14,8 @@ from pathlib import Path
 import pytest
 from virtual_robot_helpers import controller, heed_ctrl_c, start, wait_for
 
+pytestmark = pytest.mark.alone
+
 
 def end(*processes: subprocess.Popen[str]) -> None:
     for process in processes:

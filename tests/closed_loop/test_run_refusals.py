@@ -11,6 +11,8 @@ import surefoot
 from surefoot import protocol
 from surefoot.cli import main
 
+pytestmark = pytest.mark.alone
+
 
 class Impostor:
     """Answers whoever sends with LowStates of one generation, as a robot does."""

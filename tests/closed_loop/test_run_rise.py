@@ -13,6 +13,8 @@ from surefoot.sim import Push
 from surefoot.virtual_robot import RemoteEvent
 from wired_helpers import LEVELS, Wired
 
+pytestmark = pytest.mark.alone
+
 IN_FLIGHT = 2  # commands that were on their way, or being made, when they were taken back
 IN_20_MS = 10  # commands, at 500 Hz
 

@@ -19,6 +19,8 @@ import pytest
 from surefoot.cli import main
 from virtual_robot_helpers import controller, start, wait_for
 
+pytestmark = pytest.mark.alone
+
 LYING = ("--lying", "--seed", "9")
 
 

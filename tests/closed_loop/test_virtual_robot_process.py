@@ -11,6 +11,8 @@ import pytest
 from surefoot.cli import main
 from virtual_robot_helpers import UdpClient, servo, start
 
+pytestmark = pytest.mark.alone
+
 POSE = (0.0, 1.2, -2.0)
 
 

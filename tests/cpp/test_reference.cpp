@@ -87,4 +87,36 @@ BOOST_FIXTURE_TEST_CASE(a_lifted_foot_does_not_tilt_the_ground, Latched) {
   BOOST_TEST((stand.reference().ground_normal - before).norm() < 1e-6);
 }
 
+BOOST_FIXTURE_TEST_CASE(lifted_off_the_ground_the_feet_come_along_and_reach_down_a_little, Latched) {
+  const double before = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002)
+                            .feet[FR_]
+                            .p_world.z();
+  // Feet that hang 0.1 m further below the body than they stood.
+  const Dynamics lifted = drifted(Vector3(0, 0, 0.1), Quaternion::Identity());
+  double height = 0.0;
+  for (int tick = 0; tick < 1000; ++tick) {
+    height = stand.update(gains, lifted, Eigen::Vector4d::Zero(), 0.002).feet[FR_].p_world.z();
+  }
+  const double stood = dynamics.p_world_base().z() - before;
+  const double hangs = lifted.p_world_base().z() - height;
+  BOOST_TEST(hangs > 1.05 * stood);
+  BOOST_TEST(hangs < 1.25 * stood);
+  // Back on the ground the feet count at once, where they are.
+  const double there =
+      stand.update(gains, lifted, Eigen::Vector4d::Ones(), 0.002).feet[FR_].p_world.z();
+  BOOST_TEST(std::abs(there - lifted.legs()[FR_].p_world_contact.z()) < 1e-6);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_leg_that_is_given_up_is_expected_to_do_nothing, Latched) {
+  stand.give_up(RL_);
+  const Reference& wanted = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002);
+  BOOST_TEST(!wanted.feet[RL_].stance);
+  BOOST_TEST(wanted.feet[RL_].load == 0.0);
+  BOOST_TEST((wanted.feet[RL_].p_world - dynamics.legs()[RL_].p_world_contact).norm() < 1e-12);
+  BOOST_TEST(wanted.feet[FR_].stance);
+  stand.reset();
+  stand.latch(dynamics, state.q);
+  BOOST_TEST(stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002).feet[RL_].stance);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

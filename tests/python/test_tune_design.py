@@ -132,10 +132,11 @@ def test_directions_are_what_the_robot_is(robot: str) -> None:
     for name in ("x", "y", "z"):
         assert 1.0 < directions[name].inertia / body(robot).robot.mass < 1.4
         assert 1.0 < directions[name].base_share < 1.2
-    # Downwards the program keeps four feet down by hold_down of the weight each.
+    # Downwards the program keeps four feet down by hold_down of the weight each; that has a price,
+    # and b1's, whose centre of mass weighs most in its cost, gives a little of it.
     held = 9.81 * (1.0 - 4.0 * body(robot).robot.config.gains.hold_down)
     limits = directions["z"].limits
-    assert np.interp(-10.0, limits[:, 0], limits[:, 1]) == pytest.approx(-held, abs=0.05)
+    assert np.interp(-10.0, limits[:, 0], limits[:, 1]) == pytest.approx(-held, rel=0.01)
     for direction in directions.values():
         assert np.all(np.diff(direction.limits[:, 1]) >= 0.0)
         small = 0.1 * direction.limits[-1, 0] / 4.0

@@ -58,6 +58,7 @@ def case(
     up: Expectation,
     lying: Expectation | None = REFUSE,
     rising: Expectation | None = None,
+    pushed: Expectation | None = None,
     modes: tuple[str, ...] = MODES,
     says: str = "",
     level: int | None = None,
@@ -72,6 +73,7 @@ def case(
         up: Expected while rising, standing and pushed.
         lying: Expected while lying; None where that makes no sense.
         rising: Expected while rising, where it is something else.
+        pushed: Expected while pushed, where it is something else.
         modes: In which it makes sense.
         says: See Case.
         level: See Case.
@@ -80,6 +82,8 @@ def case(
     expected = {mode: up for mode in modes}
     if "rising" in expected and rising is not None:
         expected["rising"] = rising
+    if "pushed" in expected and pushed is not None:
+        expected["pushed"] = pushed
     if "lying" in expected:
         del expected["lying"]
         if lying is not None:

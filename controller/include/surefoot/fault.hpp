@@ -31,6 +31,7 @@ enum class FaultId : int {
   kTilt,              ///< the body is tilted too far, or about to be
   kMotorMode,         ///< a motor left servo mode
   kMotorWeak,         ///< a motor does not give the torque it is told
+  kLegLost,           ///< one leg's motors do not, and the robot stands on the other three
   kOverridden,        ///< several legs do not: somebody else commands the robot too
   kWiring,            ///< legs or motors are not where they are taken to be
   kWrongRobot,        ///< it is another robot than it is taken for

@@ -65,6 +65,15 @@ class StandController {
   BodyReference body_reference() const noexcept;  ///< where it is on the way
   ReachStatus reach() const noexcept;             ///< what keeps it from getting there
 
+  /// Give a leg up, 0 .. 3, until reset(): its foot bears nothing from now on, and the body goes
+  /// over the other three. One leg at most; another's number, or none's, changes nothing.
+  /// Real-time: yes.
+  void give_up(int leg) noexcept;
+  int lost_leg() const noexcept;  ///< that was given up, or -1
+  /// [m] how far the capture point is inside the triangle of the other three feet; negative
+  /// outside. Of the last good tick. Real-time: yes.
+  double margin_without(int leg) const noexcept;
+
   /// See WholeBodyController::set_torque_share(). Real-time: yes.
   void set_torque_share(const Vector12& share) noexcept;
 

@@ -31,7 +31,8 @@ class DelayPredictor {
   void elapse(double dt) noexcept;
 
   /// Note what the command sent now will make from when it acts until the next one does.
-  /// @param accelerations shape (nv,) @param share of them that is made @param tau [N.m] SDK motor order
+  /// @param accelerations shape (nv,) @param share of them that is made @param tau [N.m] SDK motor
+  /// order
   void remember(const Eigen::VectorXd& accelerations, double share, const Vector12& tau) noexcept;
 
   /// The command that acted until now; null while none has.

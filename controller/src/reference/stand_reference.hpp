@@ -4,6 +4,7 @@
 #include "dynamics/dynamics.hpp"
 #include "reference/body_motion.hpp"
 #include "reference/support_frame.hpp"
+#include "reference/three_feet.hpp"
 
 namespace surefoot {
 
@@ -12,7 +13,8 @@ namespace surefoot {
 ///
 /// Everything is kept in the support frame, which joint angles alone determine: base pose, centre
 /// of mass and the feet's own places. The IMU's slow errors move that frame and the body together
-/// and so cannot lean the robot. Real-time: yes.
+/// and so cannot lean the robot. While no foot bears anything the frame goes with the body, and
+/// the legs of a robot that is lifted come back to its standing pose. Real-time: yes.
 class StandReference {
  public:
   explicit StandReference(const Robot& robot) : motion_(robot) {}
@@ -20,19 +22,32 @@ class StandReference {
   /// Remember how the robot stands; q: its joints.
   void latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept;
 
-  void reset() noexcept { motion_.reset(); }
+  void reset() noexcept {
+    reference_ = {};
+    motion_.reset();
+    three_.reset();
+    airborne_ = 0.0;
+  }
+  /// From now on this leg's foot bears nothing; until reset().
+  void give_up(int leg) noexcept { three_.give_up(leg); }
+  int lost_leg() const noexcept { return three_.lost(); }
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
   /// Express what is asked in today's world frame.
   const Reference& update(const Gains& gains, const Dynamics& dynamics,
-                          const Eigen::Vector4d& contact, double dt) noexcept;
+                          const Eigen::Vector4d& believed, double dt) noexcept;
 
   const Reference& reference() const noexcept { return reference_; }
   const BodyMotion& motion() const noexcept { return motion_; }
 
  private:
+  void leave(int leg, const Dynamics& dynamics) noexcept;
+  void judge_airborne(const Eigen::Vector4d& contact, double dt) noexcept;
+
   BodyMotion motion_;
   SupportFrame support_;
+  ThreeFeet three_;
+  double airborne_ = 0.0;  // share by which the frame goes with the body
   Reference reference_;
 };
 

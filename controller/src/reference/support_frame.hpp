@@ -21,6 +21,12 @@ class SupportFrame {
   /// Follow the feet. @param contact belief per foot, 0 .. 1
   void update(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, double dt) noexcept;
 
+  /// Go with the body by a share of the way, 0 .. 1: the feet of a robot that is held in the air
+  /// have no other place. @param place of the body in the frame
+  void carry(const Vector3& p_world_body, const Vector3& place, double share) noexcept {
+    origin_ += share * (p_world_body - R_ * place - origin_);
+  }
+
   const Vector3& origin() const noexcept { return origin_; }  ///< [m] world
   const Matrix3& R_world_support() const noexcept { return R_; }
   Vector3 normal() const noexcept { return R_.col(2); }

@@ -25,6 +25,7 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
                          const RobotState& state, const Reference& reference,
                          const Gains& gains) noexcept {
   damping_ = options_.motor_damping + damping;
+  lost_damping_ = gains.damping_kd;
   Vector12 dq;
   for (int i = 0; i < kMotors; ++i) dq[i] = state.v[robot_.motor_to_v()[i]];
   const auto limit = [&](const Eigen::Vector4d& contact, double most) {
@@ -41,14 +42,24 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   return limited_.scale < 1.0;
 }
 
-LowCmd torque_low_cmd(const Vector12& torques, double kd) noexcept {
+// What is left of the leg moves as little as it can, whichever of its motors is the dead one.
+LowCmd TorqueCommand::command() const noexcept {
+  Vector12 tau = limited_.torques, kd = Vector12::Constant(damping_);
+  if (lost_ >= 0) {
+    tau.segment<kLegJoints>(kLegJoints * lost_).setZero();
+    kd.segment<kLegJoints>(kLegJoints * lost_).setConstant(lost_damping_);
+  }
+  return torque_low_cmd(tau, kd);
+}
+
+LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept {
   LowCmd command = init_low_cmd();
   for (int i = 0; i < kMotors; ++i) {
     MotorCmd& motor = command.motorCmd[i];
     motor.tau = static_cast<float>(torques[i]);
-    if (kd > 0.0) {
+    if (kd[i] > 0.0) {
       motor.dq = 0.0F;
-      motor.Kd = static_cast<float>(kd);
+      motor.Kd = static_cast<float>(kd[i]);
     }
   }
   return command;

@@ -9,7 +9,7 @@ namespace surefoot {
 
 /// Torques [N.m], motor order, in torque mode exactly; with the motors' own damping
 /// (kd > 0 [N.m.s/rad]) the velocity loop is on and asks for rest. Real-time: yes.
-LowCmd torque_low_cmd(const Vector12& torques, double kd) noexcept;
+LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept;
 
 /// From what the program decided to what the motors are told: the torques within the power that is
 /// allowed, in torque mode. Real-time: yes.
@@ -29,16 +29,23 @@ class TorqueCommand {
   bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
             const Reference& reference, const Gains& gains) noexcept;
 
-  LowCmd command() const noexcept { return torque_low_cmd(limited_.torques, damping_); }
+  /// The motors of a leg that is given up get no torques and damp; -1: none is.
+  void give_up(int leg) noexcept { lost_ = leg; }
+
+  LowCmd command() const noexcept;
 
   const LimitedTorques& limited() const noexcept { return limited_; }
-  void reset() noexcept { limited_ = {}; }
+  void reset() noexcept {
+    limited_ = {};
+    lost_ = -1;
+  }
 
  private:
   Robot robot_;
   StandOptions options_;
   LimitedTorques limited_;  // motor order
-  double damping_ = 0.0;
+  double damping_ = 0.0, lost_damping_ = 0.0;
+  int lost_ = -1;  // leg
 };
 
 }  // namespace surefoot

@@ -55,6 +55,10 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "the body is tilted too far, or will be in a tenth of a second"},
     {FaultId::kMotorMode, kDamp, 0.006, kArm, "a motor reports another mode than servo twice"},
     {FaultId::kMotorWeak, kDamp, 0.15, kArm, "a motor's torque is off what it is told for 50 ms"},
+    {FaultId::kLegLost, kDegrade, 0.15, kArm,
+     "motor_mode or motor_weak in one leg of a robot that stands, its centre of mass over the "
+     "other "
+     "three feet: that leg is given up; a second is not"},
     {FaultId::kOverridden, kDamp, 0.2, kArm,
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
@@ -123,6 +127,7 @@ const char* to_string(FaultId id) noexcept {
                                                       "tilt",
                                                       "motor_mode",
                                                       "motor_weak",
+                                                      "leg_lost",
                                                       "overridden",
                                                       "wiring",
                                                       "wrong_robot",

@@ -53,7 +53,8 @@ void MotorFaults::sent(const LowCmd& command, const LowState& state) noexcept {
 void MotorFaults::judge_modes(const LowState& state, FaultLog& log) noexcept {
   int bad = -1;
   for (int i = 0; i < kMotors && bad < 0; ++i) {
-    if (state.motorState[i].mode != kModeServo) bad = i;
+    const bool judged = i / kLegJoints != left_out_;
+    if (judged && state.motorState[i].mode != kModeServo) bad = i;
   }
   bad_modes_ = bad < 0 ? 0 : bad_modes_ + 1;
   log.set(FaultId::kMotorMode, bad_modes_ >= kBadModes, bad);
@@ -66,6 +67,7 @@ void MotorFaults::judge_torques(const LowState& state, double dt, FaultLog& log)
   const int disturbed = legs_disturbed(state, dt);
   int weak = -1, legs = 0, last_leg = -1;
   for (int i = 0; i < kMotors; ++i) {
+    if (i / kLegJoints == left_out_) continue;
     expected_[i] += share * (told_[i] - expected_[i]);
     measured_[i] += share * (state.motorState[i].tauEst - measured_[i]);
     const double allowed =

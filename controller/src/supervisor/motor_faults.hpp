@@ -28,6 +28,8 @@ class MotorFaults {
   void interrupted() noexcept {
     for (int i = 0; i < kMotors; ++i) told_zigzag_[i].interrupt(), measured_zigzag_[i].interrupt();
   }
+  /// Look no more at the modes and torques of a leg that is given up; -1: look at all.
+  void leave_out(int leg) noexcept { left_out_ = leg; }
   /// Share of each motor's torque that its temperature leaves it, kLeastShare .. 1.
   const Vector12& torque_share() const noexcept { return share_; }
   /// Forget torques and counts, not temperatures.
@@ -55,6 +57,7 @@ class MotorFaults {
   Lasting hot_;
   int bad_modes_ = 0, bad_angles_ = 0;  // reports in a row
   bool started_ = false;
+  int left_out_ = -1;  // leg
 };
 
 }  // namespace surefoot

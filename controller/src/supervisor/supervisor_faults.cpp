@@ -8,15 +8,20 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFallTilt = 0.7;      // [rad] while rising and sitting
-constexpr double kForesight = 0.1;     // [s] that the tilt is foreseen
-constexpr double kBatteryTime = 1.0;   // [s]
+constexpr double kFallTilt = 0.7;     // [rad] while rising and sitting
+constexpr double kForesight = 0.1;    // [s] that the tilt is foreseen
+constexpr double kBatteryTime = 1.0;  // [s]
+// Of the height of the centre of mass: how far the capture point may be outside three feet. What is
+// left of the fourth leg, braking, bears that much for long enough.
+constexpr double kOutside = 0.03;
+constexpr double kPushed = 0.1;        // of the weight: who is pushed will be elsewhere in a moment
 constexpr double kLossWatched = 0.05;  // share of reports
 
 }  // namespace
 
 void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   motors.update(state, dt, log);
+  judge_legs();
   stand.set_torque_share(motors.torque_share());
   springs.set_torque_share(motors.torque_share());
   if (standing()) {
@@ -33,6 +38,25 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   if (imu.gyroscope_bad()) log.set(FaultId::kGyroscope, true);
   judge_tilt(state);
   judge_rest(state, dt);
+}
+
+// A robot that stands, its centre of mass over three feet or as good as, goes on without the
+// fourth.
+void Supervisor::Impl::judge_legs() noexcept {
+  for (const FaultId id : {FaultId::kMotorMode, FaultId::kMotorWeak}) {
+    if (!log.report().has(id) || !standing() || stand.lost_leg() >= 0) continue;
+    const int motor = log.report().motor[static_cast<int>(id)];
+    const int leg = motor / kLegJoints;
+    const Reference& standing = stand.reference();
+    const double height = standing.p_com.z() - standing.feet[kLegs - 1 - leg].p_world.z();
+    const double push = stand.state().f_outside.head<2>().norm();
+    if (push > kPushed * kGravity * robot.mass()) continue;
+    if (stand.margin_without(leg) < -kOutside * height) continue;
+    stand.give_up(leg);
+    motors.leave_out(leg);
+    log.set(id, false);
+    log.set(FaultId::kLegLost, true, motor);
+  }
 }
 
 void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {

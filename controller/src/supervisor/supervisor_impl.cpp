@@ -85,9 +85,11 @@ void Supervisor::Impl::obey(int request) noexcept {
     now.mode = Mode::kPassive;
     now.armed = true;
     keeper.reset();
-    for (const FaultId over : {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot}) {
+    for (const FaultId over :
+         {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(over, false);  // it begins anew
     }
+    motors.leave_out(-1);
     reason = FaultId::kNone;
     if (take) take_over();
   } else if (request != Requests::kNothing) {
@@ -121,15 +123,17 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
 
 Drive Supervisor::Impl::drive(Source source, const LowState& state) noexcept {
   Drive out;
-  if (source == Source::kDamping) out.kd = damping_kd;
+  if (source == Source::kDamping) out.kd.setConstant(damping_kd);
   if (source == Source::kSprings) {
     out.tau = springs.torques(reference, upward() ? motion.load() : 0.0);
-    out.kd = springs.damping();
+    out.kd.setConstant(springs.damping());
   }
   if (source != Source::kProgram) return out;
   const LowCmd& command = stand.update(state);
-  for (int i = 0; i < kMotors; ++i) out.tau[i] = command.motorCmd[i].tau;
-  out.kd = command.motorCmd[0].Kd;
+  for (int i = 0; i < kMotors; ++i) {
+    out.tau[i] = command.motorCmd[i].tau;
+    out.kd[i] = command.motorCmd[i].Kd;
+  }
   return out;
 }
 

@@ -67,6 +67,7 @@ struct Supervisor::Impl {
   FaultId find_bad(const LowState& state, double step) noexcept;
   void judge(const LowState& state, double dt) noexcept;
   void judge_tilt(const LowState& state) noexcept;
+  void judge_legs() noexcept;
   void judge_rest(const LowState& state, double dt) noexcept;
   void react() noexcept;
   void obey(int request) noexcept;

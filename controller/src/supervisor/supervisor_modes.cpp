@@ -47,6 +47,7 @@ void Supervisor::Impl::lie() noexcept {
   now.mode = Mode::kPassive;
   log.set(FaultId::kHanging, false);
   fade.to(Source::kDamping);
+  if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // three legs do not rise
 }
 
 }  // namespace surefoot

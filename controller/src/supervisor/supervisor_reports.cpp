@@ -31,7 +31,7 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
     if (has_quaternion(state.imu)) springs.read(state);
     now.seen = true;
   }
-  now.must_sit = log.first(FaultReaction::kSit) != FaultId::kNone;
+  now.must_sit = log.first(FaultReaction::kSit) != FaultId::kNone || stand.lost_leg() >= 0;
   now.ready = arming.report().ready && !now.must_sit;
   return bad == FaultId::kNone;
 }

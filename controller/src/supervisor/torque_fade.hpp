@@ -10,7 +10,7 @@ namespace surefoot {
 /// What the twelve motors are told: torques, and damping of their own.
 struct Drive {
   Vector12 tau = Vector12::Zero();  ///< [N.m]
-  double kd = 0.0;                  ///< [N.m.s/rad] with dq = 0
+  Vector12 kd = Vector12::Zero();   ///< [N.m.s/rad] with dq = 0
 };
 
 /// Who decides it.

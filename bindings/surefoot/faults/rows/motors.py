@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from surefoot.faults import injections as inject
 from surefoot.faults import motor_faults as motor
-from surefoot.faults.case import Row, case
+from surefoot.faults.case import Case, Row, case
 from surefoot.faults.reaction import WATCH, as_table, unless
 from surefoot.faults.signals import Signal
 
@@ -16,6 +16,19 @@ some = inject.intermittent
 
 def _torque(change: inject.Change) -> Signal:
     return Signal("tauEst", change, KNEE)
+
+
+def _dead(injection: str, what: str, number: int, mode: int) -> Case:
+    """Standing on four feet it goes on on three; a push may have taken it off those."""
+    return case(
+        injection,
+        what,
+        lambda: motor.Dead(number, mode),
+        as_table("leg_lost"),
+        rising=OFF,
+        pushed=unless("motor_mode"),
+        gentle=True,
+    )
 
 
 def _heat(change: inject.Change) -> Signal:
@@ -60,8 +73,8 @@ ROWS = (
         "motor_dead",
         "a motor is off",
         (
-            case("off", "a knee lets go, mode 8", lambda: motor.Dead(KNEE, 8), OFF, gentle=True),
-            case("wrong", "a thigh brakes, mode 0", lambda: motor.Dead(THIGH, 0), OFF, gentle=True),
+            _dead("off", "a knee lets go, mode 8", KNEE, 8),
+            _dead("wrong", "a thigh brakes, mode 0", THIGH, 0),
             case("intermittent", "a knee, for 2 ms", lambda: motor.Dead(KNEE, 8, 1), WATCH, None),
         ),
     ),

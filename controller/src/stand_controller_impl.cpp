@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stand_controller_impl.hpp"
+
+#include "low_state_check.hpp"
+#include "surefoot/error.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kLatches = 3;
+
+const Robot& twelve_joints(const Robot& robot) {
+  if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
+  throw Error("robot '" + robot.config().name + "': got nq = " + std::to_string(robot.nq()) +
+              ", nv = " + std::to_string(robot.nv()) +
+              ", expected 19 and 18 for a StandController: LowState reports twelve joints; make "
+              "others fixed, or use WholeBodyController with a state of your own");
+}
+
+}  // namespace
+
+StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& o)
+    : robot(twelve_joints(r)),
+      options((o.validate(), o)),
+      estimator(r),
+      reference(r),
+      predictor(r.nv(), o.delay),
+      predicted(r),
+      controller(r, g, WholeBodyOptions{o.form}),
+      ladder(r),
+      torques(r, o) {
+  estimator.set_gains(g);
+}
+
+void StandController::Impl::adopt(const Gains& gains) noexcept {
+  if (controller.adopt_gains(gains)) estimator.adopt_gains(gains);
+}
+
+const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
+  const double step = clock.advance(low_state.tick);
+  const double elapsed = step > 0.0 ? step : clock.period();
+  // Time in bad reports is not lost to the estimator; a tick that stands still adds none, for the
+  // next good one counts from the last.
+  if (step >= 0.0) {
+    since_estimate += elapsed;
+    predictor.elapse(elapsed);
+  }
+  Status status = Status::kStaleTick;
+  rung = Rung::kHold;  // all there is, until the tick comes to its program
+  if (keeper.latched()) {
+    status = Status::kDamping;
+  } else if (step >= 0.0) {
+    status = think(low_state, std::min(since_estimate, TickClock::kMaxStep));
+  }
+  const LowCmd& command = send(status, elapsed);
+  ++rung_counts[static_cast<int>(rung)];
+  return command;
+}
+
+// A command that was solved, or what stands in for one, for as long as it may.
+const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept {
+  const double kd = controller.gains().damping_kd;
+  if (is_usable(tick)) {
+    keeper.accept(torques.command());
+  } else if (is_fresh(rung)) {
+    keeper.bridge(torques.command(), elapsed, kd);
+  } else {
+    keeper.refuse(elapsed, kd);
+  }
+  if (!is_usable(tick) && tick != Status::kDamping) fault = tick;
+  status = keeper.latched() ? Status::kDamping : tick;
+  if (!keeper.controls()) rung = Rung::kDamping;
+  if (is_fresh(rung)) {
+    // What stands in for a solution makes the last one's motion, or nearly; torques that were
+    // limited make as much less of it as they are nearer to holding.
+    const LimitedTorques& sent = torques.limited();
+    predictor.remember(controller.solution().accelerations, sent.scale, sent.torques);
+  }
+  return keeper.last();
+}
+
+// Estimate, refer, solve: each stage hands one struct to the next.
+Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
+  // A robot that stands goes on without the vendor's attitude; none is started without it.
+  if (latches == 0 && !has_quaternion(low_state.imu)) return Status::kBadQuaternion;
+  const SentCommand* acting = predictor.acting();
+  if (acting != nullptr) estimator.set_plan(acting->accelerations.head<6>(), acting->tau);
+  const Status estimated = estimator.update(low_state, dt);
+  if (estimated != Status::kOk) return estimated;
+  since_estimate = 0.0;
+  if (ramp.moving()) adopt(ramp.step(dt));
+  const Dynamics& dynamics = estimator.dynamics();
+  const Eigen::Vector4d& contact = estimator.state().contact;
+  if (dynamics.R_world_base()(2, 2) < std::cos(controller.gains().fall_tilt)) {
+    return Status::kFallen;
+  }
+  // The contact points hang on the ground's normal, which is known once they are: latch a few
+  // times.
+  if (latches < kLatches) {
+    reference.latch(dynamics, estimator.state().q);
+    ++latches;
+  }
+  const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
+  estimator.set_ground_normal(wanted.ground_normal);
+  return predictor.active() ? solve_predicted(wanted) : solve(dynamics, estimator.state(), wanted);
+}
+
+Status StandController::Impl::solve_predicted(const Reference& wanted) noexcept {
+  const RobotState& then = predictor.predict(estimator.state());
+  predicted.update(then.q, then.v, wanted.ground_normal);
+  return solve(predicted, then, wanted);
+}
+
+// The program, if need be anew from nothing, then the power that its torques may take.
+Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& state,
+                                    const Reference& wanted) noexcept {
+  const Solution& solution = controller.solve(dynamics, state, wanted);
+  rung = Rung::kSolved;
+  if (!is_usable(solution.status)) {
+    controller.solve_cold(dynamics);
+    rung = Rung::kColdSolve;
+  }
+  if (is_usable(solution.status)) {
+    ladder.remember(controller.gains(), dynamics, state, wanted, solution.forces);
+    return torques.take(solution, dynamics, state, wanted, controller.gains());
+  }
+  descend(dynamics, state, wanted);
+  return solution.status;
+}
+
+// Where there is no solution: torques without the program, within the same power.
+void StandController::Impl::descend(const Dynamics& dynamics, const RobotState& state,
+                                    const Reference& wanted) noexcept {
+  const Gains& gains = controller.gains();
+  rung = ladder.descend(gains, dynamics, state, wanted);
+  if (rung == Rung::kHold) return;
+  torques.take(ladder.torques(), ladder.damping(), dynamics, state, wanted, gains);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A motor dies while the robot stands: on three feet it goes on, or it comes down slowly."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import surefoot
+from surefoot import FaultId, Mode, Start
+from surefoot.sim import Plant, PlantSettings
+
+OVERHEATED = 8  # the mode of a motor that has let go
+LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # of the power protection
+
+
+class Standing:
+    """A robot that has stood for a second, and whose motors may die."""
+
+    def __init__(self, robot: str, lean: tuple[float, float] = (0.0, 0.0)) -> None:
+        self.plant = Plant(robot, PlantSettings(seed=1))
+        options = surefoot.SupervisorOptions(power_level=LEVELS[robot], start=Start.STANDING)
+        self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
+        self.dead: set[int] = set()
+        self.sinking = 0.0  # [m/s] greatest
+        self.state = self.plant.reset()
+        self.go_on(0.1)
+        self.supervisor.set_body_reference(surefoot.BodyReference(*lean, 0.0, 0.0, 0.0, 0.0))
+        self.go_on(2.0)
+        self.height = self.plant.truth.q[2]
+
+    def go_on(self, seconds: float) -> None:
+        for _ in range(round(seconds / 0.002)):
+            command = self.supervisor.update(self.state)
+            for i in self.dead:
+                motor = command.motorCmd[i]
+                motor.tau = motor.Kp = motor.Kd = 0.0
+            self.state = self.plant.step(command)
+            for i in self.dead:
+                self.state.motorState[i].mode = OVERHEATED
+                self.state.motorState[i].tauEst = 0.0
+            self.sinking = max(self.sinking, -self.plant.truth.v[2])
+
+    def sunk(self) -> float:
+        return float(self.height - self.plant.truth.q[2])
+
+    def has(self, fault: FaultId) -> bool:
+        return fault in self.supervisor.faults.active
+
+
+@pytest.mark.parametrize("motor", [0, 4, 5])  # FR hip, FL thigh, FL knee
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+def test_a_robot_whose_motor_died_stands_on_three_legs(robot: str, motor: int) -> None:
+    scene = Standing(robot)
+    scene.dead = {motor}
+    scene.go_on(4.0)
+    assert scene.supervisor.mode == Mode.STAND
+    assert scene.has(FaultId.LEG_LOST) and not scene.has(FaultId.MOTOR_MODE)
+    assert scene.supervisor.stand.lost_leg == motor // 3
+    assert scene.supervisor.faults.motor(FaultId.LEG_LOST) == motor
+    assert abs(scene.sunk()) < 0.03
+    assert np.abs(scene.plant.truth.v[:6]).max() < 0.03
+    others = [leg for leg in range(4) if leg != motor // 3]
+    assert scene.plant.truth.contact[others].all()
+    assert scene.supervisor.stand.margin_without(motor // 3) > 0.02
+
+
+def test_the_leg_that_is_given_up_gets_no_torques_and_damps() -> None:
+    scene = Standing("go1")
+    scene.dead = {5}
+    scene.go_on(1.0)
+    command = scene.supervisor.update(scene.state)
+    for i in range(12):
+        lost = i // 3 == 1
+        assert (command.motorCmd[i].Kd > 0.0) == lost
+        assert (command.motorCmd[i].tau == 0.0) == lost
+
+
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+def test_where_the_weight_is_over_the_dying_leg_it_comes_down_slowly(robot: str) -> None:
+    scene = Standing(robot, lean=(-0.03, 0.02))  # to the rear left
+    assert scene.supervisor.stand.margin_without(3) < -0.02
+    scene.dead = {11}
+    scene.go_on(2.0)
+    assert scene.supervisor.mode == Mode.DAMPING
+    assert scene.supervisor.reason == FaultId.MOTOR_MODE
+    assert scene.sinking < 0.5 * np.sqrt(2.0 * 9.81 * scene.height)
+
+
+def test_a_second_leg_is_not_given_up() -> None:
+    scene = Standing("go1")
+    scene.dead = {5}
+    scene.go_on(2.0)
+    scene.dead = {5, 6}
+    scene.go_on(0.1)
+    assert scene.supervisor.mode == Mode.DAMPING
+    assert scene.supervisor.reason == FaultId.MOTOR_MODE
+
+
+def test_on_three_legs_it_lies_down_when_asked_and_does_not_get_up_again() -> None:
+    scene = Standing("go1")
+    scene.dead = {5}
+    scene.go_on(2.0)
+    scene.sinking = 0.0
+    scene.supervisor.request(Mode.SIT)
+    scene.go_on(6.0)
+    assert scene.supervisor.mode == Mode.DAMPING
+    assert scene.sinking < 1.2
+    assert scene.sunk() > 0.5 * scene.height
+    assert scene.supervisor.request(Mode.RISE) == surefoot.RequestStatus.LATCHED
+
+
+def test_a_motor_that_recovers_does_not_bring_the_leg_back() -> None:
+    scene = Standing("go1")
+    scene.dead = {5}
+    scene.go_on(1.0)
+    scene.dead = set()
+    scene.go_on(1.0)
+    assert scene.supervisor.mode == Mode.STAND
+    assert scene.has(FaultId.LEG_LOST)
+    assert scene.supervisor.stand.lost_leg == 1
