@@ -87,10 +87,10 @@ BOOST_FIXTURE_TEST_CASE(a_lifted_foot_does_not_tilt_the_ground, Latched) {
   BOOST_TEST((stand.reference().ground_normal - before).norm() < 1e-6);
 }
 
-BOOST_FIXTURE_TEST_CASE(lifted_off_the_ground_the_feet_come_along_and_reach_down_a_little, Latched) {
-  const double before = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002)
-                            .feet[FR_]
-                            .p_world.z();
+BOOST_FIXTURE_TEST_CASE(lifted_off_the_ground_the_feet_come_along_and_reach_down_a_little,
+                        Latched) {
+  const double before =
+      stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002).feet[FR_].p_world.z();
   // Feet that hang 0.1 m further below the body than they stood.
   const Dynamics lifted = drifted(Vector3(0, 0, 0.1), Quaternion::Identity());
   double height = 0.0;

@@ -56,8 +56,8 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   return reference_;
 }
 
-// A leg that cannot follow must not be expected to: what its foot was accelerated by would be counted
-// on to push the body back.
+// A leg that cannot follow must not be expected to: what its foot was accelerated by would be
+// counted on to push the body back.
 void StandReference::leave(int leg, const Dynamics& dynamics) noexcept {
   FootReference& foot = reference_.feet[leg];
   foot.stance = false;

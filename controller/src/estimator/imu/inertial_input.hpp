@@ -31,7 +31,7 @@ class InertialInput {
   Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
   Quaternion last_ = Quaternion::Identity();   // the vendor's
   Quaternion since_ = Quaternion::Identity();  // what it was turned by since that was new
-  bool has_last_ = false;                     // a quaternion
+  bool has_last_ = false;                      // a quaternion
   bool started_ = false;
 };
 
