@@ -35,7 +35,12 @@ bool StateEstimator::adopt_gains(const Gains& gains) noexcept {
   return true;
 }
 
-void StateEstimator::set_ground_normal(const Vector3& normal) noexcept { impl_->normal = normal; }
+void StateEstimator::set_ground_normal(const Vector3& normal) noexcept {
+  // A foot that stands touches the ground elsewhere on its sole: nothing has moved.
+  const Vector3 way = -impl_->robot.config().foot_radius * (normal - impl_->normal);
+  if (impl_->started) impl_->filter.move_feet(way.replicate<1, kLegs>());
+  impl_->normal = normal;
+}
 
 void StateEstimator::set_plan(const Vector6& a_base, const Vector12& tau) noexcept {
   impl_->planned = a_base;

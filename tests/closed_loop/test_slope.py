@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Robots that are handed over on a slope: nothing jolts, feet stay, the body stays as it was."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import surefoot
+from surefoot.sim import Plant, PlantSettings
+
+
+def tilt_between(a: np.ndarray, b: np.ndarray) -> float:
+    """Angle between two attitudes w x y z [deg]."""
+    return float(np.degrees(2.0 * np.arccos(min(abs(float(a @ b)), 1.0))))
+
+
+@pytest.mark.parametrize("heading", [0.0, 90.0, 180.0])
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+def test_on_15_degrees_a_robot_stands_from_the_first_tick_on(robot: str, heading: float) -> None:
+    settings = PlantSettings(seed=1, friction=0.6, slope_deg=15.0, slope_heading_deg=heading)
+    plant = Plant(robot, settings)
+    controller = surefoot.StandController(plant.robot)
+    state = plant.reset()
+    feet = plant.data.xpos[plant.handles.foot_bodies].copy()
+    attitude = plant.data.qpos[3:7].copy()
+    for k in range(1500):
+        state = plant.step(controller.update(state))
+        # The ground's normal becomes known: contact points move on their soles, the robot does not.
+        if k < 50:
+            assert np.linalg.norm(controller.state.v[:3]) < 0.1
+    moved = plant.data.xpos[plant.handles.foot_bodies] - feet
+    assert np.linalg.norm(moved, axis=1).max() < 0.006
+    assert tilt_between(plant.data.qpos[3:7], attitude) < 2.0
