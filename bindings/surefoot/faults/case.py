@@ -58,11 +58,11 @@ def case(
     up: Expectation,
     lying: Expectation | None = REFUSE,
     rising: Expectation | None = None,
-    pushed: Expectation | None = None,
     modes: tuple[str, ...] = MODES,
     says: str = "",
     level: int | None = None,
     gentle: bool = False,
+    pushed: Expectation | None = None,
 ) -> Case:
     """Return a case.
 
@@ -73,11 +73,11 @@ def case(
         up: Expected while rising, standing and pushed.
         lying: Expected while lying; None where that makes no sense.
         rising: Expected while rising, where it is something else.
-        pushed: Expected while pushed, where it is something else.
         modes: In which it makes sense.
         says: See Case.
         level: See Case.
         gentle: See Case.
+        pushed: Expected while pushed, where it is something else.
     """
     expected = {mode: up for mode in modes}
     if "rising" in expected and rising is not None:
