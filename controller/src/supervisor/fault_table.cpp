@@ -73,7 +73,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},
     {FaultId::kPower, kDamp, 0.014, kArm, "PowerProtect at the option power_level"},
     {FaultId::kTorqueRate, kWatch, 0.002, kGone,
-     "torques were asked to change by more than a tenth of their limits in 2 ms: they go slower"},
+     "the StandController's torques were to change by more than a tenth of their limits in 2 ms: "
+     "they go slower"},
     {FaultId::kProgram, kWatch, 0.002, kGone,
      "the StandController has no solution at once: it is sought anew, or bridged for at most 10 "
      "ms"},

@@ -152,7 +152,9 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     latch(why);
     return keeper.accept(damping_low_cmd(damping_kd));
   }
-  log.set(FaultId::kTorqueRate, rate.limit(drive.tau, clock.period()));
+  // Springs of a leg that slips off what it leant on change as fast as it does: that is no fault.
+  const bool limited = rate.limit(drive.tau, clock.period());
+  log.set(FaultId::kTorqueRate, limited && fade.needs(Source::kProgram));
   return keeper.accept(torque_low_cmd(drive.tau, drive.kd));
 }
 
