@@ -6,31 +6,34 @@
 namespace surefoot {
 
 /// How much a signal goes to and fro from one sample to the next: the mean of minus the product of
-/// neighbouring changes, the smaller of two such products in a row. Positive for what alternates,
-/// negative for what moves smoothly, about zero for steps and for single wrong samples, that go and
-/// come back once. Real-time: yes.
+/// neighbouring changes. Positive for what alternates and for white noise (its variance), negative
+/// for what moves smoothly, zero for steps that come now and then, and for single wrong samples:
+/// what goes and comes back must do so in three samples of ten. Real-time: yes.
 class Zigzag {
  public:
   /// @param share of this sample in the mean @return the mean, in the value's unit squared
   double update(double value, double share) noexcept {
     const double change = started_ ? value - value_ : 0.0;
     const double product = -change * change_;
-    mean_ += share * (std::min(product, product_) - mean_);
+    // Of the products that make the mean, not of the noise between them.
+    const bool counts = product > 0.5 * std::max(mean_, 0.0);
+    often_ += share * ((counts ? 1.0 : 0.0) - often_);
+    mean_ += share * (product - mean_);
     value_ = value;
     change_ = change;
-    product_ = product;
     started_ = true;
-    return mean_;
+    return often_ > kOften ? mean_ : std::min(mean_, 0.0);
   }
 
   /// What comes next is not to be compared with what came last.
   void interrupt() noexcept {
     started_ = false;
-    change_ = product_ = 0.0;
+    change_ = 0.0;
   }
 
  private:
-  double value_ = 0.0, change_ = 0.0, product_ = 0.0, mean_ = 0.0;
+  static constexpr double kOften = 0.3;
+  double value_ = 0.0, change_ = 0.0, mean_ = 0.0, often_ = 0.0;
   bool started_ = false;
 };
 
