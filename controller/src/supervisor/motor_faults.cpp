@@ -89,9 +89,10 @@ int MotorFaults::legs_disturbed(const LowState& state, double dt) noexcept {
   int legs = 0, last_leg = -1;
   for (int i = 0; i < kMotors; ++i) {
     const double told = told_zigzag_[i].update(told_[i], share);
-    const double measured = measured_zigzag_[i].update(state.motorState[i].tauEst, share);
     const double least = kZigzag * robot_.config().tau_max[i];
-    const bool off = measured > least * least + kZigzagMore * std::max(told, 0.0);
+    const double measured = measured_zigzag_[i].update(state.motorState[i].tauEst, share, least);
+    const bool off =
+        measured > least * least + kZigzagMore * std::max(told, 0.0) && measured_zigzag_[i].often();
     if (!off || i / kLegJoints == last_leg) continue;
     ++legs;
     last_leg = i / kLegJoints;

@@ -7,23 +7,26 @@ namespace surefoot {
 
 /// How much a signal goes to and fro from one sample to the next: the mean of minus the product of
 /// neighbouring changes. Positive for what alternates and for white noise (its variance), negative
-/// for what moves smoothly, zero for steps that come now and then, and for single wrong samples:
-/// what goes and comes back must do so in three samples of ten. Real-time: yes.
+/// for what moves smoothly, zero for steps that come now and then. Real-time: yes.
 class Zigzag {
  public:
-  /// @param share of this sample in the mean @return the mean, in the value's unit squared
-  double update(double value, double share) noexcept {
+  /// @param share of this sample in the mean @param least in the value's unit: smaller ways to and
+  /// fro do not count for often() @return the mean, in the value's unit squared
+  double update(double value, double share, double least = 0.0) noexcept {
     const double change = started_ ? value - value_ : 0.0;
     const double product = -change * change_;
-    // Of the products that make the mean, not of the noise between them.
-    const bool counts = product > 0.5 * std::max(mean_, 0.0);
+    // The ways that make the mean, not the noise between them.
+    const bool counts = product > std::max(0.5 * mean_, least * least);
     often_ += share * ((counts ? 1.0 : 0.0) - often_);
     mean_ += share * (product - mean_);
     value_ = value;
     change_ = change;
     started_ = true;
-    return often_ > kOften ? mean_ : std::min(mean_, 0.0);
+    return mean_;
   }
+
+  /// Does it do so in three samples of ten? A wrong sample in ten goes and comes back, too.
+  bool often() const noexcept { return often_ > 0.3; }
 
   /// What comes next is not to be compared with what came last.
   void interrupt() noexcept {
@@ -32,7 +35,6 @@ class Zigzag {
   }
 
  private:
-  static constexpr double kOften = 0.3;
   double value_ = 0.0, change_ = 0.0, mean_ = 0.0, often_ = 0.0;
   bool started_ = false;
 };
