@@ -58,7 +58,7 @@ def test_legs_that_catch_back_out_and_fold(name: str, seed: int) -> None:
     assert robot.mode_step < 0.05
 
 
-@pytest.mark.parametrize("height", [0.3, 0.6, 1.0])
+@pytest.mark.parametrize("height", [0.3, 1.0])
 @pytest.mark.parametrize("name", ROBOTS)
 def test_who_crouches_or_stands_does_not_fold_but_goes_on_up(name: str, height: float) -> None:
     robot = risen(name, 1)
@@ -176,8 +176,17 @@ def test_of_requests_from_many_threads_one_is_taken() -> None:
     assert answers.count(RequestStatus.BUSY) == 7
 
 
-@pytest.mark.parametrize("how", ["stop", "button"])
-@pytest.mark.parametrize("mode", [Mode.PASSIVE, Mode.RISE, Mode.STAND, Mode.SIT])
+@pytest.mark.parametrize(
+    ("mode", "how"),
+    [
+        (Mode.PASSIVE, "stop"),
+        (Mode.RISE, "stop"),
+        (Mode.STAND, "stop"),
+        (Mode.SIT, "stop"),
+        (Mode.RISE, "button"),
+        (Mode.STAND, "button"),
+    ],
+)
 def test_a_stop_damps_at_once_and_until_it_is_armed_again(mode: Mode, how: str) -> None:
     robot = Watched("go1", 1)
     robot.arm()

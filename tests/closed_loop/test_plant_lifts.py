@@ -31,8 +31,10 @@ def greatest_change(share: np.ndarray, window: int = 10) -> float:
 
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_a_lifted_trunk_takes_every_load_away_at_once_and_gives_it_back(robot: str) -> None:
-    time, share, height = loads(robot, Lift("trunk", 1.0, height=0.06), 4.0)
-    held = (time > 1.15) & (time < 1.5)
+    # Legs in the air reach further down, by 15 % of the height they stand at.
+    lifted = 0.12 if robot == "b1" else 0.06
+    time, share, height = loads(robot, Lift("trunk", 1.0, height=lifted), 4.0)
+    held = (time > 1.25) & (time < 1.5)
     assert np.all(share[held] == 0.0)
     assert share[time < 1.0].min() > 0.1
     assert share[-1].min() > 0.1
