@@ -21,6 +21,8 @@ import surefoot
 from surefoot import protocol
 from virtual_robot_helpers import heed_ctrl_c, start, wait_for
 
+pytestmark = pytest.mark.alone
+
 ROOT = Path(__file__).parents[2]
 KEYS = ("time", "q", "dq", "height", *(f"command_{x}" for x in ("q", "dq", "tau", "kp", "kd")))
 CMAKE = Path(sys.executable).with_name("cmake")

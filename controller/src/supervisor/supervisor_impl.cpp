@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPlannedShare = 0.5;  // of the power level: what the plan takes
 constexpr double kLimitedShare = 0.8;  // of the power level: what the springs may take
+constexpr double kHeldBack = 0.006;    // [s] that torques lag before it is told
 constexpr Button kStopButton = Button::kB;
 
 double watts(const SupervisorOptions& options) {
@@ -152,9 +153,11 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     latch(why);
     return keeper.accept(damping_low_cmd(damping_kd));
   }
-  // Springs of a leg that slips off what it leant on change as fast as it does: that is no fault.
+  // Springs of a leg that slips off what it leant on change as fast as it does, and a blow takes a
+  // tick or two to answer: that is no fault.
   const bool limited = rate.limit(drive.tau, clock.period());
-  log.set(FaultId::kTorqueRate, limited && fade.needs(Source::kProgram));
+  const bool asked = limited && fade.needs(Source::kProgram);
+  log.set(FaultId::kTorqueRate, held_back.update(asked, clock.period(), kHeldBack));
   return keeper.accept(torque_low_cmd(drive.tau, drive.kd));
 }
 

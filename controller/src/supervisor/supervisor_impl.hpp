@@ -109,7 +109,7 @@ struct Supervisor::Impl {
   JointWatch joints;
   EncoderWatch encoders;
   ClockWatch pace;
-  Lasting battery;
+  Lasting battery, held_back;
   FaultId bad = FaultId::kNone;  // what is wrong with the report itself
   unsigned heard = 0;            // heartbeats
   double silence = 0.0;          // [s] since the last of them
