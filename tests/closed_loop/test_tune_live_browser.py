@@ -19,6 +19,8 @@ from surefoot.tune.live.page import Page
 from surefoot.tune.live.server import open_server
 from surefoot.tune.live.simulation import Simulation
 
+pytestmark = pytest.mark.alone
+
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 
 BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
