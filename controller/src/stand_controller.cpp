@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/stand_controller.hpp"
 
+#include "reference/capture_margin.hpp"
 #include "stand_controller_impl.hpp"
-#include "wbc/hold_down.hpp"
 
 namespace surefoot {
 
@@ -49,9 +49,7 @@ BodyReference StandController::body_reference() const noexcept {
 }
 ReachStatus StandController::reach() const noexcept { return impl_->reference.motion().status(); }
 void StandController::give_up(int leg) noexcept {
-  if (leg < 0 || leg >= kLegs || lost_leg() >= 0) return;
-  impl_->reference.give_up(leg);
-  impl_->torques.give_up(leg);
+  if (leg >= 0 && leg < kLegs && lost_leg() < 0) impl_->reference.give_up(leg);
 }
 int StandController::lost_leg() const noexcept { return impl_->reference.lost_leg(); }
 double StandController::margin_without(int leg) const noexcept {

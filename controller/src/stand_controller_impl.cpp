@@ -62,9 +62,9 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
 const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept {
   const double kd = controller.gains().damping_kd;
   if (is_usable(tick)) {
-    keeper.accept(torques.command());
+    keeper.accept(torques.command(reference.lost_leg()));
   } else if (is_fresh(rung)) {
-    keeper.bridge(torques.command(), elapsed, kd);
+    keeper.bridge(torques.command(reference.lost_leg()), elapsed, kd);
   } else {
     keeper.refuse(elapsed, kd);
   }

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import surefoot
 from surefoot import Mode, RequestStatus
+from surefoot.faults.fault import Fault
 from surefoot.sim import Plant, PlantSettings
 
 LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # of the power protection
@@ -17,6 +18,7 @@ class Watched:
     """A lying robot with its supervisor.
 
     Attributes:
+        faults: What is wrong with it, from now on.
         refused: Ticks that the power protection would have stopped.
         power: Greatest it judged, while torques were on [W].
         mode_step: Greatest change of a motor's torque in the two ticks after a change of mode, as
@@ -34,6 +36,7 @@ class Watched:
         self._safety, self._level = surefoot.Safety(self.plant.robot), level
         self._tau_max = np.array(self.plant.robot.config.tau_max)
         self.command = surefoot.LowCmd()
+        self.faults: list[Fault] = []
         self._begin()
 
     def _begin(self) -> None:
@@ -63,7 +66,11 @@ class Watched:
         self.refused += refused
         self.power = max(self.power, self._safety.power)
         self._watch_torque()
+        for fault in self.faults:
+            fault.command(self.command, 0)
         self.state = self.plant.step(self.command)
+        for fault in self.faults:
+            fault.state(self.state, 0)
         upright = self.plant.data.xmat[self.plant.handles.root, 8]
         self.tilt_deg = max(self.tilt_deg, float(np.degrees(np.arccos(min(upright, 1.0)))))
 

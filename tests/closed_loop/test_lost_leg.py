@@ -6,11 +6,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
-from surefoot import FaultId, Mode, Start
+from get_up_helpers import LEVELS, Watched
+from surefoot import FaultId, Mode, RequestStatus, Start
+from surefoot.faults.motor_faults import OVERHEATED, Dead
+from surefoot.faults.verdict import fall_speed
 from surefoot.sim import Plant, PlantSettings
-
-OVERHEATED = 8  # the mode of a motor that has let go
-LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # of the power protection
 
 
 class Standing:
@@ -20,7 +20,7 @@ class Standing:
         self.plant = Plant(robot, PlantSettings(seed=1))
         options = surefoot.SupervisorOptions(power_level=LEVELS[robot], start=Start.STANDING)
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
-        self.dead: set[int] = set()
+        self.dead: list[Dead] = []
         self.sinking = 0.0  # [m/s] greatest
         self.state = self.plant.reset()
         self.go_on(0.1)
@@ -31,14 +31,15 @@ class Standing:
     def go_on(self, seconds: float) -> None:
         for _ in range(round(seconds / 0.002)):
             command = self.supervisor.update(self.state)
-            for i in self.dead:
-                motor = command.motorCmd[i]
-                motor.tau = motor.Kp = motor.Kd = 0.0
+            for dead in self.dead:
+                dead.command(command, 0)
             self.state = self.plant.step(command)
-            for i in self.dead:
-                self.state.motorState[i].mode = OVERHEATED
-                self.state.motorState[i].tauEst = 0.0
+            for dead in self.dead:
+                dead.state(self.state, 0)
             self.sinking = max(self.sinking, -self.plant.truth.v[2])
+
+    def die(self, motor: int) -> None:
+        self.dead.append(Dead(motor, OVERHEATED))
 
     def sunk(self) -> float:
         return float(self.height - self.plant.truth.q[2])
@@ -51,7 +52,7 @@ class Standing:
 @pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
 def test_a_robot_whose_motor_died_stands_on_three_legs(robot: str, motor: int) -> None:
     scene = Standing(robot)
-    scene.dead = {motor}
+    scene.die(motor)
     scene.go_on(4.0)
     assert scene.supervisor.mode == Mode.STAND
     assert scene.has(FaultId.LEG_LOST) and not scene.has(FaultId.MOTOR_MODE)
@@ -66,7 +67,7 @@ def test_a_robot_whose_motor_died_stands_on_three_legs(robot: str, motor: int) -
 
 def test_the_leg_that_is_given_up_gets_no_torques_and_damps() -> None:
     scene = Standing("go1")
-    scene.dead = {5}
+    scene.die(5)
     scene.go_on(1.0)
     command = scene.supervisor.update(scene.state)
     for i in range(12):
@@ -79,18 +80,18 @@ def test_the_leg_that_is_given_up_gets_no_torques_and_damps() -> None:
 def test_where_the_weight_is_over_the_dying_leg_it_comes_down_slowly(robot: str) -> None:
     scene = Standing(robot, lean=(-0.03, 0.02))  # to the rear left
     assert scene.supervisor.stand.margin_without(3) < -0.02
-    scene.dead = {11}
+    scene.die(11)
     scene.go_on(2.0)
     assert scene.supervisor.mode == Mode.DAMPING
     assert scene.supervisor.reason == FaultId.MOTOR_MODE
-    assert scene.sinking < 0.5 * np.sqrt(2.0 * 9.81 * scene.height)
+    assert scene.sinking < fall_speed(scene.height)
 
 
 def test_a_second_leg_is_not_given_up() -> None:
     scene = Standing("go1")
-    scene.dead = {5}
+    scene.die(5)
     scene.go_on(2.0)
-    scene.dead = {5, 6}
+    scene.die(6)
     scene.go_on(0.1)
     assert scene.supervisor.mode == Mode.DAMPING
     assert scene.supervisor.reason == FaultId.MOTOR_MODE
@@ -98,7 +99,7 @@ def test_a_second_leg_is_not_given_up() -> None:
 
 def test_on_three_legs_it_lies_down_when_asked_and_does_not_get_up_again() -> None:
     scene = Standing("go1")
-    scene.dead = {5}
+    scene.die(5)
     scene.go_on(2.0)
     scene.sinking = 0.0
     scene.supervisor.request(Mode.SIT)
@@ -106,15 +107,39 @@ def test_on_three_legs_it_lies_down_when_asked_and_does_not_get_up_again() -> No
     assert scene.supervisor.mode == Mode.DAMPING
     assert scene.sinking < 1.2
     assert scene.sunk() > 0.5 * scene.height
-    assert scene.supervisor.request(Mode.RISE) == surefoot.RequestStatus.LATCHED
+    assert scene.supervisor.request(Mode.RISE) == RequestStatus.LATCHED
 
 
 def test_a_motor_that_recovers_does_not_bring_the_leg_back() -> None:
     scene = Standing("go1")
-    scene.dead = {5}
+    scene.die(5)
     scene.go_on(1.0)
-    scene.dead = set()
+    scene.dead.clear()
     scene.go_on(1.0)
     assert scene.supervisor.mode == Mode.STAND
     assert scene.has(FaultId.LEG_LOST)
     assert scene.supervisor.stand.lost_leg == 1
+
+
+def test_once_the_motor_is_repaired_it_can_be_armed_and_gets_up_on_four_legs() -> None:
+    robot = Watched("go1", 1)
+    robot.arm()
+    robot.ask(Mode.RISE)
+    assert robot.reaches(Mode.STAND, 12.0)
+    robot.run(1.0)
+    robot.faults = [Dead(5, OVERHEATED)]
+    robot.run(1.0)
+    assert robot.supervisor.stand.lost_leg == 1
+    robot.ask(Mode.SIT)
+    assert robot.reaches(Mode.DAMPING, 8.0)
+    robot.run(2.0)
+    assert not robot.supervisor.arming.ready
+    assert robot.supervisor.arm() == RequestStatus.NOT_READY
+    robot.faults = []
+    robot.arm()
+    assert robot.supervisor.stand.lost_leg == -1
+    assert FaultId.LEG_LOST not in robot.supervisor.faults.active
+    robot.ask(Mode.RISE)
+    assert robot.reaches(Mode.STAND, 12.0)
+    robot.run(1.0)
+    assert robot.plant.truth.contact.all()

@@ -6,12 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
+from surefoot.assess.push_run import angles
 from surefoot.sim import Plant, PlantSettings
-
-
-def tilt_between(a: np.ndarray, b: np.ndarray) -> float:
-    """Angle between two attitudes w x y z [deg]."""
-    return float(np.degrees(2.0 * np.arccos(min(abs(float(a @ b)), 1.0))))
 
 
 @pytest.mark.parametrize("heading", [0.0, 90.0, 180.0])
@@ -30,4 +26,4 @@ def test_on_15_degrees_a_robot_stands_from_the_first_tick_on(robot: str, heading
             assert np.linalg.norm(controller.state.v[:3]) < 0.1
     moved = plant.data.xpos[plant.handles.foot_bodies] - feet
     assert np.linalg.norm(moved, axis=1).max() < 0.01
-    assert tilt_between(plant.data.qpos[3:7], attitude) < 2.0
+    assert np.degrees(angles(plant.data.qpos[None, 3:7], attitude)[0]) < 2.0

@@ -2,6 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "motion.hpp"
+#include "reference/capture_margin.hpp"
 #include "surefoot/whole_body_controller.hpp"
 #include "wbc/hold_down.hpp"
 

@@ -47,7 +47,7 @@ BOOST_FIXTURE_TEST_CASE(it_leans_well_into_the_triangle_of_the_others_and_no_fur
     BOOST_TEST(margin_without(leg, three.lean()) > 0.03);
     BOOST_TEST(three.lean().norm() < 0.06);
     BOOST_TEST(three.lean().z() == 0.0);
-    BOOST_TEST(!three.stands(leg));
+    BOOST_TEST(three.lost() == leg);
   }
 }
 

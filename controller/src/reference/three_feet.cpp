@@ -15,11 +15,10 @@ constexpr double kLeanTime = 0.2;  // [s] how slowly the body goes there
 // The lost foot's neighbours span the edge that the body stands near.
 void ThreeFeet::step(const FeetMatrix& places, const Vector3& p_com, double dt) noexcept {
   if (lost_ == kNone) return;
-  const bool front = lost_ == FR_ || lost_ == FL_;
-  const bool right = lost_ == FR_ || lost_ == RR_;
-  const Eigen::Vector2d a = places.col(front ? (right ? FL_ : FR_) : (right ? RL_ : RR_)).head<2>();
-  const Eigen::Vector2d b = places.col(right ? (front ? RR_ : FR_) : (front ? RL_ : FL_)).head<2>();
-  const Eigen::Vector2d c = places.col(kLegs - 1 - lost_).head<2>();  // the opposite foot
+  // FR FL RR RL: the lowest bit is the side, the next the end.
+  const Eigen::Vector2d a = places.col(lost_ ^ 1).head<2>();
+  const Eigen::Vector2d b = places.col(lost_ ^ 2).head<2>();
+  const Eigen::Vector2d c = places.col(lost_ ^ 3).head<2>();  // the opposite foot
   const Eigen::Vector2d edge = b - a;
   const double length = std::max(edge.norm(), 1e-6);
   Eigen::Vector2d inward(-edge.y() / length, edge.x() / length);

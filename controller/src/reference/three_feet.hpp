@@ -16,7 +16,6 @@ class ThreeFeet {
     lean_.setZero();
   }
   int lost() const noexcept { return lost_; }  ///< the leg, or kNone
-  bool stands(int leg) const noexcept { return leg != lost_; }
 
   /// @param places of the feet and @param p_com wanted over all of them, support axes
   void step(const FeetMatrix& places, const Vector3& p_com, double dt) noexcept;

@@ -43,11 +43,11 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
 }
 
 // What is left of the leg moves as little as it can, whichever of its motors is the dead one.
-LowCmd TorqueCommand::command() const noexcept {
+LowCmd TorqueCommand::command(int lost_leg) const noexcept {
   Vector12 tau = limited_.torques, kd = Vector12::Constant(damping_);
-  if (lost_ >= 0) {
-    tau.segment<kLegJoints>(kLegJoints * lost_).setZero();
-    kd.segment<kLegJoints>(kLegJoints * lost_).setConstant(lost_damping_);
+  if (lost_leg >= 0) {
+    tau.segment<kLegJoints>(kLegJoints * lost_leg).setZero();
+    kd.segment<kLegJoints>(kLegJoints * lost_leg).setConstant(lost_damping_);
   }
   return torque_low_cmd(tau, kd);
 }

@@ -29,23 +29,17 @@ class TorqueCommand {
   bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
             const Reference& reference, const Gains& gains) noexcept;
 
-  /// The motors of a leg that is given up get no torques and damp; -1: none is.
-  void give_up(int leg) noexcept { lost_ = leg; }
-
-  LowCmd command() const noexcept;
+  /// @param lost_leg whose motors get no torques and damp; -1: none
+  LowCmd command(int lost_leg) const noexcept;
 
   const LimitedTorques& limited() const noexcept { return limited_; }
-  void reset() noexcept {
-    limited_ = {};
-    lost_ = -1;
-  }
+  void reset() noexcept { limited_ = {}; }
 
  private:
   Robot robot_;
   StandOptions options_;
   LimitedTorques limited_;  // motor order
   double damping_ = 0.0, lost_damping_ = 0.0;
-  int lost_ = -1;  // leg
 };
 
 }  // namespace surefoot

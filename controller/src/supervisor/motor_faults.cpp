@@ -34,9 +34,9 @@ void MotorFaults::reset() noexcept {
   bad_modes_ = bad_angles_ = 0;
 }
 
-void MotorFaults::update(const LowState& state, double dt, FaultLog& log) noexcept {
-  judge_modes(state, log);
-  judge_torques(state, dt, log);
+void MotorFaults::update(const LowState& state, double dt, int lost_leg, FaultLog& log) noexcept {
+  judge_modes(state, lost_leg, log);
+  judge_torques(state, dt, lost_leg, log);
   judge_heat(state, dt, log);
   judge_angles(state, log);
 }
@@ -50,10 +50,10 @@ void MotorFaults::sent(const LowCmd& command, const LowState& state) noexcept {
   }
 }
 
-void MotorFaults::judge_modes(const LowState& state, FaultLog& log) noexcept {
+void MotorFaults::judge_modes(const LowState& state, int lost_leg, FaultLog& log) noexcept {
   int bad = -1;
   for (int i = 0; i < kMotors && bad < 0; ++i) {
-    const bool judged = i / kLegJoints != left_out_;
+    const bool judged = i / kLegJoints != lost_leg;
     if (judged && state.motorState[i].mode != kModeServo) bad = i;
   }
   bad_modes_ = bad < 0 ? 0 : bad_modes_ + 1;
@@ -62,12 +62,13 @@ void MotorFaults::judge_modes(const LowState& state, FaultLog& log) noexcept {
 
 // Told and measured through the same filter: what the motor's own delay and lag shift is small
 // beside what a dead motor leaves out.
-void MotorFaults::judge_torques(const LowState& state, double dt, FaultLog& log) noexcept {
+void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
+                                FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
   const int disturbed = legs_disturbed(state, dt);
   int weak = -1, legs = 0, last_leg = -1;
   for (int i = 0; i < kMotors; ++i) {
-    if (i / kLegJoints == left_out_) continue;
+    if (i / kLegJoints == lost_leg) continue;
     expected_[i] += share * (told_[i] - expected_[i]);
     measured_[i] += share * (state.motorState[i].tauEst - measured_[i]);
     const double allowed =

@@ -20,16 +20,15 @@ class MotorFaults {
         stop_(stop),
         joint_margin_(joint_margin) {}
 
-  /// Judge a report. @param dt [s] @param log is told
-  void update(const LowState& state, double dt, FaultLog& log) noexcept;
+  /// Judge a report. @param dt [s] @param lost_leg whose modes and torques are not looked at, -1:
+  /// all are @param log is told
+  void update(const LowState& state, double dt, int lost_leg, FaultLog& log) noexcept;
   /// What the motors have just been told: compared with what they report from now on.
   void sent(const LowCmd& command, const LowState& state) noexcept;
   /// Something else than sent() has left since: torques go to and fro for it.
   void interrupted() noexcept {
     for (int i = 0; i < kMotors; ++i) told_zigzag_[i].interrupt(), measured_zigzag_[i].interrupt();
   }
-  /// Look no more at the modes and torques of a leg that is given up; -1: look at all.
-  void leave_out(int leg) noexcept { left_out_ = leg; }
   /// Share of each motor's torque that its temperature leaves it, kLeastShare .. 1.
   const Vector12& torque_share() const noexcept { return share_; }
   /// Forget torques and counts, not temperatures.
@@ -38,8 +37,8 @@ class MotorFaults {
   static constexpr double kLeastShare = 0.5;
 
  private:
-  void judge_modes(const LowState& state, FaultLog& log) noexcept;
-  void judge_torques(const LowState& state, double dt, FaultLog& log) noexcept;
+  void judge_modes(const LowState& state, int lost_leg, FaultLog& log) noexcept;
+  void judge_torques(const LowState& state, double dt, int lost_leg, FaultLog& log) noexcept;
   int legs_disturbed(const LowState& state, double dt) noexcept;
   void judge_heat(const LowState& state, double dt, FaultLog& log) noexcept;
   void judge_angles(const LowState& state, FaultLog& log) noexcept;
@@ -57,7 +56,6 @@ class MotorFaults {
   Lasting hot_;
   int bad_modes_ = 0, bad_angles_ = 0;  // reports in a row
   bool started_ = false;
-  int left_out_ = -1;  // leg
 };
 
 }  // namespace surefoot

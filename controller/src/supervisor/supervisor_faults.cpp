@@ -20,7 +20,7 @@ constexpr double kLossWatched = 0.05;  // share of reports
 }  // namespace
 
 void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
-  motors.update(state, dt, log);
+  motors.update(state, dt, stand.lost_leg(), log);
   judge_legs();
   stand.set_torque_share(motors.torque_share());
   springs.set_torque_share(motors.torque_share());
@@ -47,13 +47,12 @@ void Supervisor::Impl::judge_legs() noexcept {
     if (!log.report().has(id) || !standing() || stand.lost_leg() >= 0) continue;
     const int motor = log.report().motor[static_cast<int>(id)];
     const int leg = motor / kLegJoints;
-    const Reference& standing = stand.reference();
-    const double height = standing.p_com.z() - standing.feet[kLegs - 1 - leg].p_world.z();
+    const Reference& wanted = stand.reference();
+    const double height = wanted.p_com.z() - wanted.feet[kLegs - 1 - leg].p_world.z();
     const double push = stand.state().f_outside.head<2>().norm();
     if (push > kPushed * kGravity * robot.mass()) continue;
     if (stand.margin_without(leg) < -kOutside * height) continue;
     stand.give_up(leg);
-    motors.leave_out(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);
   }

@@ -90,9 +90,8 @@ void Supervisor::Impl::obey(int request) noexcept {
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(over, false);  // it begins anew
     }
-    motors.leave_out(-1);
     reason = FaultId::kNone;
-    if (take) take_over();
+    take ? take_over() : stand.reset();  // all four legs are its own again
   } else if (request != Requests::kNothing) {
     const Mode mode = static_cast<Mode>(request);
     if (judge_request(now, mode) == RequestStatus::kAccepted) enter(mode);

@@ -31,7 +31,9 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
     if (has_quaternion(state.imu)) springs.read(state);
     now.seen = true;
   }
-  now.must_sit = log.first(FaultReaction::kSit) != FaultId::kNone || stand.lost_leg() >= 0;
+  // Who lies down without a leg does not rise again before it is armed anew.
+  const bool without_leg = active() && stand.lost_leg() >= 0;
+  now.must_sit = log.first(FaultReaction::kSit) != FaultId::kNone || without_leg;
   now.ready = arming.report().ready && !now.must_sit;
   return bad == FaultId::kNone;
 }

@@ -2,34 +2,13 @@
 #include "wbc/hold_down.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "reference/support_polygon.hpp"
+#include "reference/capture_margin.hpp"
 
 namespace surefoot {
 
 namespace {
 constexpr double kFreedom = 3.0;  // [g] more that may be asked downwards away from the edge
-}
-
-double capture_margin(const Dynamics& dynamics, const Reference& reference) noexcept {
-  std::array<bool, kLegs> stance;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    stance[leg] = reference.feet[leg].stance && reference.feet[leg].load > 0.0;
-  }
-  return capture_margin(dynamics, stance);
-}
-
-double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance) noexcept {
-  FeetMatrix feet;
-  for (int leg = 0; leg < kLegs; ++leg) feet.col(leg) = dynamics.legs()[leg].p_world_contact;
-  const double height = std::max(dynamics.p_world_com().z() - feet.row(2).mean(), 0.05);
-  const double omega = std::sqrt(kGravity / height);
-  const Vector3 capture = dynamics.p_world_com() + dynamics.v_world_com() / omega;
-  // Fewer than three feet have no edge to be near.
-  const SupportPolygon polygon(feet, stance);
-  return polygon.exists() ? polygon.margin(capture.head<2>())
-                          : std::numeric_limits<double>::infinity();
 }
 
 double edge_fade(const Gains& gains, const Dynamics& dynamics,

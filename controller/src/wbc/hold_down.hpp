@@ -7,12 +7,6 @@
 
 namespace surefoot {
 
-/// Distance of the capture point, p_com + v_com / omega on the ground, inside the support polygon's
-/// nearest edge [m]; negative outside, 0 with fewer than three stance feet. Real-time: yes.
-/// Source: Pratt et al. 2006, eq. 4.
-double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance) noexcept;
-double capture_margin(const Dynamics& dynamics, const Reference& reference) noexcept;
-
 /// 1 while the capture point is at least edge_margin inside the support, 0 at its edge.
 double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
 
