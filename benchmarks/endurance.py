@@ -27,11 +27,12 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import numpy as np
 import surefoot
+from seed_runs import ROBOTS
 from surefoot import Mode, Rung, Start, Status
+from surefoot.faults.joint_faults import power_level
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.rotations import matrix_from_wxyz
 
-LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # of the power protection
 PERIOD = 0.002  # [s]
 SETTLED = 10.0  # [s] after which the pose and the memory are those to keep
 LOOK, WEIGH, HOUR = 50, 30_000, 1_800_000  # [ticks] between poses, between memory figures; an hour
@@ -119,7 +120,7 @@ def endure(
     ticks = round(seconds / PERIOD)
     tick0 = (WRAP - round(500.0 * seconds)) % WRAP
     plant = Plant(robot, PlantSettings(seed=seed, physics_dt=0.001), tick0=tick0)
-    options = surefoot.SupervisorOptions(power_level=LEVELS[robot], start=Start.STANDING)
+    options = surefoot.SupervisorOptions(power_level=power_level(robot), start=Start.STANDING)
     supervisor = surefoot.Supervisor(plant.robot, options=options)
     watch, begin = Watch(), time.process_time()
     start, state, before = Pose.of(plant), plant.reset(), 0
@@ -203,7 +204,7 @@ def text(result: dict[str, Any]) -> str:
 def main() -> int:
     """Run, print, write JSON; 3 if anything is not as it must be."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--robot", default="go1", choices=sorted(LEVELS))
+    parser.add_argument("--robot", default="go1", choices=ROBOTS)
     parser.add_argument("--hours", type=float, default=24.0, help="simulated")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--json", type=Path)

@@ -20,9 +20,11 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "tests" / "closed_loop"))
 
 import mujoco
 import numpy as np
-from get_up_helpers import LEVELS, Watched
-from seed_runs import run_seeds
+from get_up_helpers import Watched
+from seed_runs import ROBOTS, Job, add_seed_options, run_seeds, seeds_of
+from seed_runs import Outcome as RunOutcome
 from surefoot import Error, Mode, RequestStatus, Status
+from surefoot.faults.joint_faults import power_level
 
 ARMING_TIME = 20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
 MOST_TIME = 60.0  # [s] that a rise may take, tries and all
@@ -31,13 +33,11 @@ STILL = 0.05  # [m/s], [rad/s]
 
 
 @dataclass
-class Outcome:
+class Outcome(RunOutcome):
     """What became of one seed."""
 
     robot: str
     seed: int
-    ok: bool
-    why: str  # it did not; empty if it did
     seconds: float  # from the request to standing, or to giving up
     watts: float  # greatest average that the power protection judged, all the while
     tilt_deg: float  # greatest on the way
@@ -45,21 +45,21 @@ class Outcome:
     refused: int  # ticks that the power protection would have stopped
 
 
-def run(job: tuple[str, int]) -> Outcome:
+def run(job: Job) -> Outcome:
     """Drop one robot and let it get up."""
-    name, seed = job
+    name, seed = str(job[0]), int(job[1])
     try:
         robot = Watched(name, seed)
     except Error as error:
-        return Outcome(name, seed, False, f"no pose: {error}", 0.0, 0.0, 0.0, 0.0, 0)
+        return Outcome(False, f"no pose: {error}", name, seed, 0.0, 0.0, 0.0, 0.0, 0)
     why, seconds = get_up(robot)
     if not why and robot.refused:
         why = "power protection"
     return Outcome(
-        name,
-        seed,
         not why,
         why,
+        name,
+        seed,
         round(seconds, 2),
         round(robot.power, 1),
         round(robot.tilt_deg, 1),
@@ -111,7 +111,7 @@ def summarise(outcomes: list[Outcome]) -> dict[str, object]:
     seconds = [o.seconds for o in risen] or [float("nan")]
     return {
         "robot": outcomes[0].robot,
-        "level": LEVELS[outcomes[0].robot],
+        "level": power_level(outcomes[0].robot),
         "count": len(outcomes),
         "stand": len(risen),
         "trips": sum(o.refused > 0 for o in outcomes),
@@ -136,16 +136,12 @@ def text_of(summary: dict[str, object]) -> str:
 def main() -> int:
     """Run and print; 3 if any robot did not get up."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
-    parser.add_argument("--robot", action="append", choices=LEVELS, help="default: all")
-    parser.add_argument("--count", type=int, default=1000, help="seeds for each robot")
-    parser.add_argument("--first", type=int, default=0, help="the first seed")
-    parser.add_argument("--jobs", type=int, default=1, help="processes")
-    parser.add_argument("--json", type=Path, help="write every run's figures here")
+    parser.add_argument("--robot", action="append", choices=ROBOTS, help="default: all")
+    add_seed_options(parser, 1000)
     options = parser.parse_args()
-    seeds = range(options.first, options.first + options.count)
-    jobs = [(robot, seed) for seed in seeds for robot in options.robot or LEVELS]
-    outcomes = run_seeds(run, jobs, options.jobs, lambda o: f"{o.robot} seed {o.seed}")
-    robots = [[o for o in outcomes if o.robot == r] for r in options.robot or LEVELS]
+    jobs: list[Job] = [(r, seed) for seed in seeds_of(options) for r in options.robot or ROBOTS]
+    outcomes = run_seeds(run, Outcome, jobs, options)
+    robots = [[o for o in outcomes if o.robot == r] for r in options.robot or ROBOTS]
     summaries = [summarise(of_robot) for of_robot in robots]
     print("\n".join(text_of(summary) for summary in summaries))
     if options.json:

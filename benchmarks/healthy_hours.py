@@ -5,7 +5,7 @@
 
 Each run gets up from lying, stands for a minute while its body is asked to move and pushed, and
 sits down, on ground, with a payload and with motors drawn from its seed. None of that is a fault:
-a reaction to one (sit or damp) is a false trip, and so is a fall. `tests/closed_loop` has a short
+a reaction to one (sit or damp) is a false trip, and so is a fall. tests/closed_loop has a short
 form.
 """
 
@@ -16,16 +16,15 @@ import json
 import math
 import sys
 from collections import Counter
-from concurrent.futures import as_completed
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 import surefoot
+from seed_runs import ROBOTS, Job, Outcome, add_seed_options, run_seeds
 from surefoot import BodyReference, FaultReaction, Mode
-from surefoot.processes import spawn_pool
+from surefoot.faults.joint_faults import power_level
 from surefoot.sim import Plant, PlantSettings, Push
 
-LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # that a get-up keeps to
 STANDING = 60.0  # [s]
 PATIENCE = 30.0  # [s] to get up and to lie down
 EVERY = 5.0  # [s] between pushes, and between what the body is asked for
@@ -35,60 +34,41 @@ SLOPE = 8.0  # [deg] at most
 
 
 @dataclass
-class Run:
-    """What came of one run.
-
-    Attributes:
-        seed: Which.
-        seconds: Simulated [s].
-        faults: How often each fault began.
-        trip: What was reacted to, or another reason that it did not stand to the end; None: fine.
-    """
+class Run(Outcome):
+    """What came of one run; why: what was reacted to, or why else it did not stand to the end."""
 
     seed: int
-    seconds: float = 0.0
-    faults: Counter[str] = field(default_factory=Counter)
-    trip: str | None = None
+    seconds: float  # simulated
+    faults: dict[str, int]  # how often each began
 
 
-def main() -> None:
-    """Run until the hours are over, print, write JSON; exit with 1 if anything tripped."""
+def main() -> int:
+    """Run until the hours are over, print, write JSON; 3 if anything tripped."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--robot", default="go1", choices=sorted(LEVELS))
+    parser.add_argument("--robot", default="go1", choices=ROBOTS)
     parser.add_argument("--hours", type=float, default=10.0, help="simulated")
-    parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--first", type=int, default=0, help="first seed")
-    parser.add_argument("--json")
-    arguments = parser.parse_args()
-    count = math.ceil(3600.0 * arguments.hours / (STANDING + 10.0))
-    seeds = range(arguments.first, arguments.first + count)
-    runs: list[Run] = []
-    with spawn_pool(arguments.jobs) as pool:
-        waiting = [pool.submit(healthy, arguments.robot, seed) for seed in seeds]
-        for done in as_completed(waiting):
-            runs.append(done.result())
-            if runs[-1].trip:
-                print(f"seed {runs[-1].seed}: {runs[-1].trip}", flush=True)
-            if sys.stderr.isatty():
-                print(f"\r{len(runs)}/{count}", end="", file=sys.stderr)
-    result = summary(arguments.robot, runs)
+    add_seed_options(parser)
+    options = parser.parse_args()
+    count = math.ceil(3600.0 * options.hours / (STANDING + 10.0))
+    jobs: list[Job] = [(options.robot, options.first + k) for k in range(count)]
+    result = summary(options.robot, run_seeds(healthy, Run, jobs, options))
     print(text(result))
-    if arguments.json:
-        with open(arguments.json, "w", encoding="utf-8") as file:
-            json.dump(result, file, indent=2)
-    sys.exit(1 if result["trips"] else 0)
+    if options.json:
+        options.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    return 3 if result["trips"] else 0
 
 
-def healthy(robot: str, seed: int) -> Run:
-    """Run one seed: get up, stand, be pushed and moved, sit down."""
+def healthy(job: Job, standing: float = STANDING) -> Run:
+    """Run one seed: get up, stand for a time [s], be pushed and moved, sit down."""
+    robot, seed = str(job[0]), int(job[1])
     rng = np.random.default_rng([seed, 12])
     plant = Plant(robot, drawn(robot, seed, rng))
     state = plant.reset_lying(rng)
-    options = surefoot.SupervisorOptions(power_level=LEVELS[robot])
+    options = surefoot.SupervisorOptions(power_level=power_level(robot))
     supervisor = surefoot.Supervisor(plant.robot, options=options)
-    run = Run(seed)
+    seconds, why = 0.0, ""
     stood, moved, asked = 0.0, 0.0, {Mode.PASSIVE: Mode.RISE}
-    while run.seconds < STANDING + PATIENCE:
+    while seconds < standing + PATIENCE:
         if not supervisor.armed:
             supervisor.arm()
         elif supervisor.mode in asked:
@@ -98,24 +78,23 @@ def healthy(robot: str, seed: int) -> Run:
             if stood - moved > EVERY:
                 moved = stood
                 disturb(plant, supervisor, rng)
-            if stood > STANDING:
+            if stood > standing:
                 asked = {Mode.STAND: Mode.SIT}
-        elif stood > STANDING and supervisor.mode == Mode.PASSIVE:
+        elif stood > standing and supervisor.mode == Mode.PASSIVE:
             break
         state = plant.step(supervisor.update(state))
-        run.seconds += 0.002
-        run.trip = tripped(plant, supervisor, stood > STANDING)
-        if run.trip:
+        seconds += 0.002
+        why = tripped(plant, supervisor, stood > standing)
+        if why:
             break
     else:
-        run.trip = f"did not end: {supervisor.mode.name}, {supervisor.arming.failures(plant.robot)}"
-    for info in surefoot.fault_table():
-        run.faults[info.name] = supervisor.faults.count(info.id)
-    return run
+        why = f"did not end: {supervisor.mode.name}, {supervisor.arming.failures(plant.robot)}"
+    counts = {info.name: supervisor.faults.count(info.id) for info in surefoot.fault_table()}
+    return Run(not why, why, seed, round(seconds, 3), counts)
 
 
-def tripped(plant: Plant, supervisor: surefoot.Supervisor, over: bool) -> str | None:
-    """Return what the supervisor reacted to, or None."""
+def tripped(plant: Plant, supervisor: surefoot.Supervisor, over: bool) -> str:
+    """Return what the supervisor reacted to, or ""."""
     if supervisor.mode == Mode.DAMPING:
         return f"{plant.time:.1f} s: damping for {supervisor.reason.name}"
     if supervisor.mode == Mode.SIT and not over:
@@ -127,7 +106,7 @@ def tripped(plant: Plant, supervisor: surefoot.Supervisor, over: bool) -> str | 
         return f"{plant.time:.1f} s: sits for {', '.join(names) or 'a leg that is stuck'}"
     if supervisor.mode == Mode.STAND and plant.truth.fell:
         return f"{plant.time:.1f} s: fell"
-    return None
+    return ""
 
 
 def drawn(robot: str, seed: int, rng: np.random.Generator) -> PlantSettings:
@@ -161,8 +140,8 @@ def disturb(plant: Plant, supervisor: surefoot.Supervisor, rng: np.random.Genera
 
 def summary(robot: str, runs: list[Run]) -> dict[str, object]:
     """Return the numbers of all runs."""
-    faults: Counter[str] = sum((run.faults for run in runs), Counter())
-    trips = {run.seed: run.trip for run in runs if run.trip}
+    faults: Counter[str] = sum((Counter(run.faults) for run in runs), Counter())
+    trips = {run.seed: run.why for run in runs if not run.ok}
     hours = sum(run.seconds for run in runs) / 3600.0
     return {
         "robot": robot,
@@ -185,4 +164,4 @@ def text(result: dict[str, object]) -> str:
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

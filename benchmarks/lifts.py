@@ -18,16 +18,15 @@ import json
 import sys
 from collections import Counter
 from dataclasses import asdict, dataclass
-from pathlib import Path
 
 import numpy as np
 import surefoot
-from seed_runs import run_seeds
+from seed_runs import ROBOTS, Job, add_seed_options, run_seeds, seeds_of
+from seed_runs import Outcome as RunOutcome
 from surefoot import Mode, Start, Status
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.truth import has_fallen
 
-ROBOTS = ("a1", "go1", "go2", "b1")
 KINDS = ("lift", "drop")
 LEVEL = 10  # of the power protection: a landing takes power
 BEFORE, AFTER = 1.0, 3.0  # [s] of standing
@@ -37,14 +36,12 @@ HEIGHT = 0.01  # [m] that it may stand lower or higher afterwards
 
 
 @dataclass
-class Outcome:
+class Outcome(RunOutcome):
     """What became of one seed."""
 
     robot: str
     kind: str
     seed: int
-    ok: bool
-    why: str  # it did not stand; empty if it did
     height: float  # of the lift [m]
     watts: float  # greatest average that the power protection judged
     tilt_deg: float  # greatest after the hand let go
@@ -105,9 +102,9 @@ def drawn(kind: str, rng: np.random.Generator) -> Lift:
     return Lift("trunk", BEFORE, height / up + held + height / down, height, up, 0.1, down)
 
 
-def run(job: tuple[str, str, int]) -> Outcome:
+def run(job: Job) -> Outcome:
     """Lift one robot, or drop it."""
-    robot, kind, seed = job
+    robot, kind, seed = str(job[0]), str(job[1]), int(job[2])
     scene = Scene(robot, kind, seed)
     why = ""
     while not why and scene.plant.time < BEFORE + scene.lift.duration + AFTER:
@@ -116,11 +113,11 @@ def run(job: tuple[str, str, int]) -> Outcome:
     moved = scene.plant.truth.p_world_feet - scene.start.p_world_feet
     counts = {i.name: scene.supervisor.faults.count(i.id) for i in surefoot.fault_table()}
     return Outcome(
+        not why,
+        why,
         robot,
         kind,
         seed,
-        not why,
-        why,
         round(scene.lift.height, 3),
         round(scene.watts, 1),
         round(scene.tilt_deg, 2),
@@ -160,15 +157,11 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("--robot", action="append", choices=ROBOTS, help="default: all")
     parser.add_argument("--kind", action="append", choices=KINDS, help="default: both")
-    parser.add_argument("--count", type=int, default=500, help="seeds for each robot and kind")
-    parser.add_argument("--first", type=int, default=0, help="the first seed")
-    parser.add_argument("--jobs", type=int, default=1, help="processes")
-    parser.add_argument("--json", type=Path, help="write every run's figures here")
+    add_seed_options(parser, 500)
     options = parser.parse_args()
     groups = [(r, k) for r in options.robot or ROBOTS for k in options.kind or KINDS]
-    seeds = range(options.first, options.first + options.count)
-    jobs = [(robot, kind, seed) for robot, kind in groups for seed in seeds]
-    outcomes = run_seeds(run, jobs, options.jobs, lambda o: f"{o.robot} {o.kind} seed {o.seed}")
+    jobs: list[Job] = [(*group, seed) for seed in seeds_of(options) for group in groups]
+    outcomes = run_seeds(run, Outcome, jobs, options)
     parts = [[o for o in outcomes if (o.robot, o.kind) == group] for group in groups]
     summaries = [summarise(part) for part in parts]
     print("\n".join(text_of(summary) for summary in summaries))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
+import importlib.metadata
+import json
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +18,7 @@ __all__ = [
     "available_robots",
     "build_robot",
     "describe_robot",
+    "identity",
     "load_pinocchio_model",
     "load_robot",
     "per_motor",
@@ -74,6 +78,16 @@ def load_pinocchio_model(description: RobotDescription) -> Any:
 def build_robot(description: RobotDescription) -> Robot:
     """Build the Robot that a description describes; raises Error."""
     return _robot_of(load_pinocchio_model(description), description.table)
+
+
+def identity(description: RobotDescription, robot: Robot) -> dict[str, str]:
+    """Return as plain data which robot it is, built by which Surefoot."""
+    numbers = [robot.serialized_model(), repr(description.table), robot.config.foot_radius]
+    return {
+        "robot": robot.name,
+        "robot files": hashlib.sha256(json.dumps(numbers).encode()).hexdigest()[:16],
+        "version": importlib.metadata.version("surefoot"),
+    }
 
 
 def _robot_of(model: Any, table: dict[str, Any]) -> Robot:

@@ -9,9 +9,8 @@ import numpy as np
 import surefoot
 from surefoot import Mode, RequestStatus
 from surefoot.faults.fault import Fault
+from surefoot.faults.joint_faults import power_level
 from surefoot.sim import Plant, PlantSettings
-
-LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}  # of the power protection
 
 
 class Watched:
@@ -30,7 +29,7 @@ class Watched:
     def __init__(self, name: str, seed: int) -> None:
         self.plant = Plant(name, PlantSettings(seed=seed))
         self.state = self.plant.reset_lying(np.random.default_rng([seed, 99]))
-        level = LEVELS[name]
+        level = power_level(name)
         options = surefoot.SupervisorOptions(power_level=level)
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self._safety, self._level = surefoot.Safety(self.plant.robot), level

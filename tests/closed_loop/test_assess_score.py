@@ -116,6 +116,14 @@ def test_what_broke_has_survived_nothing_and_says_why() -> None:
     assert card["push"]["broken"] == ["threw ValueError"] and card["faults"] is None
 
 
+def test_seeds_that_nobody_was_tuned_on_can_be_asked_for() -> None:
+    level = Condition("level ground")
+    card = Card("mine", seeds=2, condition_seeds=3, first_seed=100, conditions=(level,))
+    units = [w.unit for w in works(AssessSettings("go1", Contestant("pd"), card), LIMITS)]
+    assert {u.seed for u in units if isinstance(u, PushUnit)} == {100, 101}
+    assert {u.seed for u in units if isinstance(u, StandUnit)} == {100, 101, 102}
+
+
 def test_a_cell_of_the_matrix_of_faults_is_a_unit() -> None:
     unit = FaultUnit("emergency_stop/wrong/lying")
     found = run_unit(unit, "go1", Contestant("surefoot"))

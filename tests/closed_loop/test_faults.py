@@ -90,6 +90,23 @@ def test_the_command_lists_and_refuses(capsys: pytest.CaptureFixture[str]) -> No
     assert cli.main(["faults", "--seed", "-1"]) == 2
 
 
+def test_a_matrix_goes_on_from_its_store(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    only, store = ("emergency_stop/wrong/lying", "emergency_stop/wrong/rising"), tmp_path / "cells"
+    one = run_faults(FaultSettings("go1", 1, 1, only[:1], str(store)))
+    ran = []
+
+    def counted(setup: Setup, name: str) -> dict[str, object]:
+        ran.append(name)
+        return run_cell(setup, name)
+
+    monkeypatch.setattr("surefoot.faults.run.run_cell", counted)
+    both = run_faults(FaultSettings("go1", 1, 1, only, str(store)))
+    assert ran == [only[1]]
+    assert both["cells"][0] == one["cells"][0] and both["passed"] == 2
+    with pytest.raises(surefoot.Error, match="differs in seed"):
+        run_faults(FaultSettings("go1", 2, 1, only, str(store)))
+
+
 def test_the_command_writes_what_it_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

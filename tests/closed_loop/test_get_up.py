@@ -8,9 +8,10 @@ import threading
 import numpy as np
 import pytest
 import surefoot
-from get_up_helpers import LEVELS, Watched, damped
+from get_up_helpers import Watched, damped
 from plant_helpers import ROBOTS
 from surefoot import FaultId, Mode, RequestStatus
+from surefoot.faults.joint_faults import power_level
 
 
 def risen(name: str, seed: int) -> Watched:
@@ -37,7 +38,7 @@ def test_a_lying_robot_gets_up_stands_and_lies_down_within_its_power(name: str, 
     assert damped(robot.command)
     assert np.abs(robot.plant.truth.v[:6]).max() < 0.05  # knees still sink, braked
     assert robot.refused == 0
-    assert robot.power < 2.0 * 100.0 * LEVELS[name]  # for less than six reports
+    assert robot.power < 2.0 * 100.0 * power_level(name)  # for less than six reports
     assert robot.mode_step < 0.05
     assert robot.step_share < 0.3
 
@@ -54,7 +55,7 @@ def test_legs_that_catch_back_out_and_fold(name: str, seed: int) -> None:
     robot.run(1.5)
     assert not robot.plant.truth.fell
     assert robot.refused == 0
-    assert robot.power < 100.0 * LEVELS[name]
+    assert robot.power < 100.0 * power_level(name)
     assert robot.mode_step < 0.05
 
 

@@ -6,8 +6,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
-from get_up_helpers import LEVELS, Watched
+from get_up_helpers import Watched
 from surefoot import FaultId, Mode, RequestStatus, Start
+from surefoot.faults.joint_faults import power_level
 from surefoot.faults.motor_faults import OVERHEATED, Dead
 from surefoot.faults.verdict import fall_speed
 from surefoot.sim import Plant, PlantSettings
@@ -18,7 +19,7 @@ class Standing:
 
     def __init__(self, robot: str, lean: tuple[float, float] = (0.0, 0.0)) -> None:
         self.plant = Plant(robot, PlantSettings(seed=1))
-        options = surefoot.SupervisorOptions(power_level=LEVELS[robot], start=Start.STANDING)
+        options = surefoot.SupervisorOptions(power_level=power_level(robot), start=Start.STANDING)
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self.dead: list[Dead] = []
         self.sinking = 0.0  # [m/s] greatest

@@ -19,12 +19,12 @@ from plant_helpers import ROBOTS
 from surefoot import BodyReference, Mode, RequestStatus, StandOptions, SupervisorOptions
 from surefoot.cli import main
 from surefoot.estimate import read_log
+from surefoot.faults.joint_faults import power_level
 from surefoot.low_cmd_layout import LOW_CMD
 from surefoot.replay import Recorder, Tape, play, read_tape, write_tape
 from surefoot.replay.play import field_at
 from surefoot.sim import Plant, PlantSettings, Push
 
-LEVELS = {"a1": 1, "go1": 1, "go2": 1, "b1": 10}
 PLAYS = """
 import hashlib, sys, surefoot
 from surefoot.replay import play, read_tape
@@ -56,7 +56,7 @@ def supervised(robot: str) -> Tape:
     """Lie, be armed, rise, stand, be asked for another pose, stopped, armed again."""
     plant = Plant(robot, PlantSettings(seed=3))
     state = plant.reset_lying(np.random.default_rng(3))
-    recorder = Recorder(plant.robot, SupervisorOptions(power_level=LEVELS[robot]))
+    recorder = Recorder(plant.robot, SupervisorOptions(power_level=power_level(robot)))
     supervisor, modes, stood = recorder.controller, [], 0
     while stood < 600:
         if not supervisor.armed and stood == 0 and len(modes) % 50 == 0:

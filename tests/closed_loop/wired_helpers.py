@@ -8,12 +8,12 @@ from collections.abc import Callable
 
 import numpy as np
 from surefoot import Mode, RequestStatus, RunOptions, RunSnapshot, StandRunner, Start
+from surefoot.faults.joint_faults import power_level
 from surefoot.sim.wire import Command
 from surefoot.virtual_robot import UdpPort, VirtualRobot, VirtualRobotSettings
 from surefoot.virtual_robot.clock import RealTime
 from surefoot.virtual_robot.port import Address
 
-LEVELS = {"go1": 1, "b1": 10}  # of the power protection
 SEEDS = {"go1": 9, "b1": 1}  # that lie after few drops
 
 
@@ -43,7 +43,7 @@ class Wired:
             self.robot.plant.robot,
             *self.port.address,
             settings.generation,
-            options=RunOptions(power_level=LEVELS[name], start=Start.LYING, **options),
+            options=RunOptions(power_level=power_level(name), start=Start.LYING, **options),
             real_robot=host != "127.0.0.1",
         )
         self.damped: list[bool] = []

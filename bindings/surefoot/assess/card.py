@@ -25,7 +25,8 @@ class Card:
         directions: Of pushes, evenly all around, the first forward.
         lengths_s: Of pushes [s].
         heights_m: Of their lines of action above the centre of mass [m].
-        seeds: Runs of every push, each with other sensors and motors; 0 is the first seed.
+        seeds: Runs of every push, each with other sensors and motors.
+        first_seed: The first of them all: who was tuned on some is told apart by others.
         condition_directions: Of pushes under each further condition, 0.1 s through the centre.
         condition_seeds: Their seeds, and those of quiet stands.
         faults: Is the matrix of faults run? "none", "brief" or "all".
@@ -40,6 +41,7 @@ class Card:
     seeds: int = 20
     condition_directions: int = 8
     condition_seeds: int = 20
+    first_seed: int = 0
     faults: str = "brief"
     references: bool = False
     conditions: tuple[Condition, ...] = field(default_factory=lambda: (Condition(USUAL),))
@@ -47,7 +49,7 @@ class Card:
     def __post_init__(self) -> None:
         for name, low in (("directions", 1), ("seeds", 1)):
             _whole(name, getattr(self, name), low, MOST_SEEDS)
-        for name in ("condition_directions", "condition_seeds"):
+        for name in ("condition_directions", "condition_seeds", "first_seed"):
             _whole(name, getattr(self, name), 0, MOST_SEEDS)
         _numbers("lengths_s", self.lengths_s, 0.002, 5.0)
         _numbers("heights_m", self.heights_m, -1.0, 1.0)
@@ -62,6 +64,10 @@ class Card:
     def described(self) -> dict[str, Any]:
         """Return all of it as plain data."""
         return asdict(self)
+
+    def drawn(self, count: int) -> range:
+        """Return so many seeds."""
+        return range(self.first_seed, self.first_seed + count)
 
     @property
     def degrees(self) -> list[float]:

@@ -40,7 +40,9 @@ def pushes(card: Card, limits: Limits) -> list[PushUnit]:
         unit
         for duration in card.lengths_s
         for lift in card.heights_m
-        for unit in _around(card.conditions[0], card.degrees, duration, lift, card.seeds, limits)
+        for unit in _around(
+            card.conditions[0], card.degrees, duration, lift, card.drawn(card.seeds), limits
+        )
     ]
 
 
@@ -48,13 +50,13 @@ def condition_pushes(card: Card, condition: Condition, limits: Limits) -> list[P
     """Return the pushes under a further condition, if there are any."""
     if not condition.pushes or condition == card.conditions[0]:
         return []
-    degrees, seeds = card.condition_degrees, card.condition_seeds
-    return _around(condition, degrees, LENGTH, LIFT, seeds, limits)
+    seeds = card.drawn(card.condition_seeds)
+    return _around(condition, card.condition_degrees, LENGTH, LIFT, seeds, limits)
 
 
 def reference_pushes(card: Card, limits: Limits) -> list[PushUnit]:
     """Return the pushes that reference controllers get."""
-    return _around(card.conditions[0], card.degrees, LENGTH, LIFT, card.seeds, limits)
+    return _around(card.conditions[0], card.degrees, LENGTH, LIFT, card.drawn(card.seeds), limits)
 
 
 def stands(card: Card, condition: Condition) -> list[StandUnit]:
@@ -62,7 +64,7 @@ def stands(card: Card, condition: Condition) -> list[StandUnit]:
     return [
         StandUnit(condition, heading, seed)
         for heading in condition.headings_deg
-        for seed in range(card.condition_seeds)
+        for seed in card.drawn(card.condition_seeds)
     ]
 
 
@@ -86,7 +88,7 @@ def _around(
     degrees: list[float],
     duration: float,
     lift: float,
-    seeds: int,
+    seeds: range,
     limits: Limits,
 ) -> list[PushUnit]:
     return [
@@ -94,5 +96,5 @@ def _around(
             condition, angle, duration, lift, seed, limits.of(condition, angle, duration, lift).own
         )
         for angle in degrees
-        for seed in range(seeds)
+        for seed in seeds
     ]

@@ -12,7 +12,7 @@ from surefoot.assess.plan import works
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.score import of_contestant, score
 from surefoot.assess.settings import AssessSettings
-from surefoot.assess.store import Store, open_store
+from surefoot.store import Store, open_store
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being done, how much of it is done, and how much there is."""
@@ -37,7 +37,7 @@ def run_assess(
     """
     robot = settings.build()
     limits = Limits(robot)
-    with open_store(settings.store, settings.described(robot)) as store:
+    with open_store(settings.store, "surefoot assess", settings.described(robot)) as store:
         _run(settings, store, list(works(settings, limits)), progress)
         filled = score(settings, robot, limits, store.results)
         found = of_contestant(store.results, settings.contestant.name)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import importlib.metadata
-import json
 import pickle
 from dataclasses import dataclass, field
 from typing import Any
@@ -13,7 +10,7 @@ from surefoot._core import Error, Robot
 from surefoot.assess.card import Card, standard_card
 from surefoot.assess.contestant import Contestant, find_factory
 from surefoot.assess.ground import Source, describe
-from surefoot.robots import build_robot
+from surefoot.robots import build_robot, identity
 
 MOST_JOBS = 256
 
@@ -59,13 +56,9 @@ class AssessSettings:
 
     def described(self, robot: Robot) -> dict[str, Any]:
         """Return as plain data what makes two runs the same."""
-        config = robot.config
-        numbers = [robot.serialized_model(), repr(describe(self.robot).table), config.foot_radius]
         return {
-            "robot": robot.name,
-            "robot files": hashlib.sha256(json.dumps(numbers).encode()).hexdigest()[:16],
+            **identity(describe(self.robot), robot),
             "controller": self.contestant.name,
             "gains": self.contestant.gains,
             "card": self.card.described(),
-            "version": importlib.metadata.version("surefoot"),
         }

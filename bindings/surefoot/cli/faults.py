@@ -44,6 +44,7 @@ def add_faults_options(parser: argparse.ArgumentParser) -> None:
         metavar="PATTERN",
         help="a row, or ROW/INJECTION/MODE with * and ?; may be given again",
     )
+    add("--store", metavar="FILE", help="keep every cell when it is done; the same command goes on")
     add("--list", action="store_true", help="list the cells and what is expected; run nothing")
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
     add("--report", metavar="DIR", help="write index.html, plots and summary.json")
@@ -76,7 +77,7 @@ def faults(arguments: argparse.Namespace) -> int | None:
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
     jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS)
-    settings = FaultSettings(robot, arguments.seed, jobs, tuple(arguments.only))
+    settings = FaultSettings(robot, arguments.seed, jobs, tuple(arguments.only), arguments.store)
     bar = progress_bar()
     result = run_faults(settings, None if bar is None else lambda n, of: bar("faults", n, of))
     command = shlex.join(["surefoot", *arguments.words])

@@ -15,6 +15,7 @@ from surefoot.faults.joint_faults import power_level
 from surefoot.faults.setting import Setup, set_up
 from surefoot.faults.settings import FaultSettings
 from surefoot.processes import spawn_pool
+from surefoot.store import open_store
 
 Progress = Callable[[int, int], None]
 """Called with how many cells are done, and how many there are."""
@@ -28,16 +29,20 @@ def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dic
         progress: Told how far it is.
 
     Raises:
-        Error: An unknown robot or pattern; a process that died.
+        Error: An unknown robot or pattern; a process that died; a store of another run.
+        OSError: The store cannot be written; what is in it is safe.
     """
     names = [cell.id for cell in choose_cells(settings.only)]
     setup = set_up(settings.description, settings.seed)
-    done: dict[str, dict[str, Any]] = {}
-    for result in _results(setup, names, settings.jobs):
-        done[result["id"]] = result
-        if progress is not None:
-            progress(len(done), len(names))
-    return summarise(settings, setup, [done[name] for name in names])
+    robot = setup.description.name
+    with open_store(settings.store, "surefoot faults", settings.described()) as store:
+        left = [name for name in names if (robot, name) not in store.results]
+        for k, result in enumerate(_results(setup, left, settings.jobs), 1):
+            store.add(robot, result["id"], result)
+            if progress is not None:
+                progress(len(names) - len(left) + k, len(names))
+        cells = [store.results[robot, name] for name in names]
+    return summarise(settings, setup, cells)
 
 
 def summarise(settings: FaultSettings, setup: Setup, cells: list[dict[str, Any]]) -> dict[str, Any]:
@@ -62,7 +67,7 @@ def _results(setup: Setup, names: list[str], jobs: int) -> Iterator[dict[str, An
         for name in names:
             yield attempt(setup, name)
         return
-    with spawn_pool(min(jobs, len(names))) as pool:
+    with spawn_pool(max(1, min(jobs, len(names)))) as pool:
         futures = [pool.submit(attempt, setup, name) for name in names]
         try:
             for future in as_completed(futures):

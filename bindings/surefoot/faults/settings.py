@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from surefoot._core import Error
 from surefoot.robot_files import RobotDescription, describe_robot
+from surefoot.robots import build_robot, identity
 
 MOST_JOBS = 256
 
@@ -19,12 +21,14 @@ class FaultSettings:
         seed: Of sensors, motors and the lying pose.
         jobs: Processes; 1 runs in this one.
         only: Patterns of cells (see catalogue.choose_cells); all if empty.
+        store: File that keeps every cell when it is done; a run that ended goes on with it.
     """
 
     robot: str | RobotDescription = "go1"
     seed: int = 0
     jobs: int = 1
     only: tuple[str, ...] = ()
+    store: str | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.jobs <= MOST_JOBS:
@@ -36,3 +40,8 @@ class FaultSettings:
     def description(self) -> RobotDescription:
         """The robot's files; raises Error."""
         return describe_robot(self.robot) if isinstance(self.robot, str) else self.robot
+
+    def described(self) -> dict[str, Any]:
+        """Return as plain data what makes a cell of two runs the same; raises Error."""
+        robot = build_robot(self.description)
+        return {**identity(self.description, robot), "seed": self.seed}

@@ -1,4 +1,4 @@
-"""The store: every unit on disk when it is done, so that a run that ended, however, goes on."""
+"""A store: every part of a long run on disk when it is done; one that ended, however, goes on."""
 
 from __future__ import annotations
 
@@ -11,11 +11,9 @@ from typing import IO, Any
 
 from surefoot._core import Error
 
-_HEAD = "surefoot assess"  # key of the first line: what is assessed
-
 
 class Store:
-    """Results by contestant and key; JSON, one a line, the first says what is assessed.
+    """Results by whose they are and a key; JSON, one a line, the first says of what run.
 
     Attributes:
         results: What is there already.
@@ -25,7 +23,7 @@ class Store:
         self._handle, self.results = handle, results
 
     def add(self, name: str, key: str, result: dict[str, Any]) -> None:
-        """Keep a result of a contestant; it is in the system's hands when this returns."""
+        """Keep a result; it is in the system's hands when this returns."""
         self.results[name, key] = result
         if self._handle is not None:
             line = json.dumps({"who": name, "key": key, "result": result}, allow_nan=False)
@@ -34,11 +32,12 @@ class Store:
 
 
 @contextmanager
-def open_store(path: str | None, head: dict[str, Any]) -> Iterator[Store]:
+def open_store(path: str | None, kind: str, head: dict[str, Any]) -> Iterator[Store]:
     """Open a store, or keep results in memory only.
 
     Args:
         path: The file; made if it is not there.
+        kind: The command whose run it is.
         head: What makes two runs the same.
 
     Raises:
@@ -53,36 +52,36 @@ def open_store(path: str | None, head: dict[str, Any]) -> Iterator[Store]:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise Error(f"store '{path}': another run is at work in it") from None
-        entries = _read(path, handle)
+        entries = _read(path, kind, handle)
         if entries:
-            _check_same(path, entries[0].get(_HEAD), head)
+            _check_same(path, entries[0][kind], head)
         else:
-            handle.write(json.dumps({_HEAD: head}).encode() + b"\n")
+            handle.write(json.dumps({kind: head}).encode() + b"\n")
             handle.flush()
         yield Store(handle, {(e["who"], e["key"]): e["result"] for e in entries[1:]})
 
 
-def _read(path: str, handle: IO[bytes]) -> list[dict[str, Any]]:
+def _read(path: str, kind: str, handle: IO[bytes]) -> list[dict[str, Any]]:
     """Return the entries; a last line that a killed run left unfinished is cut off."""
     handle.seek(0)
     whole, _, rest = handle.read().rpartition(b"\n")
     lines = whole.split(b"\n") if whole else []
     if rest:
-        if not lines and not rest.startswith(json.dumps({_HEAD: 0})[:-2].encode()[: len(rest)]):
-            raise Error(f"store '{path}': line 1 is no entry of surefoot assess")
+        if not lines and not rest.startswith(json.dumps({kind: 0})[:-2].encode()[: len(rest)]):
+            raise Error(f"store '{path}': line 1 is no entry of {kind}")
         handle.truncate(len(whole) + (1 if lines else 0))
         handle.seek(0, 2)
-    return [_entry(path, number, line) for number, line in enumerate(lines, 1)]
+    return [_entry(path, kind, number, line) for number, line in enumerate(lines, 1)]
 
 
-def _entry(path: str, number: int, line: bytes) -> dict[str, Any]:
+def _entry(path: str, kind: str, number: int, line: bytes) -> dict[str, Any]:
     try:
         entry = json.loads(line)
     except ValueError:
         entry = None
-    known = {_HEAD} if number == 1 else {"who", "key", "result"}
+    known = {kind} if number == 1 else {"who", "key", "result"}
     if not isinstance(entry, dict) or set(entry) != known:
-        raise Error(f"store '{path}': line {number} is no entry of surefoot assess")
+        raise Error(f"store '{path}': line {number} is no entry of {kind}")
     return entry
 
 
