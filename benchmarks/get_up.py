@@ -11,7 +11,6 @@ stands still 1.5 s later and the power protection never tripped.
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -24,6 +23,7 @@ from get_up_helpers import Watched
 from seed_runs import ROBOTS, Job, add_seed_options, run_seeds, seeds_of
 from seed_runs import Outcome as RunOutcome
 from surefoot import Error, Mode, RequestStatus, Status
+from surefoot.cli.simulation import write_json
 from surefoot.faults.joint_faults import power_level
 
 ARMING_TIME = 20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
@@ -108,7 +108,7 @@ def touching(robot: Watched) -> str:
 def summarise(outcomes: list[Outcome]) -> dict[str, object]:
     """Return one robot's figures."""
     risen = [o for o in outcomes if o.ok]
-    seconds = [o.seconds for o in risen] or [float("nan")]
+    seconds = [o.seconds for o in risen] or [0.0]
     return {
         "robot": outcomes[0].robot,
         "level": power_level(outcomes[0].robot),
@@ -146,7 +146,7 @@ def main() -> int:
     print("\n".join(text_of(summary) for summary in summaries))
     if options.json:
         runs = [asdict(o) for o in sorted(outcomes, key=lambda o: (o.robot, o.seed))]
-        options.json.write_text(json.dumps({"robots": summaries, "runs": runs}, indent=1) + "\n")
+        write_json(options.json, {"robots": summaries, "runs": runs}, 1)
     return 0 if all(o.ok for o in outcomes) else 3
 
 

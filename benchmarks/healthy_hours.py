@@ -12,7 +12,6 @@ form.
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import sys
 from collections import Counter
@@ -22,6 +21,7 @@ import numpy as np
 import surefoot
 from seed_runs import ROBOTS, Job, Outcome, add_seed_options, run_seeds
 from surefoot import BodyReference, FaultReaction, Mode
+from surefoot.cli.simulation import write_json
 from surefoot.faults.joint_faults import power_level
 from surefoot.sim import Plant, PlantSettings, Push
 
@@ -46,16 +46,23 @@ def main() -> int:
     """Run until the hours are over, print, write JSON; 3 if anything tripped."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--robot", default="go1", choices=ROBOTS)
-    parser.add_argument("--hours", type=float, default=10.0, help="simulated")
+    parser.add_argument("--hours", type=hours, default=10.0, help="simulated (10)")
     add_seed_options(parser)
     options = parser.parse_args()
     count = math.ceil(3600.0 * options.hours / (STANDING + 10.0))
     jobs: list[Job] = [(options.robot, options.first + k) for k in range(count)]
     result = summary(options.robot, run_seeds(healthy, Run, jobs, options))
     print(text(result))
-    if options.json:
-        options.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    write_json(options.json, result, 1)
     return 3 if result["trips"] else 0
+
+
+def hours(text: str) -> float:
+    """Return the hours that an option's text is."""
+    value = float(text)
+    if not 0.0 < value < 1e5:
+        raise argparse.ArgumentTypeError(f"got {value:g}, expected hours, above 0")
+    return value
 
 
 def healthy(job: Job, standing: float = STANDING) -> Run:
@@ -142,11 +149,11 @@ def summary(robot: str, runs: list[Run]) -> dict[str, object]:
     """Return the numbers of all runs."""
     faults: Counter[str] = sum((Counter(run.faults) for run in runs), Counter())
     trips = {run.seed: run.why for run in runs if not run.ok}
-    hours = sum(run.seconds for run in runs) / 3600.0
+    simulated = sum(run.seconds for run in runs) / 3600.0
     return {
         "robot": robot,
         "runs": len(runs),
-        "hours": hours,
+        "hours": simulated,
         "trips": trips,
         "faults": {info.name: faults[info.name] for info in surefoot.fault_table()},
     }

@@ -14,7 +14,6 @@ later the robot stands still at its old height.
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections import Counter
 from dataclasses import asdict, dataclass
@@ -24,6 +23,7 @@ import surefoot
 from seed_runs import ROBOTS, Job, add_seed_options, run_seeds, seeds_of
 from seed_runs import Outcome as RunOutcome
 from surefoot import Mode, Start, Status
+from surefoot.cli.simulation import write_json
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.truth import has_fallen
 
@@ -167,7 +167,7 @@ def main() -> int:
     print("\n".join(text_of(summary) for summary in summaries))
     if options.json:
         runs = [asdict(o) for o in sorted(outcomes, key=lambda o: (o.robot, o.kind, o.seed))]
-        options.json.write_text(json.dumps({"groups": summaries, "runs": runs}, indent=1) + "\n")
+        write_json(options.json, {"groups": summaries, "runs": runs}, 1)
     return 0 if all(o.ok for o in outcomes) else 3
 
 

@@ -11,7 +11,11 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from surefoot.processes import spawn_pool
+from surefoot import Error
+from surefoot.cli.progress import kept_in
+from surefoot.cli.simulation import check_place
+from surefoot.processes import killable_pool
+from surefoot.robots import build
 from surefoot.store import open_store
 
 ROBOTS = ("a1", "go1", "go2", "b1")
@@ -31,15 +35,27 @@ class Outcome:
 Result = TypeVar("Result", bound=Outcome)
 
 
+def whole(text: str, low: int) -> int:
+    """Return the whole number that an option's text is, from `low` up."""
+    value = int(text)
+    if value < low:
+        raise argparse.ArgumentTypeError(f"got {value}, expected a whole number from {low} up")
+    return value
+
+
 def add_seed_options(parser: argparse.ArgumentParser, count: int | None = None) -> None:
     """Add how many seeds to run, from which on, on how many processes, and where to keep them."""
     add = parser.add_argument
+
+    def positive(text: str) -> int:
+        return whole(text, 1)
+
     if count is not None:
-        add("--count", type=int, default=count, help=f"seeds of each ({count})")
-    add("--first", type=int, default=0, help="the first seed (0)")
-    add("--jobs", type=int, default=1, help="processes (1)")
+        add("--count", type=positive, default=count, help=f"seeds of each ({count})")
+    add("--first", type=lambda text: whole(text, 0), default=0, help="the first seed (0)")
+    add("--jobs", type=positive, default=1, help="processes (1)")
     add("--store", metavar="FILE", help="keep every run when it is done; the same command goes on")
-    add("--json", type=Path, metavar="FILE", help="write every run's figures here")
+    add("--json", metavar="FILE", help="write the figures here")
 
 
 def seeds_of(options: argparse.Namespace) -> range:
@@ -55,7 +71,8 @@ def run_seeds(
 ) -> list[Result]:
     """Run every job that the store does not have, and return what came of all, in their order.
 
-    Failures are printed at once; how far it is goes to stderr.
+    Failures are printed at once; how far it is goes to stderr. Arguments that cannot be end the
+    program, with status 2.
 
     Args:
         run: Runs one, in another process.
@@ -63,24 +80,45 @@ def run_seeds(
         jobs: What it gets.
         options: As add_seed_options() has them.
     """
+    script = Path(sys.argv[0]).name
+    jobs = list(dict.fromkeys(jobs))
     begin = time.monotonic()
-    with (
-        open_store(options.store, Path(sys.argv[0]).name, {}) as store,
-        spawn_pool(options.jobs) as pool,
-    ):
-        left = [job for job in jobs if label(job) not in store.results]
-        waiting = {pool.submit(run, job): job for job in left}
-        for k, done in enumerate(as_completed(waiting), len(jobs) - len(left) + 1):
-            outcome = done.result()
-            store.add(*label(waiting[done]), asdict(outcome))
-            if not outcome.ok:
-                print(f"{' '.join(label(waiting[done]))}: {outcome.why}", flush=True)
-            line = f"{k} of {len(jobs)}, {time.monotonic() - begin:.0f} s"
-            if sys.stderr.isatty():
-                print(line, end="\r", file=sys.stderr, flush=True)
-            elif k % 50 == 0:
-                print(line, file=sys.stderr, flush=True)
-        return [made(**store.results[label(job)]) for job in jobs]
+    try:
+        check_place("--store", options.store)
+        check_place("--json", options.json)
+        with (
+            open_store(options.store, script, {"build": build()}) as store,
+            kept_in(options.store),
+            killable_pool(options.jobs) as pool,
+        ):
+            found = {job: made(**r) for job in jobs if (r := store.results.get(label(job)))}
+            for job, outcome in found.items():
+                tell(job, outcome)
+            waiting = {pool.submit(run, job): job for job in jobs if job not in found}
+            for done in as_completed(waiting):
+                job = waiting[done]
+                found[job] = done.result()
+                store.add(*label(job), asdict(found[job]))
+                tell(job, found[job])
+                show(len(found), len(jobs), time.monotonic() - begin)
+    except Error as problem:
+        print(f"{script}: {problem}", file=sys.stderr)
+        sys.exit(2)
+    return [found[job] for job in jobs]
+
+
+def tell(job: Job, outcome: Outcome) -> None:
+    """Print what is not as it should be."""
+    if not outcome.ok:
+        print(f"{' '.join(label(job))}: {outcome.why}", flush=True)
+
+
+def show(done: int, total: int, seconds: float) -> None:
+    """Say how far it is: on one line of a terminal, or now and then."""
+    terminal = sys.stderr.isatty()
+    if terminal or done % 50 == 0:
+        end = "\r" if terminal else "\n"
+        print(f"{done} of {total}, {seconds:.0f} s", end=end, file=sys.stderr, flush=True)
 
 
 def label(job: Job) -> tuple[str, str]:

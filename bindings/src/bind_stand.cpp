@@ -107,7 +107,8 @@ void bind_controller(nb::module_& m) {
            "Give a leg up (0 .. 3) until reset: its foot bears nothing from now on.")
       .def_prop_ro("lost_leg", &StandController::lost_leg, "The leg that was given up, or -1.")
       .def("margin_without", &StandController::margin_without, "leg"_a,
-           "Return how far the capture point is inside the other three feet's triangle [m].")
+           "Return how far the capture point is inside the other three feet's triangle [m].\n\n"
+           "Infinite where another leg is lost, NaN for no leg's number and before the first tick.")
       .def("add_task", &StandController::add_task, "task"_a, "Add a task of your own.")
       .def_prop_ro("status", &StandController::status, "What this tick's command is worth.")
       .def_prop_ro("fault", &StandController::fault, "What was wrong when a tick last was not OK.")

@@ -6,7 +6,9 @@ import multiprocessing
 import os
 import signal
 import threading
+from collections.abc import Iterator
 from concurrent.futures.process import ProcessPoolExecutor
+from contextlib import contextmanager
 from multiprocessing.context import SpawnContext
 
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
@@ -26,6 +28,21 @@ def spawn_context() -> SpawnContext:
 def spawn_pool(jobs: int) -> ProcessPoolExecutor:
     """Return a pool of `jobs` such processes; jobs are whatever can be pickled."""
     return ProcessPoolExecutor(jobs, spawn_context(), die_with_parent)
+
+
+@contextmanager
+def killable_pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
+    """A pool that does not outlive what is done with it: on Ctrl-C or an error it ends at once."""
+    others = set(multiprocessing.active_children())
+    pool = spawn_pool(jobs)
+    try:
+        yield pool
+    except BaseException:
+        for process in set(multiprocessing.active_children()) - others:
+            process.kill()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 def die_with_parent() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import importlib.metadata
 import json
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from surefoot.robot_table import read_table
 __all__ = [
     "RobotDescription",
     "available_robots",
+    "build",
     "build_robot",
     "describe_robot",
     "identity",
@@ -87,7 +89,19 @@ def identity(description: RobotDescription, robot: Robot) -> dict[str, str]:
         "robot": robot.name,
         "robot files": hashlib.sha256(json.dumps(numbers).encode()).hexdigest()[:16],
         "version": importlib.metadata.version("surefoot"),
+        "build": build(),
     }
+
+
+@cache
+def build() -> str:
+    """Return what tells the installed code from any other: of every file of the package."""
+    folder = Path(__file__).parent
+    files = [path for path in sorted(folder.rglob("*")) if path.suffix in (".py", ".so", ".toml")]
+    digest = hashlib.sha256()
+    for path in files:
+        digest.update(str(path.relative_to(folder)).encode() + path.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 def _robot_of(model: Any, table: dict[str, Any]) -> Robot:

@@ -52,26 +52,29 @@ def open_store(path: str | None, kind: str, head: dict[str, Any]) -> Iterator[St
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             raise Error(f"store '{path}': another run is at work in it") from None
-        entries = _read(path, kind, handle)
+        entries, end = _read(path, kind, handle)
         if entries:
             _check_same(path, entries[0][kind], head)
-        else:
+        # It is ours: a last line that a killed run left unfinished is cut off.
+        handle.truncate(end)
+        handle.seek(0, 2)
+        if not entries:
             handle.write(json.dumps({kind: head}).encode() + b"\n")
             handle.flush()
         yield Store(handle, {(e["who"], e["key"]): e["result"] for e in entries[1:]})
 
 
-def _read(path: str, kind: str, handle: IO[bytes]) -> list[dict[str, Any]]:
-    """Return the entries; a last line that a killed run left unfinished is cut off."""
+def _read(path: str, kind: str, handle: IO[bytes]) -> tuple[list[dict[str, Any]], int]:
+    """Return the entries, and where the last whole one ends."""
     handle.seek(0)
-    whole, _, rest = handle.read().rpartition(b"\n")
-    lines = whole.split(b"\n") if whole else []
-    if rest:
-        if not lines and not rest.startswith(json.dumps({kind: 0})[:-2].encode()[: len(rest)]):
-            raise Error(f"store '{path}': line 1 is no entry of {kind}")
-        handle.truncate(len(whole) + (1 if lines else 0))
-        handle.seek(0, 2)
-    return [_entry(path, kind, number, line) for number, line in enumerate(lines, 1)]
+    content = handle.read()
+    whole, newline, rest = content.rpartition(b"\n")
+    head = json.dumps({kind: 0})[:-2].encode()
+    if not newline and not (rest.startswith(head) or head.startswith(rest)):
+        raise Error(f"store '{path}': line 1 is no entry of {kind}")
+    lines = whole.split(b"\n") if newline else []
+    entries = [_entry(path, kind, number, line) for number, line in enumerate(lines, 1)]
+    return entries, len(content) - len(rest)
 
 
 def _entry(path: str, kind: str, number: int, line: bytes) -> dict[str, Any]:
@@ -79,8 +82,8 @@ def _entry(path: str, kind: str, number: int, line: bytes) -> dict[str, Any]:
         entry = json.loads(line)
     except ValueError:
         entry = None
-    known = {kind} if number == 1 else {"who", "key", "result"}
-    if not isinstance(entry, dict) or set(entry) != known:
+    types = {kind: dict} if number == 1 else {"who": str, "key": str, "result": dict}
+    if not isinstance(entry, dict) or {k: type(v) for k, v in entry.items()} != types:
         raise Error(f"store '{path}': line {number} is no entry of {kind}")
     return entry
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/stand_controller.hpp"
 
+#include <cmath>
+
 #include "reference/capture_margin.hpp"
 #include "stand_controller_impl.hpp"
 
@@ -53,8 +55,10 @@ void StandController::give_up(int leg) noexcept {
 }
 int StandController::lost_leg() const noexcept { return impl_->reference.lost_leg(); }
 double StandController::margin_without(int leg) const noexcept {
+  if (leg < 0 || leg >= kLegs || impl_->latches == 0) return std::nan("");
   std::array<bool, kLegs> stance = {true, true, true, true};
-  if (leg >= 0 && leg < kLegs) stance[leg] = false;
+  stance[leg] = false;
+  if (lost_leg() >= 0) stance[lost_leg()] = false;
   return capture_margin(impl_->estimator.dynamics(), stance);
 }
 void StandController::set_torque_share(const Vector12& share) noexcept {

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 import surefoot
@@ -11,6 +12,18 @@ from surefoot import Mode, RequestStatus
 from surefoot.faults.fault import Fault
 from surefoot.faults.joint_faults import power_level
 from surefoot.sim import Plant, PlantSettings
+
+
+def plant_of(name: str, seed: int) -> Plant:
+    return Plant(name, PlantSettings(seed=seed, physics_dt=0.001))
+
+
+@cache
+def lying(name: str, seed: int) -> np.ndarray:
+    """Return MuJoCo's qpos of a robot that was dropped until it lay well."""
+    plant = plant_of(name, seed)
+    plant.reset_lying(np.random.default_rng([seed, 99]))
+    return plant.data.qpos.copy()
 
 
 class Watched:
@@ -27,8 +40,8 @@ class Watched:
     """
 
     def __init__(self, name: str, seed: int) -> None:
-        self.plant = Plant(name, PlantSettings(seed=seed))
-        self.state = self.plant.reset_lying(np.random.default_rng([seed, 99]))
+        self.plant = plant_of(name, seed)
+        self.state = self.plant.reset_resting(lying(name, seed))
         level = power_level(name)
         options = surefoot.SupervisorOptions(power_level=level)
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)

@@ -13,6 +13,8 @@ from surefoot.faults.motor_faults import OVERHEATED, Dead
 from surefoot.faults.verdict import fall_speed
 from surefoot.sim import Plant, PlantSettings
 
+SERVO = 0x0A  # the mode of a motor that works
+
 
 class Standing:
     """A robot that has stood for a second, and whose motors may die."""
@@ -39,8 +41,8 @@ class Standing:
                 dead.state(self.state, 0)
             self.sinking = max(self.sinking, -self.plant.truth.v[2])
 
-    def die(self, motor: int) -> None:
-        self.dead.append(Dead(motor, OVERHEATED))
+    def die(self, motor: int, says: int = OVERHEATED) -> None:
+        self.dead.append(Dead(motor, says))
 
     def sunk(self) -> float:
         return float(self.height - self.plant.truth.q[2])
@@ -64,6 +66,36 @@ def test_a_robot_whose_motor_died_stands_on_three_legs(robot: str, motor: int) -
     others = [leg for leg in range(4) if leg != motor // 3]
     assert scene.plant.truth.contact[others].all()
     assert scene.supervisor.stand.margin_without(motor // 3) > 0.02
+
+
+@pytest.mark.parametrize(("robot", "motor"), [("a1", 5), ("go1", 8), ("go2", 8), ("b1", 5)])
+def test_a_motor_that_sleeps_and_denies_it_is_found_by_its_torque(robot: str, motor: int) -> None:
+    scene = Standing(robot)
+    scene.die(motor, says=SERVO)  # a calf, FL or RR
+    scene.go_on(0.2)
+    assert scene.has(FaultId.LEG_LOST)
+    assert scene.supervisor.faults.motor(FaultId.LEG_LOST) == motor
+    scene.go_on(3.0)
+    assert scene.supervisor.mode == Mode.STAND
+    assert abs(scene.sunk()) < 0.03
+
+
+def test_margins_of_legs_that_are_none_or_lost_are_no_promise() -> None:
+    stand = surefoot.StandController(surefoot.load_robot("go1"))
+    assert np.isnan(stand.margin_without(0))  # no report yet
+    scene = Standing("go1")
+    stand = scene.supervisor.stand
+    assert all(np.isnan(stand.margin_without(leg)) for leg in (-1, 4))
+    assert all(abs(stand.margin_without(leg)) < 0.05 for leg in range(4))
+    stand.give_up(7)
+    assert stand.lost_leg == -1
+    stand.give_up(2)
+    stand.give_up(1)
+    assert stand.lost_leg == 2
+    assert stand.margin_without(1) == np.inf
+    scene.go_on(0.1)
+    assert scene.has(FaultId.LEG_LOST)  # whoever gave it up
+    assert scene.supervisor.faults.motor(FaultId.LEG_LOST) == 6
 
 
 def test_the_leg_that_is_given_up_gets_no_torques_and_damps() -> None:

@@ -101,7 +101,19 @@ BOOST_FIXTURE_TEST_CASE(a_foot_that_stands_elsewhere_takes_its_place_along_slowl
   BOOST_TEST((frame.origin() - Vector3(stepped.rowwise().mean())).norm() < 1e-6);
 }
 
+BOOST_FIXTURE_TEST_CASE(while_the_attitude_is_being_found_nothing_of_it_is_a_motion, Standing) {
+  const SupportFrame before = frame;
+  const Quaternion tilt = exp_so3(Vector3(0.02, -0.01, 0.0));
+  for (int k = 1; k <= 20; ++k) {
+    const Quaternion so_far = Quaternion::Identity().slerp(k / 20.0, tilt);
+    frame.update(moved(feet, Vector3::Zero(), so_far), kAll, kDt);
+  }
+  BOOST_TEST(angle_between(frame.R_world_support(),
+                           tilt.toRotationMatrix() * before.R_world_support()) < 1e-3);
+}
+
 BOOST_FIXTURE_TEST_CASE(ground_that_tilts_is_followed_within_seconds_and_whole, Standing) {
+  stand(feet, kAll, 0.3);
   const SupportFrame before = frame;
   const Quaternion tilt = exp_so3(Vector3(0.1, -0.05, 0.0));
   const FeetMatrix tilted = moved(feet, Vector3::Zero(), tilt);

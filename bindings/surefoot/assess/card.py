@@ -13,6 +13,7 @@ from surefoot.sim.checks import number
 
 USUAL = "level ground"
 MOST_SEEDS = 1000
+LAST_SEED = 1_000_000
 _FOLDER = Path(__file__).parent
 
 
@@ -26,7 +27,8 @@ class Card:
         lengths_s: Of pushes [s].
         heights_m: Of their lines of action above the centre of mass [m].
         seeds: Runs of every push, each with other sensors and motors.
-        first_seed: The first of them all: who was tuned on some is told apart by others.
+        first_seed: The first of pushes' and stands' seeds: who was tuned on some shows by others
+            what he can.
         condition_directions: Of pushes under each further condition, 0.1 s through the centre.
         condition_seeds: Their seeds, and those of quiet stands.
         faults: Is the matrix of faults run? "none", "brief" or "all".
@@ -49,8 +51,9 @@ class Card:
     def __post_init__(self) -> None:
         for name, low in (("directions", 1), ("seeds", 1)):
             _whole(name, getattr(self, name), low, MOST_SEEDS)
-        for name in ("condition_directions", "condition_seeds", "first_seed"):
+        for name in ("condition_directions", "condition_seeds"):
             _whole(name, getattr(self, name), 0, MOST_SEEDS)
+        _whole("first_seed", self.first_seed, 0, LAST_SEED)
         _numbers("lengths_s", self.lengths_s, 0.002, 5.0)
         _numbers("heights_m", self.heights_m, -1.0, 1.0)
         if self.faults not in ("none", "brief", "all"):

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from surefoot.cli.progress import progress_bar
+from surefoot.cli.progress import kept_in, progress_bar
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import (
     check_json_place,
@@ -80,14 +80,9 @@ def assess(arguments: argparse.Namespace) -> None:
         settings = _settings(arguments)
     except ModuleNotFoundError as problem:
         raise missing_module("assess", problem) from None
-    try:
-        folder = None if arguments.report is None else Path(arguments.report)
+    folder = None if arguments.report is None else Path(arguments.report)
+    with kept_in(arguments.store):
         result = run_assess(settings, progress_bar(), folder)
-    except KeyboardInterrupt:
-        where = f"in {arguments.store}: the same command goes on"
-        kept = where if arguments.store else "lost; --store FILE would have kept them"
-        print(f"surefoot: the results so far are {kept}", file=sys.stderr)
-        raise
     command = shlex.join(["surefoot", *arguments.words])
     result = {"command": command, **result}
     write_json(arguments.json, result)

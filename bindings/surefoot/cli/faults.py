@@ -7,16 +7,21 @@ import os
 import shlex
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from surefoot.cli.progress import progress_bar
+from surefoot.cli.progress import kept_in, progress_bar
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import (
     check_json_place,
+    check_place,
     check_report_place,
     choose_graphics,
     missing_module,
     write_json,
 )
+
+if TYPE_CHECKING:
+    from surefoot.faults import FaultSettings
 
 FAILED = 4
 _TEXT = """\
@@ -25,8 +30,10 @@ intermittent, where that makes sense) while the robot lies, rises, stands and is
 real, at 500 Hz. A cell passes if every command is finite, within torque, rate and power limits, and
 the reaction that fault_table() names comes in its time.
 
-exit status: 0 every cell passed, 4 some failed, 1 a file could not be written, 2 a wrong argument,
-130 interrupted"""
+With --store a matrix that was ended, however, goes on where it was.
+
+exit status: 0 every cell passed, 4 some failed, 1 a file could not be written, 2 a wrong argument
+or store, 130 interrupted"""
 
 
 def add_faults_options(parser: argparse.ArgumentParser) -> None:
@@ -59,27 +66,18 @@ def faults(arguments: argparse.Namespace) -> int | None:
     """
     choose_graphics()
     check_json_place(arguments.json)
+    check_place("--store", arguments.store)
     check_report_place(arguments.report, "faults", "surefoot.faults.report")
     try:
-        from surefoot.faults import (
-            FaultSettings,
-            choose_cells,
-            faults_text,
-            list_text,
-            run_faults,
-        )
-        from surefoot.faults.settings import MOST_JOBS
+        from surefoot.faults import choose_cells, faults_text, list_text, run_faults
     except ModuleNotFoundError as problem:
         raise missing_module("faults", problem) from None
     if arguments.list:
         print(list_text(choose_cells(arguments.only)))
         return None
-    robot = chosen_robot(arguments, default="go1")
-    assert robot is not None  # there is a default
-    jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS)
-    settings = FaultSettings(robot, arguments.seed, jobs, tuple(arguments.only), arguments.store)
-    bar = progress_bar()
-    result = run_faults(settings, None if bar is None else lambda n, of: bar("faults", n, of))
+    settings, bar = _settings(arguments), progress_bar()
+    with kept_in(arguments.store):
+        result = run_faults(settings, None if bar is None else lambda n, of: bar("faults", n, of))
     command = shlex.join(["surefoot", *arguments.words])
     result = {"command": command, **result}
     write_json(arguments.json, result)
@@ -91,3 +89,13 @@ def faults(arguments: argparse.Namespace) -> int | None:
     if arguments.json != "-":
         print(faults_text(result))
     return FAILED if result["failed"] else None
+
+
+def _settings(arguments: argparse.Namespace) -> FaultSettings:
+    from surefoot.faults import FaultSettings
+    from surefoot.faults.settings import MOST_JOBS
+
+    robot = chosen_robot(arguments, default="go1")
+    assert robot is not None  # there is a default
+    jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS)
+    return FaultSettings(robot, arguments.seed, jobs, tuple(arguments.only), arguments.store)

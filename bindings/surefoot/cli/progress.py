@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 WIDTH = 30
 
@@ -22,3 +23,15 @@ def progress_bar() -> Callable[[str, int, int], None] | None:
         sys.stderr.flush()
 
     return draw
+
+
+@contextmanager
+def kept_in(store: str | None) -> Iterator[None]:
+    """Say where the results of a long run are if it is ended by Ctrl-C."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        where = f"in {store}: the same command goes on"
+        kept = where if store else "lost; --store FILE would have kept them"
+        print(f"surefoot: the results so far are {kept}", file=sys.stderr)
+        raise

@@ -117,6 +117,7 @@ def broken(name: str, problem: BaseException) -> dict[str, Any]:
         "what": cell.case.what,
         "mode": cell.mode,
         "expected": cell.expect.reaction.name.lower(),
+        "broken": True,
         "verdict": "fail",
         "reason": f"could not be run: {text}",
     }

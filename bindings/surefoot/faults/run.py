@@ -14,7 +14,7 @@ from surefoot.faults.cell import broken, run_cell
 from surefoot.faults.joint_faults import power_level
 from surefoot.faults.setting import Setup, set_up
 from surefoot.faults.settings import FaultSettings
-from surefoot.processes import spawn_pool
+from surefoot.processes import killable_pool
 from surefoot.store import open_store
 
 Progress = Callable[[int, int], None]
@@ -37,12 +37,14 @@ def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dic
     robot = setup.description.name
     with open_store(settings.store, "surefoot faults", settings.described()) as store:
         left = [name for name in names if (robot, name) not in store.results]
+        cells = {name: store.results.get((robot, name), {}) for name in names}
         for k, result in enumerate(_results(setup, left, settings.jobs), 1):
-            store.add(robot, result["id"], result)
+            cells[result["id"]] = result
+            if not result.get("broken"):
+                store.add(robot, result["id"], result)
             if progress is not None:
                 progress(len(names) - len(left) + k, len(names))
-        cells = [store.results[robot, name] for name in names]
-    return summarise(settings, setup, cells)
+    return summarise(settings, setup, list(cells.values()))
 
 
 def summarise(settings: FaultSettings, setup: Setup, cells: list[dict[str, Any]]) -> dict[str, Any]:
@@ -67,15 +69,13 @@ def _results(setup: Setup, names: list[str], jobs: int) -> Iterator[dict[str, An
         for name in names:
             yield attempt(setup, name)
         return
-    with spawn_pool(max(1, min(jobs, len(names)))) as pool:
+    with killable_pool(max(1, min(jobs, len(names)))) as pool:
         futures = [pool.submit(attempt, setup, name) for name in names]
         try:
             for future in as_completed(futures):
                 yield future.result()
         except BrokenProcessPool:
             raise Error("faults: a process died; is there enough memory for --jobs?") from None
-        finally:
-            pool.shutdown(wait=False, cancel_futures=True)
 
 
 def attempt(setup: Setup, name: str) -> dict[str, Any]:

@@ -71,7 +71,8 @@ class StandController {
   void give_up(int leg) noexcept;
   int lost_leg() const noexcept;  ///< that was given up, or -1
   /// [m] how far the capture point is inside the triangle of the other three feet; negative
-  /// outside. Of the last good tick. Real-time: yes.
+  /// outside; infinite where a leg is lost, for two feet have no inside; NaN for none of 0 .. 3 and
+  /// before the first tick. Of the last good tick. Real-time: yes.
   double margin_without(int leg) const noexcept;
 
   /// See WholeBodyController::set_torque_share(). Real-time: yes.
@@ -109,8 +110,8 @@ class StandController {
   /// Those of a controller that is at work move there in 0.1 s of good ticks, for torques not to
   /// jump; where nothing is computed, before the first report and while damping, at once.
   void set_gains(const Gains& gains);
-  /// Leave damping, forget the body reference, latch the pose anew with the next report. Not in the
-  /// tick.
+  /// Leave damping, forget the body reference and a lost leg, latch the pose anew with the next
+  /// report. Real-time: yes.
   void reset() noexcept;
 
  private:

@@ -109,7 +109,8 @@ class Supervisor {
   /// Ask for a mode: kRise from passive; kSit from rise and stand; kStand while sitting down, to
   /// come up again. Any thread. Real-time: yes.
   RequestStatus request(Mode mode) noexcept;
-  /// Allow requests, and leave latched damping for passive. Any thread. Real-time: yes.
+  /// Allow requests, and leave latched damping for passive; a leg that was lost counts again. Any
+  /// thread. Real-time: yes.
   RequestStatus arm() noexcept;
   /// Damp at once and latch, whatever the mode. Any thread, any number of times. Real-time: yes.
   void stop() noexcept;

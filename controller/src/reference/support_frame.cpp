@@ -9,9 +9,12 @@ namespace surefoot {
 namespace {
 
 constexpr double kGroundTime = 0.5;  // [s] how slowly the ground's normal follows the feet
-constexpr double kPlaceTime = 0.5;   // [s] how slowly a place follows a foot that has moved
-constexpr double kStiff = 1e-4;      // [m^2] keeps the normal where the feet in contact do not say
-constexpr double kUntilted = 1e-6;   // [m^2] the same, where only what is left over counts
+// [s] for which it follows at once: the attitude is still being found, and what it finds out about
+// the vertical is no reason to move.
+constexpr double kFinding = 0.15;
+constexpr double kPlaceTime = 0.5;  // [s] how slowly a place follows a foot that has moved
+constexpr double kStiff = 1e-4;     // [m^2] keeps the normal where the feet in contact do not say
+constexpr double kUntilted = 1e-6;  // [m^2] the same, where only what is left over counts
 
 // Heading of the line from the rear feet's middle to the front's, about z.
 double heading(const FeetMatrix& p) noexcept {
@@ -44,6 +47,7 @@ Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
 }  // namespace
 
 void SupportFrame::latch(const FeetMatrix& p) noexcept {
+  age_ = 0.0;
   origin_ = p.rowwise().mean();
   // Normal to both diagonals: of the plane closest to the four points.
   const Vector3 normal = (p.col(FL_) - p.col(RR_)).cross(p.col(RL_) - p.col(FR_));
@@ -62,7 +66,8 @@ void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, d
   weight /= weight.sum();
   const Vector3 mean = p * weight, mean_place = places_ * weight;
   const FeetMatrix from_mean = p.colwise() - mean, places = places_.colwise() - mean_place;
-  tilt(from_mean, places, weight, dt / (dt + kGroundTime));
+  age_ += dt;
+  tilt(from_mean, places, weight, age_ < kFinding ? 1.0 : dt / (dt + kGroundTime));
   turn(from_mean, places, weight);
   origin_ = mean - R_ * mean_place;
   follow_moved_feet(p, contact, weight, dt);

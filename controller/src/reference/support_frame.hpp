@@ -43,6 +43,7 @@ class SupportFrame {
   Vector3 origin_ = Vector3::Zero();
   Matrix3 R_ = Matrix3::Identity();
   FeetMatrix places_ = FeetMatrix::Zero();
+  double age_ = 0.0;  // [s] since it was latched
 };
 
 }  // namespace surefoot

@@ -54,7 +54,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kTilt, kDamp, 0.010, kArm,
      "the body is tilted too far, or will be in a tenth of a second"},
     {FaultId::kMotorMode, kDamp, 0.006, kArm, "a motor reports another mode than servo twice"},
-    {FaultId::kMotorWeak, kDamp, 0.15, kArm, "a motor's torque is off what it is told for 50 ms"},
+    {FaultId::kMotorWeak, kDamp, 0.15, kArm,
+     "a motor's torque is far off what it is told, or none, for 50 ms"},
     {FaultId::kLegLost, kDegrade, 0.15, kArm,
      "motor_mode or motor_weak in one leg of a robot that stands, its centre of mass over the "
      "other "

@@ -43,8 +43,13 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
 // A robot that stands, its centre of mass over three feet or as good as, goes on without the
 // fourth.
 void Supervisor::Impl::judge_legs() noexcept {
+  const int lost = stand.lost_leg();
+  if (lost >= 0) {
+    if (!log.report().has(FaultId::kLegLost)) log.set(FaultId::kLegLost, true, kLegJoints * lost);
+    return;
+  }
   for (const FaultId id : {FaultId::kMotorMode, FaultId::kMotorWeak}) {
-    if (!log.report().has(id) || !standing() || stand.lost_leg() >= 0) continue;
+    if (!log.report().has(id) || !standing()) continue;
     const int motor = log.report().motor[static_cast<int>(id)];
     const int leg = motor / kLegJoints;
     const Reference& wanted = stand.reference();
@@ -55,6 +60,7 @@ void Supervisor::Impl::judge_legs() noexcept {
     stand.give_up(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);
+    return;
   }
 }
 

@@ -91,7 +91,8 @@ void Supervisor::Impl::obey(int request) noexcept {
       log.set(over, false);  // it begins anew
     }
     reason = FaultId::kNone;
-    take ? take_over() : stand.reset();  // all four legs are its own again
+    stand.reset();  // all four legs are its own again
+    if (take) take_over();
   } else if (request != Requests::kNothing) {
     const Mode mode = static_cast<Mode>(request);
     if (judge_request(now, mode) == RequestStatus::kAccepted) enter(mode);

@@ -27,7 +27,7 @@
 
 namespace surefoot {
 
-/// The mode machine. Everything but `requests`, `report` and `reason` belongs to the tick.
+/// The mode machine. What is not published, asked for or atomic belongs to the tick.
 struct Supervisor::Impl {
   Impl(const Robot& robot, const Gains& gains, const SupervisorOptions& options);
 
