@@ -188,7 +188,7 @@ class Plant:
         self._motors.law = damping_law()
         self.data.qpos[:] = qpos
         self.data.qvel[:] = 0.0
-        mujoco.mj_step1(self.model, self.data)
+        mujoco.mj_forward(self.model, self.data)  # accelerations, too: the IMU begins with them
         return self._begin()
 
     def _begin(self) -> LowState:

@@ -16,9 +16,13 @@ class TorqueRate {
 
   explicit TorqueRate(const Vector12& tau_max) : tau_max_(tau_max) {}
 
-  /// @param tau wanted, is what may be sent afterwards [N.m] @param dt [s] since the last
+  /// [s] A longer period allows no more: motors see steps, however long they were let alone.
+  static constexpr double kPeriod = 0.002;
+
+  /// @param tau wanted, is what may be sent afterwards [N.m] @param period of commands [s]
   /// @return was it too much?
-  bool limit(Vector12& tau, double dt) noexcept {
+  bool limit(Vector12& tau, double period) noexcept {
+    const double dt = std::min(period, kPeriod);
     const Vector12 change = tau - last_;
     const double most = change.cwiseQuotient(tau_max_).cwiseAbs().maxCoeff() / (kRate * dt);
     const bool jumps = known_ && most > 1.0;
