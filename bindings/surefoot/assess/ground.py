@@ -11,8 +11,8 @@ from surefoot.robots import RobotDescription, build_robot, describe_robot
 from surefoot.sim import Flaws, Plant, PlantSettings
 from surefoot.sim.model import trunk_mass
 from surefoot.sim.moving_ground import drive_ground
+from surefoot.sim.settings import COARSE_DT
 
-PHYSICS_DT = 0.001  # [s]; with half of it limits come out the same (docs/assess.md)
 STEP_TIME = 0.5  # [s] in which the ground below a foot rises
 
 Source = str | tuple[str, str]
@@ -44,7 +44,7 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
     """
     c = condition
     return PlantSettings(
-        physics_dt=PHYSICS_DT,
+        physics_dt=COARSE_DT,
         friction=c.friction,
         slope_deg=c.slope_deg,
         slope_heading_deg=c.headings_deg[0],

@@ -17,6 +17,7 @@ from surefoot.faults.setting import Setup
 from surefoot.faults.wire import FrameWire
 from surefoot.robots import build_robot
 from surefoot.sim import Plant, PlantSettings
+from surefoot.sim.settings import COARSE_DT
 
 PERIOD = 0.002  # [s]
 
@@ -45,7 +46,7 @@ class Scene:
         self.fault = fault
         robot = build_robot(setup.description)
         believed = fault.robot(robot)
-        settings = fault.settings(PlantSettings(seed=setup.seed))
+        settings = fault.settings(PlantSettings(seed=setup.seed, physics_dt=COARSE_DT))
         self.plant = Plant(setup.description, settings, tick0=tick0)
         self._state = fault.start(self.plant, setup.lying)
         level = power_level(robot.name) if level is None else level

@@ -11,6 +11,7 @@ from surefoot._core import Robot, Supervisor, SupervisorOptions
 from surefoot.robot_files import RobotDescription
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.rotations import Array
+from surefoot.sim.settings import COARSE_DT
 
 _POSE = 99  # stream of the random numbers that draw the lying pose
 
@@ -40,7 +41,7 @@ def set_up(
     make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor] | None = None,
 ) -> Setup:
     """Drop a robot until it lies well, and return the setup; raises Error."""
-    plant = Plant(description, PlantSettings(seed=seed))
+    plant = Plant(description, PlantSettings(seed=seed, physics_dt=COARSE_DT))
     height = float(plant.data.qpos[2])
     plant.reset_lying(np.random.default_rng([seed, _POSE]))
     lying = plant.data.qpos.copy()

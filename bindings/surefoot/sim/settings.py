@@ -8,6 +8,7 @@ from surefoot._core import Error
 from surefoot.sim.checks import number, one_of
 from surefoot.sim.flaws import Flaws
 
+COARSE_DT = 0.001  # [s], twice the usual physics step: limits come out the same (docs/assess.md)
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
 LEGS = ("FR", "FL", "RR", "RL")

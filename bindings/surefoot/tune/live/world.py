@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from surefoot.sim import PlantSettings
+from surefoot.sim.settings import COARSE_DT
 
-PHYSICS_DT = 0.001  # [s]; half as many steps as elsewhere, for a page beside the physics
 CONTROL_RATE = 500.0  # [Hz]
 
 
@@ -44,6 +44,6 @@ class World:
             slope_deg=self.slope_deg,
             extra_delay=self.delay_ms / 1000.0,
             control_rate=CONTROL_RATE,
-            physics_dt=PHYSICS_DT,
+            physics_dt=COARSE_DT,
             seed=self.seed,
         )

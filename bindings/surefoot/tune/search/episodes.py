@@ -8,6 +8,7 @@ import numpy as np
 
 from surefoot.robots import RobotDescription, build_robot, describe_robot
 from surefoot.sim import Plant, PlantSettings, Push
+from surefoot.sim.settings import COARSE_DT
 
 LENGTH = 6.6  # [s]
 FIRST, EVERY, COUNT = 0.6, 2.0, 3  # [s] pushes: when, how often, how many
@@ -17,7 +18,6 @@ FRICTION = 0.5, 1.0
 DELAY_STEPS = 8  # extra physics steps of delay, at most
 MOTOR_LAG = 0.001, 0.004  # [s]
 JOINT_FRICTION = 0.5, 2.0  # times the model's
-PHYSICS_DT = 0.001  # [s]
 FINAL = 5_000  # seeds from here on decide between the best trials
 HELD_OUT = 10_000  # those from here on judge the result alone
 
@@ -53,11 +53,11 @@ class Episode:
         return replace(
             self.settings,
             seed=self.seed,
-            physics_dt=PHYSICS_DT,
+            physics_dt=COARSE_DT,
             payload_kg=float(PAYLOAD * mass * rng.uniform()),
             payload_position=(x, y, 0.05),
             friction=float(rng.uniform(*FRICTION)),
-            extra_delay=PHYSICS_DT * int(rng.integers(DELAY_STEPS + 1)),
+            extra_delay=COARSE_DT * int(rng.integers(DELAY_STEPS + 1)),
             motor_lag=float(rng.uniform(*MOTOR_LAG)),
             joint_friction_scale=float(rng.uniform(*JOINT_FRICTION)),
         )
