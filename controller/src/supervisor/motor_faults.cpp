@@ -15,8 +15,10 @@ constexpr int kBadAngles = 3;            // reports in a row
 constexpr double kTorqueTime = 0.03;     // [s] smoothing, longer than delay and lag of a motor
 constexpr double kTorqueOff = 0.12;      // of tau_max that a motor may be off ...
 constexpr double kTorqueOffShare = 0.4;  // ... and of what it is told
-constexpr double kAsleep = 0.3;          // of what a motor is told: less is as good as none ...
-constexpr double kAsleepTold = 0.05;     // ... once it is told that much of tau_max
+constexpr double kMad = 2.0;             // times that: no report is taken to be further off
+constexpr double kNone = 0.3;            // of what a motor is told: less is as good as none ...
+constexpr double kToldEnough = 0.05;     // ... once it is told that much of tau_max ...
+constexpr double kAsleep = 0.8;          // ... in that share of reports
 constexpr double kWeakTime = 0.05;       // [s]
 constexpr double kZigzag = 0.03;         // of tau_max: torques that go to and fro, report by report
 constexpr double kZigzagMore = 4.0;      // times what they are told to
@@ -24,12 +26,9 @@ constexpr double kZigzagTime = 0.05;     // [s] smoothing
 constexpr double kHeatTime = 0.5;        // [s] smoothing: one mad report is no heat
 constexpr double kHotTime = 0.5;         // [s] before the robot sits down
 
-// Is a torque far off what was told, or nearly none at all? The second sees a motor that sleeps
-// under a foot that bears little.
-bool is_off(double told, double measured, double tau_max) noexcept {
+bool is_none(double told, double measured, double tau_max) noexcept {
   const double amount = std::abs(told);
-  if (std::abs(measured - told) > kTorqueOff * tau_max + kTorqueOffShare * amount) return true;
-  return amount > kAsleepTold * tau_max && std::copysign(1.0, told) * measured < kAsleep * amount;
+  return amount > kToldEnough * tau_max && std::copysign(1.0, told) * measured < kNone * amount;
 }
 
 }  // namespace
@@ -38,6 +37,7 @@ void MotorFaults::reset() noexcept {
   told_.setZero();
   expected_.setZero();
   measured_.setZero();
+  asleep_.setZero();
   told_zigzag_ = measured_zigzag_ = {};
   weak_ = {};
   hot_ = {};
@@ -80,8 +80,14 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
   for (int i = 0; i < kMotors; ++i) {
     if (i / kLegJoints == lost_leg) continue;
     expected_[i] += share * (told_[i] - expected_[i]);
-    measured_[i] += share * (state.motorState[i].tauEst - measured_[i]);
-    const bool off = is_off(expected_[i], measured_[i], robot_.config().tau_max[i]);
+    const double tau_est = state.motorState[i].tauEst, tau_max = robot_.config().tau_max[i];
+    const double allowed = kTorqueOff * tau_max + kTorqueOffShare * std::abs(expected_[i]);
+    // What a few mad reports say counts for no more than any that is off.
+    const double off_by = std::clamp(tau_est - expected_[i], -kMad * allowed, kMad * allowed);
+    measured_[i] += share * (expected_[i] + off_by - measured_[i]);
+    // A motor that sleeps under a foot that bears little is not far off; its reports are counted.
+    asleep_[i] += share * (is_none(expected_[i], tau_est, tau_max) - asleep_[i]);
+    const bool off = std::abs(measured_[i] - expected_[i]) > allowed || asleep_[i] > kAsleep;
     if (!weak_[i].update(off, dt, kWeakTime)) continue;
     if (weak < 0) weak = i;
     if (i / kLegJoints != last_leg) ++legs;

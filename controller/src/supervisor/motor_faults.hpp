@@ -49,6 +49,7 @@ class MotorFaults {
   Vector12 told_ = Vector12::Zero();      // [N.m] by the last command
   Vector12 expected_ = Vector12::Zero();  // [N.m] told, smoothed
   Vector12 measured_ = Vector12::Zero();  // [N.m] tauEst, smoothed
+  Vector12 asleep_ = Vector12::Zero();    // share of reports in which there was none of it
   std::array<Zigzag, kMotors> told_zigzag_, measured_zigzag_;
   Vector12 heat_ = Vector12::Zero();  // [deg C] smoothed
   Vector12 share_ = Vector12::Ones();
