@@ -115,8 +115,11 @@ class Scene:
         return self.supervisor.mode == mode
 
     def arm(self) -> bool:
-        """Wait for the arming checks and arm; return whether it is."""
-        for _ in range(round(3.0 / PERIOD)):
+        """Wait for the arming checks and arm; return whether it is.
+
+        Who stood sinks first, its motors braking, for up to three seconds.
+        """
+        for _ in range(round(6.0 / PERIOD)):
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
                 self.step()
                 self.armed = bool(self.supervisor.armed)

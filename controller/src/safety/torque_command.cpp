@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "safety/torque_command.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "safety/holding_torques.hpp"
@@ -10,7 +11,8 @@ namespace surefoot {
 
 namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-}
+constexpr double kFadeStep = 0.1;  // of a lost leg's damping, each tick: a moving leg gets no jolt
+}  // namespace
 
 Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
                            const RobotState& state, const Reference& reference,
@@ -43,11 +45,12 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
 }
 
 // What is left of the leg moves as little as it can, whichever of its motors is the dead one.
-LowCmd TorqueCommand::command(int lost_leg) const noexcept {
+LowCmd TorqueCommand::command(int lost_leg) noexcept {
   Vector12 tau = limited_.torques, kd = Vector12::Constant(damping_);
   if (lost_leg >= 0) {
     tau.segment<kLegJoints>(kLegJoints * lost_leg).setZero();
-    kd.segment<kLegJoints>(kLegJoints * lost_leg).setConstant(lost_damping_);
+    faded_in_ = std::min(faded_in_ + kFadeStep, 1.0);
+    kd.segment<kLegJoints>(kLegJoints * lost_leg).setConstant(faded_in_ * lost_damping_);
   }
   return torque_low_cmd(tau, kd);
 }

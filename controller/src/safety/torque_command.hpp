@@ -29,17 +29,21 @@ class TorqueCommand {
   bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
             const Reference& reference, const Gains& gains) noexcept;
 
-  /// @param lost_leg whose motors get no torques and damp; -1: none
-  LowCmd command(int lost_leg) const noexcept;
+  /// @param lost_leg whose motors get no torques and damp, from 0 on; -1: none
+  LowCmd command(int lost_leg) noexcept;
 
   const LimitedTorques& limited() const noexcept { return limited_; }
-  void reset() noexcept { limited_ = {}; }
+  void reset() noexcept {
+    limited_ = {};
+    faded_in_ = 0.0;
+  }
 
  private:
   Robot robot_;
   StandOptions options_;
-  LimitedTorques limited_;  // motor order
-  double damping_ = 0.0, lost_damping_ = 0.0;
+  LimitedTorques limited_;                      // motor order
+  double damping_ = 0.0;                        // [N.m.s/rad]
+  double lost_damping_ = 0.0, faded_in_ = 0.0;  // [N.m.s/rad] of the lost leg; its share by now
 };
 
 }  // namespace surefoot
