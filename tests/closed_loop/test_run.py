@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from surefoot import protocol
-from virtual_robot_helpers import controller, start, wait_for
+from virtual_robot_helpers import arm_again, controller, start, wait_for
 
 pytestmark = pytest.mark.alone
 
@@ -49,8 +49,7 @@ def test_a_robot_that_dies_is_stale_and_comes_back_only_when_it_is_armed_again(
     wait_for(run, "damping: stale")
     again, _ = start("--port", str(port))
     time.sleep(1.0)
-    run.send_signal(signal.SIGUSR1)
-    wait_for(run, " standing")
+    arm_again(run)
     time.sleep(0.5)
     run.send_signal(signal.SIGINT)
     _, err = run.communicate(timeout=20)

@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 
 import pytest
-from virtual_robot_helpers import controller, heed_ctrl_c, start, wait_for
+from virtual_robot_helpers import arm_again, controller, heed_ctrl_c, start, wait_for
 
 pytestmark = pytest.mark.alone
 
@@ -33,8 +33,7 @@ def test_a_controller_that_stood_still_damps_until_it_is_armed_again(tmp_path: P
     run.send_signal(signal.SIGCONT)
     assert "damping: away" in wait_for(run, "damping")
     time.sleep(0.5)
-    run.send_signal(signal.SIGUSR1)
-    wait_for(run, " standing")
+    arm_again(run)
     time.sleep(0.3)
     run.send_signal(signal.SIGINT)
     run.communicate(timeout=20)

@@ -8,6 +8,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 
 import surefoot
@@ -115,12 +116,29 @@ def controller(port: int, *words: str) -> subprocess.Popen[str]:
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
-def wait_for(process: subprocess.Popen[str], words: str) -> str:
-    """Read what a process says until a line has the words; return that."""
+def wait_for(process: subprocess.Popen[str], *words: str) -> str:
+    """Read what a process says until a line has one of these; who says none is killed in a minute."""
     assert process.stdout is not None
-    while words not in (line := process.stdout.readline()):
-        assert line, f"ended without '{words}'"
-    return line
+    watchdog = threading.Timer(60.0, process.kill)
+    watchdog.start()
+    try:
+        while True:
+            line = process.stdout.readline()
+            if any(word in line for word in words):
+                return line
+            assert line, f"ended without {words}"
+    finally:
+        watchdog.cancel()
+
+
+def arm_again(run: subprocess.Popen[str]) -> None:
+    """Ask a controller that damps to arm until it stands; a busy machine may lose a report first."""
+    for _ in range(10):
+        run.send_signal(signal.SIGUSR1)
+        if "not re-armed" not in (said := wait_for(run, " standing", "not re-armed")):
+            return
+        time.sleep(0.2)
+    raise AssertionError(said)
 
 
 def heed_ctrl_c() -> None:

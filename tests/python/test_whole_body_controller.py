@@ -510,7 +510,7 @@ def test_the_stand_controller_solves_the_same_program(body) -> None:
     gains = body.robot.config.gains
     gains.foot_kp, gains.foot_kd = 400.0, 35.0
     standing, rng = surefoot.StandController(body.robot, gains), np.random.default_rng(6)
-    for tick in range(100):
+    for tick in range(180):
         report = body.resting_report(2 * tick)
         report.imu.gyroscope[:] = 0.1 * rng.uniform(-1, 1, 3)
         report.imu.accelerometer[:] += 2.0 * np.sin(0.1 * tick)
@@ -518,13 +518,14 @@ def test_the_stand_controller_solves_the_same_program(body) -> None:
             report.motorState[i].dq = 0.3 * rng.uniform(-1, 1)
         standing.update(report)
         assert surefoot.is_usable(standing.status)
-        if tick < 5:
-            continue  # the attitude is being found: a tick late is far off
+        if tick < 80:
+            continue  # the attitude is being found, the normal goes with it: a tick late is far off
         twin = WholeBodyController(body.robot, gains).update(standing.state, standing.reference)
         theirs = standing.solution
         tau_max = body.robot.config.tau_max.max()
         np.testing.assert_allclose(theirs.torques, twin.torques, atol=1e-3 * tau_max)
-        np.testing.assert_allclose(theirs.accelerations, twin.accelerations, rtol=1e-3, atol=0.02)
+        most = max(20.0, np.abs(twin.accelerations).max())  # it grows as the reports go astray
+        np.testing.assert_allclose(theirs.accelerations, twin.accelerations, atol=1e-3 * most)
 
 
 def test_a_robot_too_heavy_for_its_motors_says_so_and_stays_inside_them(body) -> None:
