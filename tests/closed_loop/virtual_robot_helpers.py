@@ -117,7 +117,7 @@ def controller(port: int, *words: str) -> subprocess.Popen[str]:
 
 
 def wait_for(process: subprocess.Popen[str], *words: str) -> str:
-    """Read what a process says until a line has one of these; who says none is killed in a minute."""
+    """Read what a process says until a line has one of these; in a minute it is killed."""
     assert process.stdout is not None
     watchdog = threading.Timer(60.0, process.kill)
     watchdog.start()
@@ -132,7 +132,7 @@ def wait_for(process: subprocess.Popen[str], *words: str) -> str:
 
 
 def arm_again(run: subprocess.Popen[str]) -> None:
-    """Ask a controller that damps to arm until it stands; a busy machine may lose a report first."""
+    """Ask a controller that damps to arm, until it stands: a report may just be late."""
     for _ in range(10):
         run.send_signal(signal.SIGUSR1)
         if "not re-armed" not in (said := wait_for(run, " standing", "not re-armed")):
