@@ -11,14 +11,14 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from surefoot import Error
+from surefoot import Error, available_robots
 from surefoot.cli.progress import kept_in
 from surefoot.cli.simulation import check_place
 from surefoot.processes import killable_pool
 from surefoot.robots import build
 from surefoot.store import open_store
 
-ROBOTS = ("a1", "go1", "go2", "b1")
+ROBOTS = tuple(available_robots())
 
 Job = tuple[str | int, ...]
 """What a run gets: of what, and last the seed."""
