@@ -91,8 +91,11 @@ void Supervisor::Impl::obey(int request) noexcept {
       log.set(over, false);  // it begins anew
     }
     reason = FaultId::kNone;
-    stand.reset();  // all four legs are its own again
-    if (take) take_over();
+    if (take) {
+      take_over();
+    } else {
+      stand.reset();  // all four legs are its own again
+    }
   } else if (request != Requests::kNothing) {
     const Mode mode = static_cast<Mode>(request);
     if (judge_request(now, mode) == RequestStatus::kAccepted) enter(mode);
