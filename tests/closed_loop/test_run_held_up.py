@@ -12,7 +12,14 @@ import time
 from pathlib import Path
 
 import pytest
-from virtual_robot_helpers import arm_again, controller, heed_ctrl_c, start, wait_for
+from virtual_robot_helpers import (
+    arm_again,
+    controller,
+    heed_ctrl_c,
+    standing_still,
+    start,
+    wait_for,
+)
 
 pytestmark = pytest.mark.alone
 
@@ -28,9 +35,8 @@ def test_a_controller_that_stood_still_damps_until_it_is_armed_again(tmp_path: P
     run = controller(port, "--json", str(tmp_path / "run.json"))
     wait_for(run, "standing")
     time.sleep(0.5)
-    run.send_signal(signal.SIGSTOP)
-    time.sleep(0.6)  # more reports than the system keeps
-    run.send_signal(signal.SIGCONT)
+    with standing_still(run):
+        time.sleep(0.6)  # more reports than the system keeps
     assert "damping: away" in wait_for(run, "damping")
     time.sleep(0.5)
     arm_again(run)
@@ -48,13 +54,13 @@ def test_a_silent_robot_is_stale_at_every_rate(rate: int) -> None:
     run = controller(port, "--rate", str(rate))
     wait_for(run, "standing")
     time.sleep(0.3)
-    robot.send_signal(signal.SIGSTOP)
-    line = wait_for(run, "damping")
-    found = re.search(r"stale: no LowState for (\d+) ms", line)
-    # A tick of its own and the machine's leisure late; 10 ms is a tick at 100 Hz.
-    assert found and 20 <= int(found[1]) <= 60, line
-    run.send_signal(signal.SIGUSR1)
-    wait_for(run, "not re-armed: no LowState for")
+    with standing_still(robot):
+        line = wait_for(run, "damping")
+        found = re.search(r"stale: no LowState for (\d+) ms", line)
+        # A tick of its own and the machine's leisure late; 10 ms is a tick at 100 Hz.
+        assert found and 20 <= int(found[1]) <= 60, line
+        run.send_signal(signal.SIGUSR1)
+        wait_for(run, "not re-armed: no LowState for")
     end(run, robot)
 
 
@@ -63,9 +69,8 @@ def test_a_robot_whose_clock_stood_still_with_it_is_forgiven(tmp_path: Path) -> 
     run = controller(port, "--json", str(tmp_path / "run.json"))
     wait_for(run, "standing")
     time.sleep(0.3)
-    robot.send_signal(signal.SIGSTOP)
-    time.sleep(0.04)
-    robot.send_signal(signal.SIGCONT)
+    with standing_still(robot):
+        time.sleep(0.04)
     wait_for(run, "going on")
     time.sleep(0.5)
     run.send_signal(signal.SIGINT)
@@ -101,11 +106,10 @@ def test_ending_before_a_robot_has_come_is_no_success() -> None:
 
 def test_the_duration_counts_from_the_first_tick_of_control(tmp_path: Path) -> None:
     robot, port = start()
-    robot.send_signal(signal.SIGSTOP)
-    run = controller(port, "--duration", "1", "--json", str(tmp_path / "run.json"))
-    wait_for(run, "waiting")
-    time.sleep(1.2)
-    robot.send_signal(signal.SIGCONT)
+    with standing_still(robot):
+        run = controller(port, "--duration", "1", "--json", str(tmp_path / "run.json"))
+        wait_for(run, "waiting")
+        time.sleep(1.2)
     run.communicate(timeout=20)
     end(robot)
     result = json.loads((tmp_path / "run.json").read_text())

@@ -23,7 +23,10 @@ IN_20_MS = 10  # commands, at 500 Hz
 def rising(wired: Wired) -> None:
     wired.arm()
     assert wired.request(Mode.RISE) == RequestStatus.ACCEPTED
-    assert wired.until(lambda now: now.way_up > 0.3, 15.0), wired.now.phase
+    assert wired.until(lambda now: now.way_up > 0.3, 15.0), (
+        wired.now.phase,
+        wired.now.damping,
+    )
 
 
 @pytest.mark.parametrize("name", ["go1", "b1"])

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "patient_clock.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace patient {
+
+namespace {
+
+constexpr int kLoops = 64;
+constexpr unsigned kHolds = 1024;
+
+// A thread that keeps real time.
+struct Loop {
+  std::atomic<int> thread;  // 0: nobody's
+  std::atomic<int> process;
+  std::atomic<Time> due;     // at which it was to wake, on the shared clock
+  std::atomic<Time> waited;  // for it since then
+};
+
+// Until `real` the clock stood still; it was `held` behind then.
+struct Hold {
+  std::atomic<Time> real, held;
+};
+
+// What the file holds. It begins with zeros, which is what a new one has; the first two are also
+// written and read by virtual_robot_helpers.py.
+struct Shared {
+  std::atomic<Time> held;
+  std::atomic<Time> excused;  // a process that nobody waits for
+  std::atomic<Time> latest;   // time that somebody was told
+  std::atomic<unsigned> holds;
+  Hold history[kHolds];
+  Loop loops[kLoops];
+};
+
+Shared* map_file() noexcept {
+  const char* path = std::getenv("PATIENT_CLOCK");
+  if (path == nullptr) return nullptr;
+  const int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0 || ftruncate(file, sizeof(Shared)) != 0) return nullptr;
+  void* place = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  close(file);
+  return place == MAP_FAILED ? nullptr : static_cast<Shared*>(place);
+}
+
+Shared* shared() noexcept {
+  static Shared* const mapped = map_file();
+  return mapped;
+}
+
+// The place of this thread, which is free again when the thread ends.
+struct Place {
+  Loop* loop = nullptr;
+  int thread = 0;
+
+  ~Place() { leave(); }
+
+  bool owned() const noexcept { return loop != nullptr && loop->thread.load() == thread; }
+
+  void leave() noexcept {
+    if (owned()) loop->thread.store(0);
+    loop = nullptr;
+  }
+
+  void take() noexcept {
+    if (owned()) return;  // it may have been given up meanwhile
+    thread = static_cast<int>(syscall(SYS_gettid));
+    for (Loop& candidate : shared()->loops) {
+      int nobody = 0;
+      if (!candidate.thread.compare_exchange_strong(nobody, thread)) continue;
+      candidate.process.store(getpid());
+      loop = &candidate;
+      return;
+    }
+  }
+};
+thread_local Place place;
+
+// The loop that is behind most; null if nobody is to be waited for.
+Loop* slowest() noexcept {
+  Loop* found = nullptr;
+  const Time excused = shared()->excused.load();
+  for (Loop& loop : shared()->loops) {
+    if (loop.thread.load() == 0 || loop.process.load() == excused || loop.due.load() == 0) continue;
+    if (found == nullptr || loop.due.load() < found->due.load()) found = &loop;
+  }
+  return found;
+}
+
+bool lives(int process, int thread) noexcept {
+  char path[64], text[512] = {};
+  std::snprintf(path, sizeof(path), "/proc/%d/task/%d/stat", process, thread);
+  const int file = open(path, O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const ssize_t got = read(file, text, sizeof(text) - 1);
+  close(file);
+  const char* name_end = got > 0 ? std::strrchr(text, ')') : nullptr;
+  return name_end != nullptr && name_end[2] != 'Z' && name_end[2] != 'X';
+}
+
+// Wait for a loop a little more, or no more.
+void wait_for(Loop& loop, Time more) noexcept {
+  const Time before = loop.waited.fetch_add(more), after = before + more;
+  const bool doubtful = before <= kDoubt && after > kDoubt;
+  const bool gone = doubtful && !lives(loop.process.load(), loop.thread.load());
+  if (gone || after > kPatience) loop.thread.store(0);
+}
+
+// False if somebody else was first.
+bool hold(Loop& loop, Time real, Time before, Time more) noexcept {
+  if (!shared()->held.compare_exchange_strong(before, before + more)) return false;
+  const unsigned holds = shared()->holds.load();
+  const Hold& last = shared()->history[(holds + kHolds - 1) % kHolds];
+  const bool goes_on = holds > 0 && last.real.load() - last.held.load() == real - before - more;
+  Hold& entry = shared()->history[(goes_on ? holds - 1 : shared()->holds.fetch_add(1)) % kHolds];
+  entry.held.store(before + more);
+  entry.real.store(real);
+  wait_for(loop, more);
+  return true;
+}
+
+}  // namespace
+
+bool is_shared() noexcept { return shared() != nullptr; }
+
+Time system_time() noexcept {
+  static const auto call =
+      reinterpret_cast<int (*)(clockid_t, timespec*)>(dlsym(RTLD_NEXT, "clock_gettime"));
+  timespec found{};
+  call(CLOCK_MONOTONIC, &found);
+  return 1'000'000'000 * static_cast<Time>(found.tv_sec) + found.tv_nsec;
+}
+
+Time held() noexcept { return shared()->held.load(); }
+
+Time now() noexcept {
+  Time time = 0;
+  while (true) {
+    const Time before = held();
+    const Time real = system_time();
+    time = real - before;
+    Loop* const loop = slowest();
+    if (loop == nullptr) break;
+    const Time most = loop->due.load() + kAhead;
+    if (time <= most) break;
+    if (hold(*loop, real, before, time - most)) {
+      time = most;
+      break;
+    }
+  }
+  Time latest = shared()->latest.load();
+  while (latest < time && !shared()->latest.compare_exchange_weak(latest, time)) {
+  }
+  return std::max(latest, time);  // it never goes back
+}
+
+Time past(Time real) noexcept {
+  const unsigned holds = shared()->holds.load();
+  const Time most = now();
+  Time behind = 0, time = most;
+  for (unsigned k = holds > kHolds ? holds - kHolds : 0; k < holds; ++k) {
+    const Hold& entry = shared()->history[k % kHolds];
+    if (entry.real.load() > real) {  // it stood still then, or had not come so far
+      time = std::min(time, entry.real.load() - entry.held.load());
+    } else {
+      behind = std::max(behind, entry.held.load());
+    }
+  }
+  return std::min(time, real - behind);
+}
+
+void announce(Time due) noexcept {
+  const Time time = now();
+  if (due - time > kLongestPeriod) {
+    place.leave();
+    return;
+  }
+  place.take();
+  if (place.loop == nullptr) return;
+  place.loop->waited.store(0);
+  place.loop->due.store(std::max(due, time));
+}
+
+}  // namespace patient

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+/// A clock that several programs share and that waits for whichever of them is late.
+///
+/// Machines that run tests stand still for tens of milliseconds, all at once or a processor of
+/// them. A controller then damps, as it should, and a test of something else fails. This clock
+/// follows CLOCK_MONOTONIC, but never by more than kAhead past the time at which one of the loops
+/// that keep real time was to wake. To those loops such a machine looks like a good one; what they
+/// do in that time is theirs.
+namespace patient {
+
+/// [ns]
+using Time = std::int64_t;
+
+inline constexpr Time kMillisecond = 1'000'000;
+
+/// Sleeps up to this keep a loop's time; longer ones are somebody's leisure. [ns]
+inline constexpr Time kLongestPeriod = 12 * kMillisecond;
+
+/// How far the clock goes past the time at which a loop was to wake. [ns]
+inline constexpr Time kAhead = 3 * kMillisecond;
+
+/// After this it looks whether the one it waits for still lives. [ns]
+inline constexpr Time kDoubt = 20 * kMillisecond;
+
+/// For how long it waits for a thread that lives, which may have something else to do. [ns]
+inline constexpr Time kPatience = 500 * kMillisecond;
+
+/// Is there a clock to share? It is in the file that PATIENT_CLOCK names.
+bool is_shared() noexcept;
+
+/// The shared time, which the system's was at `real`; [ns] on CLOCK_MONOTONIC both.
+Time past(Time real) noexcept;
+
+/// The shared time now. [ns]
+Time now() noexcept;
+
+/// By how much it is behind the system's. [ns]
+Time held() noexcept;
+
+/// The calling thread is about to sleep until `due` and is waited for, unless it is longer than
+/// kLongestPeriod. [ns]
+void announce(Time due) noexcept;
+
+/// The system's CLOCK_MONOTONIC. [ns]
+Time system_time() noexcept;
+
+}  // namespace patient
