@@ -109,18 +109,22 @@ void bind_runner(nb::module_& m) {
       .def(
           "__init__",
           [](RunOptions* o, double rate, double duration, int power_level, bool remote,
-             double patience, Start start) {
-            new (o) RunOptions{rate, duration, power_level, remote, patience, start};
+             double patience, Start start, double operator_timeout) {
+            new (o)
+                RunOptions{rate, duration, power_level, remote, patience, start, operator_timeout};
           },
           "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
-          "power_level"_a = 1, "remote"_a = true, "patience"_a = 5.0, "start"_a = Start::kStanding)
+          "power_level"_a = 1, "remote"_a = true, "patience"_a = 5.0, "start"_a = Start::kStanding,
+          "operator_timeout"_a = std::numeric_limits<double>::infinity())
       .def_rw("rate", &RunOptions::rate, "[Hz] of the control loop.")
       .def_rw("duration", &RunOptions::duration,
               "[s] from when it stands first, then finish(); inf: until finish() or stop().")
       .def_rw("power_level", &RunOptions::power_level, "Of power_protect(); 0 switches it off.")
       .def_rw("remote", &RunOptions::remote, "Sticks move the body, button B damps.")
       .def_rw("patience", &RunOptions::patience, "[s] to wait for the first valid LowState.")
-      .def_rw("start", &RunOptions::start, "STANDING: taken over at once; LYING: behind arming.");
+      .def_rw("start", &RunOptions::start, "STANDING: taken over at once; LYING: behind arming.")
+      .def_rw("operator_timeout", &RunOptions::operator_timeout,
+              "[s] without heartbeat() before the robot sits down; inf: nobody need be there.");
   nb::class_<StandRunner>(m, "StandRunner",
                           "Runs a Supervisor over UDP at a fixed rate.\n\n"
                           "It begins and ends with damping frames; a latched damping is left by "
@@ -152,6 +156,7 @@ void bind_runner(nb::module_& m) {
            "Sit down if it was started lying, then damp, and end; from any thread.")
       .def("stop", &StandRunner::stop, "Damp, and end; from any thread.")
       .def("damp", &StandRunner::damp, "Damp, and stay; from any thread.")
+      .def("heartbeat", &StandRunner::heartbeat, "Say that the operator is there; from any thread.")
       .def("rearm", &StandRunner::rearm, "arm() whose refusals the snapshot counts.")
       .def("set_gains", &StandRunner::set_gains, "gains"_a,
            "As StandController's, with the next tick; from any thread. Raise Error if one is "

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import socket
+import threading
 
 import numpy as np
 import pytest
@@ -117,6 +118,27 @@ def test_silence_in_a_rise_damps_and_latches() -> None:
         wired.arm()
         assert wired.now.phase == "passive" and wired.now.rearms == 1
         assert wired.with_torque(since=before) == 0
+
+
+def test_an_operator_who_is_gone_has_the_robot_sit_down() -> None:
+    with Wired(operator_timeout=0.3) as wired:
+        beats = threading.Event()
+
+        def beat() -> None:
+            while not beats.wait(0.05):
+                wired.runner.heartbeat()
+
+        operator = threading.Thread(target=beat)
+        operator.start()
+        try:
+            rising(wired)
+            assert wired.reaches("standing"), wired.now.damping
+        finally:
+            beats.set()
+            operator.join()
+        assert wired.until(lambda now: now.phase == "sitting", 0.6)
+        assert FaultId.OPERATOR in wired.now.faults.active
+        assert wired.reaches("passive")
 
 
 def test_the_remotes_button_damps_in_a_rise() -> None:

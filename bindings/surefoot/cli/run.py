@@ -74,6 +74,7 @@ def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, Robot, str
         power_level=arguments.power_level,
         remote=not arguments.no_remote,
         start=Start.LYING if arguments.rise else Start.STANDING,
+        operator_timeout=arguments.operator_timeout,
     )
     stand = StandOptions(
         motor_damping=arguments.motor_damping,

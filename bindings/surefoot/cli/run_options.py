@@ -49,6 +49,14 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
         metavar="MS",
         help="delay from measurement to action that the controller predicts across (0)",
     )
+    add(
+        "--operator-timeout",
+        type=float,
+        default=2.0,
+        metavar="S",
+        help="that what reads keys and signals may be stuck, in a terminal that takes no lines "
+        "for example, before the robot lies down (2); inf: for ever",
+    )
     add("--no-remote", action="store_true", help="do not obey the wireless remote")
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
 

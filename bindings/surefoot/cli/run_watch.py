@@ -42,6 +42,7 @@ def supervise(
     try:
         while loop.is_alive():
             time.sleep(_LOOK)
+            runner.heartbeat()
             now = runner.snapshot()
             if unasked_rise:
                 unasked_rise.look(now)

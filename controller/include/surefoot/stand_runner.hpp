@@ -19,6 +19,8 @@ struct RunOptions {
   bool remote = true;              ///< sticks move the body, a button damps
   double patience = 5.0;           ///< [s] to wait for the first valid LowState
   Start start = Start::kStanding;  ///< kLying: behind arming checks; power_level 1 .. 10
+  /// [s] without heartbeat() before the robot sits down; infinite: nobody need be there
+  double operator_timeout = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error naming what is out of range.
   void validate() const;
@@ -123,10 +125,11 @@ class StandRunner {
   // From any thread, and from a signal handler:
   RequestStatus request(Mode mode) noexcept;  ///< as Supervisor's
   RequestStatus arm() noexcept;               ///< as Supervisor's
-  void rearm() noexcept;   ///< arm() whose refusals are counted: RunSnapshot::refused_rearms
-  void finish() noexcept;  ///< with start kLying: sit down, then damp, and end; else stop()
-  void stop() noexcept;    ///< damp, and end
-  void damp() noexcept;    ///< damp, and stay
+  void rearm() noexcept;      ///< arm() whose refusals are counted: RunSnapshot::refused_rearms
+  void finish() noexcept;     ///< with start kLying: sit down, then damp, and end; else stop()
+  void stop() noexcept;       ///< damp, and end
+  void damp() noexcept;       ///< damp, and stay
+  void heartbeat() noexcept;  ///< the operator is there: RunOptions::operator_timeout
 
   // From any thread; obeyed with the next tick:
   void set_gains(const Gains& gains);  ///< as StandController's; throws surefoot::Error

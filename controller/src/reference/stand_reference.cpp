@@ -21,6 +21,7 @@ FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
 }  // namespace
 
 void StandReference::latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept {
+  rolling_.reset();
   support_.latch(contact_points(dynamics));
   const Matrix3 R = support_.R_world_support().transpose();
   const LatchedPose pose{R * (dynamics.p_world_base() - support_.origin()),
@@ -33,7 +34,8 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   const StageScope stage(Stage::kReference);
   Eigen::Vector4d contact = believed;
   if (three_.lost() != ThreeFeet::kNone) contact[three_.lost()] = 0.0;
-  support_.update(contact_points(dynamics), contact, dt);
+  rolling_.update(dynamics, support_.normal(), contact, dt);
+  support_.update(contact_points(dynamics) - rolling_.way(), contact, dt);
   const Matrix3& R = support_.R_world_support();
   motion_.step(gains, support_.places(), -R.row(2).transpose(), dt);
   three_.step(support_.places(), motion_.p_com(), dt);
@@ -49,7 +51,8 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   reference_.w_world_base = R * motion_.w_base();
   reference_.ground_normal = support_.normal();
   for (int leg = 0; leg < kLegs; ++leg) {
-    reference_.feet[leg].p_world = support_.origin() + R * support_.places().col(leg);
+    reference_.feet[leg].p_world =
+        support_.origin() + R * support_.places().col(leg) + rolling_.way().col(leg);
   }
   if (three_.lost() != ThreeFeet::kNone) leave(three_.lost(), dynamics);
   reference_.alpha_world_base = R * motion_.alpha_base();

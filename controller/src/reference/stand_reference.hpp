@@ -3,6 +3,7 @@
 
 #include "dynamics/dynamics.hpp"
 #include "reference/body_motion.hpp"
+#include "reference/rolling.hpp"
 #include "reference/support_frame.hpp"
 #include "reference/three_feet.hpp"
 
@@ -17,7 +18,8 @@ namespace surefoot {
 /// the legs of a robot that is lifted come back to its standing pose. Real-time: yes.
 class StandReference {
  public:
-  explicit StandReference(const Robot& robot) : motion_(robot) {}
+  explicit StandReference(const Robot& robot)
+      : motion_(robot), rolling_(robot.config().foot_radius) {}
 
   /// Remember how the robot stands; q: its joints.
   void latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept;
@@ -46,6 +48,7 @@ class StandReference {
 
   BodyMotion motion_;
   SupportFrame support_;
+  Rolling rolling_;
   ThreeFeet three_;
   double airborne_ = 0.0;  // share by which the frame goes with the body
   Reference reference_;

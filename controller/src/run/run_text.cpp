@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
+
 #include "surefoot/error.hpp"
 #include "surefoot/stand_runner.hpp"
 #include "text.hpp"
@@ -17,6 +19,8 @@ void RunOptions::validate() const {
     check("power_level", power_level, 1, 10, " for a robot that is to get up");
   }
   check("patience", patience, 0.0, 1e6, " [s]");
+  check("operator_timeout", operator_timeout, 0.01, std::numeric_limits<double>::infinity(),
+        " [s]");
   if (!(duration > 0.0)) {
     throw Error("option 'duration' out of range: got " + to_text(duration) +
                 ", expected above 0 [s]");

@@ -27,6 +27,7 @@ SupervisorOptions supervised(const RunOptions& options, const StandOptions& stan
   out.power_level = options.power_level;
   out.start = options.start;
   out.remote = options.remote;
+  out.operator_timeout = options.operator_timeout;
   out.stand = stand;
   return out;
 }

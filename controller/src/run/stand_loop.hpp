@@ -33,6 +33,7 @@ class StandLoop {
   void finish() noexcept { finish_.store(true); }
   void stop() noexcept { stop_.store(true); }
   void damp() noexcept;
+  void heartbeat() noexcept { supervisor_.heartbeat(); }
 
   // From any thread:
   void set_gains(const Gains& gains);  ///< throws surefoot::Error

@@ -63,6 +63,7 @@ RequestStatus StandRunner::arm() noexcept { return impl_->loop.arm(); }
 void StandRunner::finish() noexcept { impl_->loop.finish(); }
 void StandRunner::stop() noexcept { impl_->loop.stop(); }
 void StandRunner::damp() noexcept { impl_->loop.damp(); }
+void StandRunner::heartbeat() noexcept { impl_->loop.heartbeat(); }
 void StandRunner::rearm() noexcept { impl_->loop.rearm(); }
 void StandRunner::set_gains(const Gains& gains) { impl_->loop.set_gains(gains); }
 void StandRunner::set_body_reference(const BodyReference& target) {

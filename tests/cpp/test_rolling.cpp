@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/LU>
+#include <boost/test/unit_test.hpp>
+
+#include "reference/stand_reference.hpp"
+#include "scenes.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kDt = 0.002;
+
+// Velocities of a body that sways over feet that roll and do not slip.
+Eigen::VectorXd swaying(const Robot& robot, const Dynamics& dynamics, const Vector6& twist,
+                        long nv) {
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(nv);
+  v.head<6>() = twist;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const LegDynamics& L = dynamics.legs()[leg];
+    const Vector3 joints = -L.J_leg.inverse() * (L.J_base * twist);
+    for (int k = 0; k < 3; ++k) v[robot.motor_to_v()[3 * leg + k]] = joints[k];
+  }
+  return v;
+}
+
+struct Sway {
+  Robot robot = quadruped();
+  Dynamics dynamics{robot};
+  RobotState state = standing_state(robot);
+  Sway() { dynamics.update(state.q, state.v, Vector3::UnitZ()); }
+
+  void step(const Vector6& twist) {
+    state.v = swaying(robot, dynamics, twist, state.v.size());
+    state.q = integrate(robot, state.q, kDt * state.v);
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+  }
+};
+
+Vector6 forward() { return 0.4 * Vector6::Unit(0) + 0.1 * Vector6::Unit(1); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(rolling)
+
+BOOST_FIXTURE_TEST_CASE(it_is_the_way_of_contact_points_that_do_not_slip, Sway) {
+  Rolling rolling(robot.config().foot_radius);
+  const FeetMatrix before = contact_points(robot, state.q);
+  for (int tick = 0; tick < 50; ++tick) {
+    step(forward());
+    rolling.update(dynamics, Vector3::UnitZ(), Eigen::Vector4d(1, 0.5, 0, 1), kDt);
+  }
+  const FeetMatrix way = contact_points(robot, state.q) - before;
+  BOOST_TEST(way.col(FR_).norm() > 0.001);
+  // It forgets by a twentieth meanwhile.
+  BOOST_TEST((rolling.way().col(FR_) - way.col(FR_)).norm() < 0.06 * way.col(FR_).norm());
+  BOOST_TEST((rolling.way().col(FL_) - 0.5 * way.col(FL_)).norm() < 0.06 * way.col(FL_).norm());
+  BOOST_TEST(rolling.way().col(RR_).norm() == 0.0);
+  rolling.reset();
+  BOOST_TEST(rolling.way().norm() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_foot_in_the_air_does_not_go_with_those_that_roll, Sway) {
+  StandReference stand(robot);
+  stand.latch(dynamics, state.q);
+  const FeetMatrix before = contact_points(robot, state.q);
+  const Eigen::Vector4d contact(0, 1, 1, 1);
+  for (int tick = 0; tick < 75; ++tick) {
+    step(forward());
+    stand.update(robot.config().gains, dynamics, contact, kDt);
+  }
+  const FeetMatrix way = contact_points(robot, state.q) - before;
+  const Reference& wanted = stand.reference();
+  const auto moved = [&](int leg) { return (wanted.feet[leg].p_world - before.col(leg)).norm(); };
+  BOOST_TEST(way.col(FL_).norm() > 0.002);
+  BOOST_TEST(moved(FR_) < 0.15 * way.col(FL_).norm());
+  for (int leg : {FL_, RR_, RL_}) {
+    const Vector3 off = wanted.feet[leg].p_world - before.col(leg) - way.col(leg);
+    BOOST_TEST(off.norm() < 0.15 * way.col(leg).norm());
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
