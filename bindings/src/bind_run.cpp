@@ -124,7 +124,8 @@ void bind_runner(nb::module_& m) {
       .def_rw("patience", &RunOptions::patience, "[s] to wait for the first valid LowState.")
       .def_rw("start", &RunOptions::start, "STANDING: taken over at once; LYING: behind arming.")
       .def_rw("operator_timeout", &RunOptions::operator_timeout,
-              "[s] without heartbeat() before the robot sits down; inf: nobody need be there.");
+              "[s] without heartbeat(), which another thread calls, before the robot sits down; "
+              "inf: nobody need be there.");
   nb::class_<StandRunner>(m, "StandRunner",
                           "Runs a Supervisor over UDP at a fixed rate.\n\n"
                           "It begins and ends with damping frames; a latched damping is left by "

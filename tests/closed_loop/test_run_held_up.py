@@ -12,11 +12,11 @@ import time
 from pathlib import Path
 
 import pytest
+from standing_still import standing_still
 from virtual_robot_helpers import (
     arm_again,
     controller,
     heed_ctrl_c,
-    standing_still,
     start,
     wait_for,
 )

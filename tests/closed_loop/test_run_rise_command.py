@@ -95,6 +95,28 @@ def test_an_operator_gets_it_up_and_down_by_keys() -> None:
         assert terminal.status() == 0
 
 
+def test_a_terminal_that_hangs_has_the_robot_lie_down_and_its_keys_are_left_out() -> None:
+    with lying_robot() as (_, port):
+        terminal = Terminal(port, "--rise")
+        terminal.shows(" ready")
+        terminal.press("a\n")
+        terminal.shows("ready, armed")
+        terminal.press("u\n")
+        terminal.shows(" standing")
+        time.sleep(0.5)
+        terminal.press("\x13")  # Ctrl-S: the terminal takes no more lines
+        time.sleep(4.0)
+        terminal.press("u\n")
+        time.sleep(0.5)
+        terminal.press("\x11")
+        terminal.shows("keys typed meanwhile are left out")
+        terminal.shows("fault operator")
+        terminal.shows(" passive")
+        terminal.press("\x03")
+        terminal.shows("ended")
+        assert terminal.status() == 3  # it did not stand to the end
+
+
 def test_unasked_it_rises_once_stands_its_time_and_lies_down(tmp_path: Path) -> None:
     with lying_robot("--json", str(tmp_path / "robot.json")) as (robot, port):
         words = ("--rise", "--yes", "--duration", "1", "--json", str(tmp_path / "run.json"))

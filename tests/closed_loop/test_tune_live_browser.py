@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import time
@@ -45,17 +46,24 @@ class Live(NamedTuple):
     folder: Path
 
 
+@contextlib.contextmanager
+def without_our_library() -> Iterator[None]:
+    """Start programs without the patient clock: a browser's sandboxes want nothing preloaded."""
+    preloaded = os.environ.pop("LD_PRELOAD", None)
+    try:
+        yield
+    finally:
+        if preloaded is not None:
+            os.environ["LD_PRELOAD"] = preloaded
+
+
 @pytest.fixture(scope="module")
 def chromium() -> Iterator[sync_api.Browser]:
     path = next((path for name in BROWSERS if (path := shutil.which(name))), None)
     if path is None:
         pytest.skip(f"no browser: none of {', '.join(BROWSERS)} is on the PATH")
-    # Its sandboxes want no library of ours.
-    preloaded = os.environ.pop("LD_PRELOAD", None)
-    with sync_api.sync_playwright() as playwright:
+    with without_our_library(), sync_api.sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
-        if preloaded is not None:
-            os.environ["LD_PRELOAD"] = preloaded
         yield browser
         browser.close()
 

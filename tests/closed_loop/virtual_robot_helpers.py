@@ -3,18 +3,13 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 import re
 import signal
 import socket
-import struct
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
-from pathlib import Path
 
 import surefoot
 from surefoot import protocol
@@ -134,26 +129,6 @@ def wait_for(process: subprocess.Popen[str], *words: str) -> str:
             assert line, f"ended without {words}"
     finally:
         watchdog.cancel()
-
-
-@contextlib.contextmanager
-def standing_still(process: subprocess.Popen[str]) -> Iterator[None]:
-    """Stop a process for a while; the patient clock, where there is one, does not wait for it."""
-    file = os.environ.get("PATIENT_CLOCK")
-    excuse(file, process.pid)
-    process.send_signal(signal.SIGSTOP)
-    try:
-        yield
-    finally:
-        process.send_signal(signal.SIGCONT)
-        excuse(file, 0)
-
-
-def excuse(file: str | None, process: int) -> None:
-    if file is not None:
-        with Path(file).open("r+b") as clock:
-            clock.seek(8)  # behind `held`: patient_clock.cpp
-            clock.write(struct.pack("q", process))
 
 
 def arm_again(run: subprocess.Popen[str]) -> None:

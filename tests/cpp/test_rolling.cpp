@@ -28,7 +28,11 @@ struct Sway {
   Robot robot = quadruped();
   Dynamics dynamics{robot};
   RobotState state = standing_state(robot);
-  Sway() { dynamics.update(state.q, state.v, Vector3::UnitZ()); }
+  Sway() {
+    const Quaternion R = exp_so3(1.3 * Vector3::UnitZ()) * exp_so3(0.1 * Vector3::UnitY());
+    state.q.segment<4>(3) = R.coeffs();
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+  }
 
   void step(const Vector6& twist) {
     state.v = swaying(robot, dynamics, twist, state.v.size());
@@ -37,7 +41,12 @@ struct Sway {
   }
 };
 
-Vector6 forward() { return 0.4 * Vector6::Unit(0) + 0.1 * Vector6::Unit(1); }
+// Base axes: forward, a little aside, pitching and turning.
+Vector6 forward() {
+  Vector6 twist;
+  twist << 0.4, 0.1, 0.0, 0.05, 0.3, 0.2;
+  return twist;
+}
 
 }  // namespace
 
@@ -58,6 +67,24 @@ BOOST_FIXTURE_TEST_CASE(it_is_the_way_of_contact_points_that_do_not_slip, Sway) 
   BOOST_TEST(rolling.way().col(RR_).norm() == 0.0);
   rolling.reset();
   BOOST_TEST(rolling.way().norm() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_gyroscope_that_is_stuck_moves_it_by_little_and_not_for_long, Sway) {
+  const double radius = robot.config().foot_radius;
+  Rolling rolling(radius);
+  state.v[4] = 2.0;
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  for (int tick = 0; tick < 1000; ++tick) {
+    rolling.update(dynamics, Vector3::UnitZ(), Eigen::Vector4d::Ones(), kDt);
+    BOOST_TEST_REQUIRE(rolling.way().colwise().norm().maxCoeff() < 0.41 * radius);
+  }
+  BOOST_TEST(rolling.way().colwise().norm().minCoeff() > 0.39 * radius);
+  state.v.setZero();
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  for (int tick = 0; tick < 5000; ++tick) {
+    rolling.update(dynamics, Vector3::UnitZ(), Eigen::Vector4d::Ones(), kDt);
+  }
+  BOOST_TEST(rolling.way().norm() < 0.01 * radius);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_foot_in_the_air_does_not_go_with_those_that_roll, Sway) {

@@ -30,7 +30,8 @@ timespec to_timespec(Time value) {
 
 template <class Function>
 Function* original(const char* name, const char* version = nullptr) {
-  void* found = version == nullptr ? dlsym(RTLD_NEXT, name) : dlvsym(RTLD_NEXT, name, version);
+  void* found = version == nullptr ? nullptr : dlvsym(RTLD_NEXT, name, version);
+  if (found == nullptr) found = dlsym(RTLD_NEXT, name);  // not x86-64's version
   return reinterpret_cast<Function*>(found);
 }
 
@@ -97,7 +98,7 @@ int clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, timespec
 
 int nanosleep(const timespec* wanted, timespec* rest) {
   const int problem = clock_nanosleep(CLOCK_MONOTONIC, 0, wanted, rest);
-  errno = problem;
+  if (problem != 0) errno = problem;
   return problem == 0 ? 0 : -1;
 }
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -34,8 +36,8 @@ struct Hold {
   std::atomic<Time> real, held;
 };
 
-// What the file holds. It begins with zeros, which is what a new one has; the first two are also
-// written and read by virtual_robot_helpers.py.
+// What the file holds. It begins with zeros, which is what a new one has; `excused` is also written
+// by standing_still.py.
 struct Shared {
   std::atomic<Time> held;
   std::atomic<Time> excused;  // a process that nobody waits for
@@ -44,6 +46,8 @@ struct Shared {
   Hold history[kHolds];
   Loop loops[kLoops];
 };
+
+static_assert(offsetof(Shared, excused) == 8, "standing_still.py writes it there");
 
 Shared* map_file() noexcept {
   const char* path = std::getenv("PATIENT_CLOCK");
@@ -70,7 +74,10 @@ struct Place {
   bool owned() const noexcept { return loop != nullptr && loop->thread.load() == thread; }
 
   void leave() noexcept {
-    if (owned()) loop->thread.store(0);
+    if (owned()) {
+      loop->due.store(0);
+      loop->thread.store(0);
+    }
     loop = nullptr;
   }
 
@@ -80,6 +87,7 @@ struct Place {
     for (Loop& candidate : shared()->loops) {
       int nobody = 0;
       if (!candidate.thread.compare_exchange_strong(nobody, thread)) continue;
+      candidate.due.store(0);  // nobody waits for it yet
       candidate.process.store(getpid());
       loop = &candidate;
       return;
@@ -93,19 +101,24 @@ Loop* slowest() noexcept {
   Loop* found = nullptr;
   const Time excused = shared()->excused.load();
   for (Loop& loop : shared()->loops) {
-    if (loop.thread.load() == 0 || loop.process.load() == excused || loop.due.load() == 0) continue;
+    if (loop.thread.load() == 0 || loop.due.load() == 0) continue;
+    if (loop.process.load() == excused) {
+      loop.due.store(0);  // until it keeps time again
+      continue;
+    }
     if (found == nullptr || loop.due.load() < found->due.load()) found = &loop;
   }
   return found;
 }
 
 bool lives(int process, int thread) noexcept {
+  const int error = errno;  // clock_gettime() does not set it where it succeeds
   char path[64], text[512] = {};
   std::snprintf(path, sizeof(path), "/proc/%d/task/%d/stat", process, thread);
   const int file = open(path, O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const ssize_t got = read(file, text, sizeof(text) - 1);
-  close(file);
+  const ssize_t got = file < 0 ? -1 : read(file, text, sizeof(text) - 1);
+  if (file >= 0) close(file);
+  errno = error;
   const char* name_end = got > 0 ? std::strrchr(text, ')') : nullptr;
   return name_end != nullptr && name_end[2] != 'Z' && name_end[2] != 'X';
 }
@@ -115,7 +128,9 @@ void wait_for(Loop& loop, Time more) noexcept {
   const Time before = loop.waited.fetch_add(more), after = before + more;
   const bool doubtful = before <= kDoubt && after > kDoubt;
   const bool gone = doubtful && !lives(loop.process.load(), loop.thread.load());
-  if (gone || after > kPatience) loop.thread.store(0);
+  if (!gone && after <= kPatience) return;
+  loop.due.store(0);
+  loop.thread.store(0);
 }
 
 // False if somebody else was first.
@@ -152,8 +167,10 @@ Time now() noexcept {
     const Time real = system_time();
     time = real - before;
     Loop* const loop = slowest();
+    if (held() != before) continue;  // somebody has held it meanwhile
     if (loop == nullptr) break;
-    const Time most = loop->due.load() + kAhead;
+    // Never back behind what somebody was told.
+    const Time most = std::max(loop->due.load() + kAhead, shared()->latest.load());
     if (time <= most) break;
     if (hold(*loop, real, before, time - most)) {
       time = most;

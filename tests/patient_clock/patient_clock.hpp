@@ -8,8 +8,11 @@
 /// Machines that run tests stand still for tens of milliseconds, all at once or a processor of
 /// them. A controller then damps, as it should, and a test of something else fails. This clock
 /// follows CLOCK_MONOTONIC, but never by more than kAhead past the time at which one of the loops
-/// that keep real time was to wake. To those loops such a machine looks like a good one; what they
-/// do in that time is theirs.
+/// that keep real time was to wake. To those loops such a machine looks like a good one.
+///
+/// So does one on which they are too slow themselves: what a loop computes takes no time here,
+/// however long it takes. Whether loops fit their periods is for tests on the system's clock
+/// (test_real_time.py).
 namespace patient {
 
 /// [ns]

@@ -6,7 +6,17 @@ import argparse
 import math
 import sys
 
-from surefoot._core import Error, Robot, RunOptions, StandOptions, StandRunner, Start
+from surefoot._core import (
+    Error,
+    FaultReaction,
+    Robot,
+    RunOptions,
+    RunSnapshot,
+    StandOptions,
+    StandRunner,
+    Start,
+    fault_table,
+)
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.run_operator import KEYS
 from surefoot.cli.run_text import closing_text, no_robot_text, run_summary
@@ -45,7 +55,14 @@ def run(arguments: argparse.Namespace) -> int:
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
         return NO_ROBOT
-    return 0 if end.reason == "asked" and end.stood else ENDED_DAMPED
+    return 0 if end.reason == "asked" and end.stood and not _was_laid_down(end) else ENDED_DAMPED
+
+
+def _was_laid_down(end: RunSnapshot) -> bool:
+    """Return whether a fault made the robot sit: it did not stand to the end."""
+    return any(
+        info.reaction == FaultReaction.SIT and end.faults.count(info.id) for info in fault_table()
+    )
 
 
 def _check_operator(arguments: argparse.Namespace) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import select
 import sys
+import termios
 from collections.abc import Callable
 
 from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, RunSnapshot, StandRunner
@@ -39,6 +40,12 @@ class Operator:
             self._present = bool(line)  # else its end
             if line.strip():
                 self.obey(line.strip(), now)
+
+    def forget(self) -> bool:
+        """Leave out what has been typed and not been read; return whether there is a keyboard."""
+        if self._present:
+            termios.tcflush(sys.stdin, termios.TCIFLUSH)
+        return self._present
 
     def obey(self, word: str, now: RunSnapshot) -> None:
         """Do what a line asks for; say why not."""

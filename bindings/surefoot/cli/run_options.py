@@ -9,7 +9,7 @@ from surefoot.cli.stand_options import add_form_option
 
 RUN_STATUS = (
     "exit status: 0 the robot stood to the end, 1 no robot of the right generation answered, 2 a "
-    "wrong argument, 3 it ended damped, or never stood"
+    "wrong argument, 3 it ended damped, was laid down by a fault, or never stood"
 )
 
 
@@ -51,14 +51,22 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
     )
     add(
         "--operator-timeout",
-        type=float,
+        type=_stuck_time,
         default=2.0,
         metavar="S",
-        help="that what reads keys and signals may be stuck, in a terminal that takes no lines "
-        "for example, before the robot lies down (2); inf: for ever",
+        help="lie down when the program that reads keys and signals was stuck for so long, in a "
+        "terminal that takes no lines for example (2); 0.5 or more; inf: never",
     )
     add("--no-remote", action="store_true", help="do not obey the wireless remote")
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
+
+
+def _stuck_time(text: str) -> float:
+    """Return a time that a program which looks every 20 ms and prints lines keeps."""
+    value = float(text)
+    if not value >= 0.5:
+        raise argparse.ArgumentTypeError(f"got {text}, expected 0.5 [s] or more, or inf")
+    return value
 
 
 def _add_start_group(parser: argparse.ArgumentParser) -> None:

@@ -13,6 +13,7 @@ from surefoot.cli.run_text import Faults, Notices, status_line, why_damped
 
 _LOOK = 0.02  # [s] between looks at the loop
 _LINE = 1.0  # [s] between status lines
+_STUCK = 0.5  # [s] without a look, after which what was typed is of another time
 _STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -43,6 +44,7 @@ def supervise(
         while loop.is_alive():
             time.sleep(_LOOK)
             runner.heartbeat()
+            watch.forget_old_keys()
             now = runner.snapshot()
             if unasked_rise:
                 unasked_rise.look(now)
@@ -64,7 +66,8 @@ class _Watch:
         self._runner, self._say = runner, say
         self._notices, self._faults = Notices(say), Faults(say)
         self._operator = Operator(runner, say)
-        self._said, self._phase = time.monotonic(), ""
+        self._said = self._looked = time.monotonic()
+        self._phase = ""
         self._refused = self._pauses = 0
         self._stuck = self._ending = False
 
@@ -74,6 +77,15 @@ class _Watch:
             self._runner.stop()
         self._ending = True
         self._runner.finish()
+
+    def forget_old_keys(self) -> None:
+        """Leave out what was typed while this program was stuck: it was meant for then."""
+        stuck = time.monotonic() - self._looked
+        self._looked = time.monotonic()
+        if stuck > _STUCK and self._operator.forget():
+            self._say(
+                f"stuck for {stuck:.1f} s: keys typed meanwhile are left out"
+            )
 
     def look(self, now: RunSnapshot) -> bool:
         """Look at keys and loop; return whether a status line was due."""

@@ -125,11 +125,13 @@ class StandRunner {
   // From any thread, and from a signal handler:
   RequestStatus request(Mode mode) noexcept;  ///< as Supervisor's
   RequestStatus arm() noexcept;               ///< as Supervisor's
-  void rearm() noexcept;      ///< arm() whose refusals are counted: RunSnapshot::refused_rearms
-  void finish() noexcept;     ///< with start kLying: sit down, then damp, and end; else stop()
-  void stop() noexcept;       ///< damp, and end
-  void damp() noexcept;       ///< damp, and stay
-  void heartbeat() noexcept;  ///< the operator is there: RunOptions::operator_timeout
+  void rearm() noexcept;   ///< arm() whose refusals are counted: RunSnapshot::refused_rearms
+  void finish() noexcept;  ///< with start kLying: sit down, then damp, and end; else stop()
+  void stop() noexcept;    ///< damp, and end
+  void damp() noexcept;    ///< damp, and stay
+  /// The operator's end is alive: RunOptions::operator_timeout. Not from run()'s own thread.
+  /// Real-time: yes.
+  void heartbeat() noexcept;
 
   // From any thread; obeyed with the next tick:
   void set_gains(const Gains& gains);  ///< as StandController's; throws surefoot::Error

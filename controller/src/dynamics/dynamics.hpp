@@ -72,4 +72,17 @@ class Dynamics {
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};
 };
 
+/// How fast contact points move as their ball feet roll: w x lever, of those that bear. Shape (3,
+/// 4) [m/s], world axes; the contact point moves so though nothing slips.
+/// @param contact belief per foot, 0 .. 1
+/// @param lever [m] from a contact point to its foot's centre, world axes. Real-time: yes.
+inline FeetMatrix rolling_rates(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                                const Vector3& lever) noexcept {
+  FeetMatrix rates;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    rates.col(leg) = contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);
+  }
+  return rates;
+}
+
 }  // namespace surefoot

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "dynamics/dynamics.hpp"
 #include "surefoot/types.hpp"
 
 namespace surefoot {
 
-/// How far the ball feet have rolled on the ground since they were latched.
+/// How far ball feet that bear have rolled lately.
 ///
-/// A foot of radius r that bears turns with its shank, and its contact point moves by r w x n
-/// without slipping (w: of the shank, n: the ground's normal): by a tenth of the body's way. Feet
-/// that bear nothing do not, and have no reason to go along. Real-time: yes.
+/// A foot of radius r turns with its shank, and its contact point moves by r w x n without slipping
+/// (w: of the shank, n: the ground's normal): by a tenth of the body's way. Feet that bear nothing
+/// do not, and have no reason to go along. It is forgotten within seconds, for a robot that leans
+/// for good stands on what it has rolled to, and bounded, for w has the gyroscope's errors.
+/// Real-time: yes.
 class Rolling {
  public:
   explicit Rolling(double radius) noexcept : radius_(radius) {}
@@ -21,17 +25,18 @@ class Rolling {
   void update(const Dynamics& dynamics, const Vector3& normal, const Eigen::Vector4d& contact,
               double dt) noexcept {
     way_ *= 1.0 - dt / (dt + kForgetting);
+    way_ += dt * rolling_rates(dynamics, contact, radius_ * normal);
     for (int leg = 0; leg < kLegs; ++leg) {
-      const Vector3 rate = radius_ * dynamics.legs()[leg].w_world_shank.cross(normal);
-      way_.col(leg) += contact[leg] * dt * rate;
+      const double turned = way_.col(leg).norm() / std::max(radius_, 1e-6);
+      way_.col(leg) *= std::min(1.0, kMost / std::max(turned, 1e-6));
     }
   }
 
   const FeetMatrix& way() const noexcept { return way_; }  ///< [m] FR FL RR RL, world axes
 
  private:
-  // [s] Much longer than a push is answered for; feet that stay rolled stand where they are.
-  static constexpr double kForgetting = 2.0;
+  static constexpr double kForgetting = 2.0;  // [s] much longer than a push is answered for
+  static constexpr double kMost = 0.4;        // [rad] that shanks turn under pushes that are stood
 
   double radius_;
   FeetMatrix way_ = FeetMatrix::Zero();

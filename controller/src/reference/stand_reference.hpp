@@ -12,10 +12,11 @@ namespace surefoot {
 /// Makes the Reference that holds the body where it stood when latched, or where a BodyReference
 /// asks it to be from there.
 ///
-/// Everything is kept in the support frame, which joint angles alone determine: base pose, centre
-/// of mass and the feet's own places. The IMU's slow errors move that frame and the body together
-/// and so cannot lean the robot. While no foot bears anything the frame goes with the body, and
-/// the legs of a robot that is lifted come back to its standing pose. Real-time: yes.
+/// Everything is kept in the support frame, which joint angles determine, but for what the feet
+/// rolled in the last seconds: base pose, centre of mass and the feet's own places. The IMU's slow
+/// errors move that frame and the body together and so cannot lean the robot. While no foot bears
+/// anything the frame goes with the body, and the legs of a robot that is lifted come back to its
+/// standing pose. Real-time: yes.
 class StandReference {
  public:
   explicit StandReference(const Robot& robot)

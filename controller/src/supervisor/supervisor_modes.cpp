@@ -45,6 +45,7 @@ void Supervisor::Impl::sit(double dt) noexcept {
 // On the ground, or as good as: the motors' own damping takes over.
 void Supervisor::Impl::lie() noexcept {
   now.mode = Mode::kPassive;
+  now.trusted = false;  // the one that was taken over as it stood: it lies now, and must be armed
   log.set(FaultId::kHanging, false);
   fade.to(Source::kDamping);
   if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // three legs do not rise

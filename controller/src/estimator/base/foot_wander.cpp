@@ -25,9 +25,7 @@ void FootWander::see(const Dynamics& dynamics, double dt) noexcept {
 FeetMatrix FootWander::roll(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                             const Vector3& lever, double dt) noexcept {
   const FeetMatrix before = rolling_;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    rolling_.col(leg) = contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);
-  }
+  rolling_ = rolling_rates(dynamics, contact, lever);
   return 0.5 * dt * (before + rolling_);
 }
 

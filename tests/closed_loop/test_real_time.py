@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""On the system's own clock: loops fit their periods. The patient clock would not tell."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import time
+from pathlib import Path
+
+import pytest
+from virtual_robot_helpers import controller, start
+
+pytestmark = pytest.mark.alone
+
+
+@pytest.fixture
+def on_the_systems_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("LD_PRELOAD", raising=False)
+
+
+@pytest.mark.usefixtures("on_the_systems_clock")
+def test_a_tick_takes_a_fraction_of_its_period(tmp_path: Path) -> None:
+    assert "LD_PRELOAD" not in os.environ
+    robot, port = start("--robot", "b1", "--json", str(tmp_path / "robot.json"))
+    began = time.clock_gettime(time.CLOCK_MONOTONIC_RAW)
+    words = ("--robot", "b1", "--duration", "3", "--json", str(tmp_path / "run.json"))
+    run = controller(port, *words)
+    run.communicate(timeout=60)
+    took = time.clock_gettime(time.CLOCK_MONOTONIC_RAW) - began
+    robot.send_signal(signal.SIGTERM)
+    robot.wait(timeout=20)
+    result = json.loads((tmp_path / "run.json").read_text())
+    record = json.loads((tmp_path / "robot.json").read_text())
+    # Medians: a machine that stands still now and then does not move them.
+    assert result["us"]["tick_p50"] < 1000.0  # of 2000
+    assert took > 3.0
+    assert record["real_time_factor"] > 0.5
