@@ -83,9 +83,7 @@ class _Watch:
         stuck = time.monotonic() - self._looked
         self._looked = time.monotonic()
         if stuck > _STUCK and self._operator.forget():
-            self._say(
-                f"stuck for {stuck:.1f} s: keys typed meanwhile are left out"
-            )
+            self._say(f"stuck for {stuck:.1f} s: keys typed meanwhile are left out")
 
     def look(self, now: RunSnapshot) -> bool:
         """Look at keys and loop; return whether a status line was due."""
