@@ -34,6 +34,7 @@ void check_legs(const Dynamics& ours, const Dynamics& theirs) {
     const LegDynamics &a = ours.legs()[leg], &b = theirs.legs()[leg];
     BOOST_TEST(same(a.p_world_contact, b.p_world_contact));
     BOOST_TEST(same(a.v_world_contact, b.v_world_contact));
+    BOOST_TEST(same(a.w_world_shank, b.w_world_shank));
     BOOST_TEST(same(a.J_base, b.J_base));
     BOOST_TEST(same(a.J_leg, b.J_leg));
     BOOST_TEST(same(a.drift, b.drift));

@@ -14,6 +14,7 @@ constexpr double kForget = 0.5;     // [s] after which a new attitude is taken a
 constexpr double kRateJump = 3.0;   // [rad/s] of the gyroscope from one report to the next
 constexpr double kPatience = 0.05;  // [s] of a gyroscope that stands still or clips
 constexpr double kOff = 0.08;       // [rad/s] that it may be off the attitude's rate for long ...
+constexpr double kOffShare = 0.05;  // of its rate besides: it is scaled, and the attitude late
 constexpr double kOffTime = 0.5;    // [s] ... smoothed over this: pushes tilt attitude filters
 
 }  // namespace
@@ -37,7 +38,9 @@ void ImuWatch::update(const IMU& imu, double step, bool anew) noexcept {
     last_ = now;
     attitude_fits_ = !started_ || against_ >= kForget || follows(now, w);
     if (attitude_fits_) {
-      off_ += -std::expm1(-step / kOffTime) * (w - w_attitude - off_);
+      const double blend = -std::expm1(-step / kOffTime);
+      off_ += blend * (w - w_attitude - off_);
+      rate_ += blend * (w.norm() - rate_);
       R_ = now;
       against_ = 0.0;
       started_ = true;
@@ -57,7 +60,7 @@ void ImuWatch::judge_rates(const Vector3& w, double step, bool anew) noexcept {
   const bool held = held_.update(w == w_last_, anew ? step : 0.0, kPatience);
   const bool clipped =
       clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange, step, kPatience);
-  const bool away = away_.update(off_.norm() > kOff, step, kPatience);
+  const bool away = away_.update(off_.norm() > kOff + kOffShare * rate_, step, kPatience);
   gyroscope_bad_ = held || clipped || away;
   w_last_ = w;
 }

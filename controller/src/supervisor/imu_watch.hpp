@@ -30,6 +30,7 @@ class ImuWatch {
   Quaternion last_ = Quaternion::Identity();  // as reported
   Vector3 w_last_ = Vector3::Zero();          // [rad/s]
   Vector3 off_ = Vector3::Zero();             // [rad/s] gyroscope less attitude's rate, smoothed
+  double rate_ = 0.0;                         // [rad/s] of the gyroscope, smoothed
   double against_ = 0.0;                      // [s] since the attitude was last believed
   bool started_ = false, gyroscope_bad_ = false, rates_fit_ = true, attitude_fits_ = true;
   Vector3 a_last_ = Vector3::Zero();  // [m/s^2]
