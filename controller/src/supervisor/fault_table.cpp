@@ -42,9 +42,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "attitude and gyroscope jump against each other, or it rises or sits without an attitude: "
      "held for 10 ms, then damping"},
     {FaultId::kGyroscope, kSit, 1.0, kGone,
-     "zero, constant, clipped for 50 ms, or off the attitude's rate by 0.08 rad/s and a twentieth "
-     "for "
-     "half a second"},
+     "zero, constant, clipped for 50 ms, or off the attitude's rate by 0.08 rad/s, and a twentieth "
+     "of it where the robot does not stand, for half a second"},
     {FaultId::kAccelerometer, kDegrade, 0.5, kGone,
      "zero, constant, saturated or contradicted: attitude and velocity from the rest; who has not "
      "begun to stand sits down"},

@@ -14,12 +14,12 @@ constexpr double kForget = 0.5;     // [s] after which a new attitude is taken a
 constexpr double kRateJump = 3.0;   // [rad/s] of the gyroscope from one report to the next
 constexpr double kPatience = 0.05;  // [s] of a gyroscope that stands still or clips
 constexpr double kOff = 0.08;       // [rad/s] that it may be off the attitude's rate for long ...
-constexpr double kOffShare = 0.05;  // of its rate besides: it is scaled, and the attitude late
+constexpr double kOffShare = 0.05;  // of its rate, where bodies roll over: it is scaled
 constexpr double kOffTime = 0.5;    // [s] ... smoothed over this: pushes tilt attitude filters
 
 }  // namespace
 
-void ImuWatch::update(const IMU& imu, double step, bool anew) noexcept {
+void ImuWatch::update(const IMU& imu, double step, bool anew, bool may_roll) noexcept {
   const std::array<float, 4> q = imu.quaternion;  // packed: copied
   const std::array<float, 3> rates = imu.gyroscope;
   const Vector3 w(rates[0], rates[1], rates[2]);
@@ -46,7 +46,7 @@ void ImuWatch::update(const IMU& imu, double step, bool anew) noexcept {
       started_ = true;
     }
   }
-  judge_rates(w, step, anew);
+  judge_rates(w, step, anew, kOff + (may_roll ? kOffShare * rate_ : 0.0));
   const std::array<float, 3> a = imu.accelerometer;
   judge_accelerometer(Vector3(a[0], a[1], a[2]), step, anew);
 }
@@ -55,12 +55,12 @@ bool ImuWatch::follows(const Quaternion& attitude, const Vector3& w) const noexc
   return attitude.angularDistance(R_) < kJump + kLate * w.norm();
 }
 
-void ImuWatch::judge_rates(const Vector3& w, double step, bool anew) noexcept {
+void ImuWatch::judge_rates(const Vector3& w, double step, bool anew, double most_off) noexcept {
   // A report that repeats as a whole says nothing of the gyroscope.
   const bool held = held_.update(w == w_last_, anew ? step : 0.0, kPatience);
   const bool clipped =
       clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange, step, kPatience);
-  const bool away = away_.update(off_.norm() > kOff + kOffShare * rate_, step, kPatience);
+  const bool away = away_.update(off_.norm() > most_off, step, kPatience);
   gyroscope_bad_ = held || clipped || away;
   w_last_ = w;
 }

@@ -11,7 +11,9 @@ namespace surefoot {
 class ImuWatch {
  public:
   /// @param step [s] since the report before @param anew has anything in the report changed?
-  void update(const IMU& imu, double step, bool anew) noexcept;
+  /// @param may_roll may the body turn fast for longer than a push? A gyroscope's scale is then
+  /// seen
+  void update(const IMU& imu, double step, bool anew, bool may_roll) noexcept;
   /// May the last report's rates be acted upon? No body turns so much faster from one to the next.
   bool rates_fit() const noexcept { return rates_fit_; }
   /// May its attitude? One that jumps more than the gyroscope turned may not.
@@ -22,7 +24,7 @@ class ImuWatch {
   bool accelerometer_bad() const noexcept { return accelerometer_bad_; }
 
  private:
-  void judge_rates(const Vector3& w, double step, bool anew) noexcept;
+  void judge_rates(const Vector3& w, double step, bool anew, double most_off) noexcept;
   void judge_accelerometer(const Vector3& a, double step, bool anew) noexcept;
   bool follows(const Quaternion& attitude, const Vector3& w) const noexcept;
 

@@ -50,7 +50,7 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   log.set(FaultId::kPower,
           protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
   const bool joints_fit = joints.update(state, step);
-  imu.update(state.imu, step, !repeated.repeats());
+  imu.update(state.imu, step, !repeated.repeats(), now.mode != Mode::kStand);
   if (!joints_fit) return FaultId::kJointJump;
   // A controller that stands has an attitude of its own, and rates are all that it must have.
   if (!imu.rates_fit() || !(imu.attitude_fits() || standing())) return FaultId::kAttitude;
