@@ -63,7 +63,10 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
 
 def _stuck_time(text: str) -> float:
     """Return a time that a program which looks every 20 ms and prints lines keeps."""
-    value = float(text)
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
     if not value >= 0.5:
         raise argparse.ArgumentTypeError(f"got {text}, expected 0.5 [s] or more, or inf")
     return value
