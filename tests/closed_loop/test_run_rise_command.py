@@ -50,6 +50,12 @@ class Terminal:
                 return line.decode()
         raise AssertionError(f"'{words}' was not shown in {seconds:g} s")
 
+    def arm(self) -> None:
+        """Wait until the robot may be armed, and arm it."""
+        self.shows(" ready")
+        self.press("a\n")
+        self.shows("ready, armed")
+
     def status(self) -> int:
         """Wait for its end; return the exit status."""
         try:
@@ -76,9 +82,7 @@ def test_an_operator_gets_it_up_and_down_by_keys() -> None:
         terminal.shows(" passive")
         terminal.press("u\n")
         terminal.shows("up refused: not armed")
-        terminal.shows(" ready")
-        terminal.press("a\n")
-        terminal.shows("ready, armed")
+        terminal.arm()
         terminal.press("wave\n")
         terminal.shows("'wave' is no key: a + Enter arms, u goes up")
         terminal.press("u\n")
@@ -98,9 +102,7 @@ def test_an_operator_gets_it_up_and_down_by_keys() -> None:
 def test_a_terminal_that_hangs_has_the_robot_lie_down_and_its_keys_are_left_out() -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
-        terminal.shows(" ready")
-        terminal.press("a\n")
-        terminal.shows("ready, armed")
+        terminal.arm()
         terminal.press("u\n")
         terminal.shows(" standing")
         time.sleep(0.5)
