@@ -40,7 +40,8 @@ def test_a_bench_says_how_long_every_part_took_and_of_what(result):
             assert 0.0 < values[0] and values == sorted(values)
         assert sum(scenario[name]["histogram_us"]) == 7000
     assert list(scenario["stages_wall_us"]) == [*STAGES, "safety"]
-    assert scenario["state_to_torque"]["wall_us"]["p50"] < scenario["tick"]["wall_us"]["p50"]
+    # The least of 7000, not the median: another program slows down whole passes at a time.
+    assert scenario["state_to_torque"]["wall_us"]["min"] < scenario["tick"]["wall_us"]["min"]
 
 
 def test_ticks_cost_no_heap_no_page_no_failure_and_hardly_an_iteration(result):
