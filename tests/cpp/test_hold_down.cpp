@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "motion.hpp"
+#include "leaning.hpp"
 #include "reference/capture_margin.hpp"
-#include "surefoot/whole_body_controller.hpp"
 #include "wbc/hold_down.hpp"
 
 using namespace surefoot;
 
 namespace {
 
-// Stands level; the capture point is moved by the body's speed alone.
-struct Leaning {
-  Robot robot = quadruped();
-  Gains gains;
-  double weight = robot.mass() * kGravity;
-  RobotState state = standing_state(robot);
-  Reference reference = reference_at(robot, state);
-  Dynamics dynamics = dynamics_at(robot, state);
-
-  // All mass moves alike when the whole robot does: v_com is the base's.
-  void lean(const Vector3& speed) {
-    state.v.head<3>() =
-        Quaternion(state.q[6], state.q[3], state.q[4], state.q[5]).conjugate() * speed;
-    dynamics.update(state.q, state.v, Vector3::UnitZ());
-  }
-  double omega() const { return std::sqrt(kGravity / dynamics.p_world_com().z()); }
+struct Pressing : Leaning {
   Eigen::Vector4d forces() const {
     return hold_down_forces(gains, weight, edge_fade(gains, dynamics, reference), state.contact,
                             reference);
@@ -36,7 +20,7 @@ struct Leaning {
 
 BOOST_AUTO_TEST_SUITE(hold_down)
 
-BOOST_FIXTURE_TEST_CASE(it_fades_to_nothing_as_the_capture_point_reaches_the_edge, Leaning) {
+BOOST_FIXTURE_TEST_CASE(it_fades_to_nothing_as_the_capture_point_reaches_the_edge, Pressing) {
   const double edge = contact_points(robot, state.q)(1, FL_);
   for (double y = 0.0; y < edge + 0.05; y += 0.002) {
     lean(Vector3(0.0, (y - dynamics.p_world_com().y()) * omega(), 0.0));
@@ -48,7 +32,7 @@ BOOST_FIXTURE_TEST_CASE(it_fades_to_nothing_as_the_capture_point_reaches_the_edg
   BOOST_TEST(forces().maxCoeff() == 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(the_edge_is_the_same_whichever_way_the_robot_faces, Leaning) {
+BOOST_FIXTURE_TEST_CASE(the_edge_is_the_same_whichever_way_the_robot_faces, Pressing) {
   lean(Vector3(0.1, 0.15, 0.0));
   const double margin = capture_margin(dynamics, reference);
   BOOST_TEST(margin > 0.0);
@@ -60,7 +44,7 @@ BOOST_FIXTURE_TEST_CASE(the_edge_is_the_same_whichever_way_the_robot_faces, Lean
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Leaning) {
+BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Pressing) {
   lean(Vector3(0.25, -0.2, 0.0));
   gains.edge_margin = 0.03;
   reference.feet[RL_].stance = false;  // three stand; the capture point is on their side
@@ -78,7 +62,7 @@ BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Leaning) {
   BOOST_TEST(std::abs(forces()[RR_] - gains.hold_down * weight) < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Leaning) {
+BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Pressing) {
   for (const Form form : {Form::kCondensed, Form::kGeneral}) {
     for (const double share : {0.0, gains.hold_down}) {
       Gains g = gains;
@@ -97,7 +81,7 @@ BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Leani
 }
 
 // On its way down, or thrown up and to be stopped: at the edge it may not be let fall.
-BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_for, Leaning) {
+BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_for, Pressing) {
   for (const Form form : {Form::kCondensed, Form::kGeneral}) {
     for (const double sway : {0.0, 0.8}) {
       WholeBodyController controller(robot, gains, {form});

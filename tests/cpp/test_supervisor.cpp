@@ -68,6 +68,26 @@ BOOST_FIXTURE_TEST_CASE(all_checks_must_pass_for_a_second, AtRest) {
   BOOST_TEST(motors_brake(last));
 }
 
+// What ready says is what arm() answers, and nothing refuses without a word.
+BOOST_FIXTURE_TEST_CASE(a_fault_that_keeps_the_robot_down_is_named_among_the_checks, AtRest) {
+  run(1.2);
+  const auto turning = report.imu.gyroscope;
+  report.imu.gyroscope[0] = 3.0F;
+  run(0.3);
+  report.imu.gyroscope = turning;
+  int named = 0;
+  for (int k = 0; k < 2000 && !supervisor.arming().ready; ++k) {
+    run(0.002);
+    if (supervisor.arming().ready) break;
+    const RequestStatus said = supervisor.arm();
+    BOOST_REQUIRE((said == RequestStatus::kNotReady));
+    BOOST_REQUIRE(failures() + (supervisor.arming().held < 1.0 ? "held" : "") != "");
+    named += failures() == "fault: gyroscope keeps the robot down, expected no fault that does";
+  }
+  BOOST_TEST(named > 0);
+  BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
+}
+
 BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   const LowState good = report;
   const auto expect = [&](const char* words) {

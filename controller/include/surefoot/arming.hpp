@@ -20,9 +20,10 @@ enum class ArmingCheckId : int {
   kJoints,         ///< joints are inside this robot's limits
   kMotorOrder,     ///< angles fit the motors they are reported for
   kFootForce,      ///< feet bear the robot's weight; only where it stands on living sensors
-  kProgram         ///< getting up and standing is within this robot's torques
+  kProgram,        ///< getting up and standing is within this robot's torques
+  kFault           ///< no fault is present that a robot lies down for
 };
-constexpr int kArmingChecks = 11;
+constexpr int kArmingChecks = 12;
 const char* to_string(ArmingCheckId id) noexcept;
 
 /// One check: what was found, and what is expected.
@@ -38,8 +39,8 @@ struct ArmingCheck {
 /// All checks, in the order of ArmingCheckId.
 struct ArmingReport {
   std::array<ArmingCheck, kArmingChecks> checks;
-  double held = 0.0;   ///< [s] that all have passed without a break
-  bool ready = false;  ///< have they for the time that arming asks for?
+  double held = 0.0;   ///< [s] that all but kFault have passed without a break
+  bool ready = false;  ///< have they for the time that arming asks for, and is there no such fault?
 
   const ArmingCheck& operator[](ArmingCheckId id) const noexcept {
     return checks[static_cast<int>(id)];

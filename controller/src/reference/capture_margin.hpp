@@ -10,7 +10,10 @@ namespace surefoot {
 /// nearest edge [m]; negative outside, infinite with fewer than three stance feet: no edge to
 /// be near. Real-time: yes.
 /// Source: Pratt et al. 2006, eq. 4.
-double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance) noexcept;
-double capture_margin(const Dynamics& dynamics, const Reference& reference) noexcept;
+double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
+                      const Vector3& gained = Vector3::Zero()) noexcept;
+/// @param gained [m/s] velocity of the centre of mass besides the one it has, world
+double capture_margin(const Dynamics& dynamics, const Reference& reference,
+                      const Vector3& gained = Vector3::Zero()) noexcept;
 
 }  // namespace surefoot

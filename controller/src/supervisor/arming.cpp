@@ -29,6 +29,13 @@ void expect_below(ArmingCheck& check, double value, double limit) noexcept {
 
 Arming::Arming(const Robot& robot, const ArmingLimits& limits) : robot_(robot), limits_(limits) {
   expect_below(at(ArmingCheckId::kProgram), limits.torque_share, 1.0);
+  keep_down(FaultId::kNone);
+}
+
+void Arming::keep_down(FaultId why) noexcept {
+  ArmingCheck& check = at(ArmingCheckId::kFault);
+  check.value = static_cast<int>(why);
+  check.passed = why == FaultId::kNone;
 }
 
 void Arming::update(const LowState& state, double step) noexcept {
@@ -170,9 +177,13 @@ void Arming::check_feet(const LowState& state) noexcept {
 
 void Arming::conclude(double step) noexcept {
   bool all = true;
-  for (const ArmingCheck& check : report_.checks) all = all && (check.passed || !check.applies);
+  const ArmingCheck& fault = at(ArmingCheckId::kFault);
+  for (const ArmingCheck& check : report_.checks) {
+    // A fault has waited for as long as its own rule says before it is gone.
+    all = all && (check.passed || !check.applies || &check == &fault);
+  }
   report_.held = all ? report_.held + step : 0.0;
-  report_.ready = report_.held >= limits_.time;
+  report_.ready = report_.held >= limits_.time && fault.passed;
 }
 
 }  // namespace surefoot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "surefoot/arming.hpp"
+#include "surefoot/fault.hpp"
 #include "surefoot/low_level.hpp"
 #include "surefoot/robot.hpp"
 
@@ -27,6 +28,8 @@ class Arming {
   bool told() const noexcept { return told_; }
   /// A call that brought no new report, or an impossible one.
   void missed() noexcept;
+  /// What keeps the robot down, or kNone; from the next update() on.
+  void keep_down(FaultId why) noexcept;
   /// The report just judged is no good for reasons of its own.
   void distrust() noexcept { report_.held = 0.0, report_.ready = false; }
   /// Share of the reports of the last second or so that are missing.

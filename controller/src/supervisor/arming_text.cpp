@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "surefoot/arming.hpp"
+#include "surefoot/fault.hpp"
 
 namespace surefoot {
 
@@ -57,6 +58,10 @@ std::string found(ArmingCheckId id, const ArmingCheck& c, const RobotConfig& con
     case ArmingCheckId::kFootForce:
       return format("sum of foot forces %.0f %% off the weight, expected below %.0f %%",
                     100.0 * c.value, 100.0 * c.limit);
+    case ArmingCheckId::kFault:
+      if (c.passed) return "nothing keeps the robot down";
+      return format("%s keeps the robot down, expected no fault that does",
+                    to_string(static_cast<FaultId>(static_cast<int>(c.value))));
     case ArmingCheckId::kProgram:
       return format("getting up takes %.0f %% of the torque there is, expected below %.0f %%",
                     100.0 * c.value, 100.0 * c.limit);
@@ -69,7 +74,7 @@ std::string found(ArmingCheckId id, const ArmingCheck& c, const RobotConfig& con
 const char* to_string(ArmingCheckId id) noexcept {
   constexpr std::array<const char*, kArmingChecks> names = {
       "link", "motor_mode", "temperature", "quaternion", "gyroscope", "accelerometer",
-      "tilt", "joints",     "motor_order", "foot_force", "program"};
+      "tilt", "joints",     "motor_order", "foot_force", "program",   "fault"};
   return names[static_cast<int>(id)];
 }
 

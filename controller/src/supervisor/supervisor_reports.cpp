@@ -12,6 +12,8 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
   bad = step < 0.0 ? FaultId::kStaleTick : find_bad(state, step);
   if (bad != before) log.set(before, false);
   if (bad != FaultId::kNone) log.set(bad, true);
+  const FaultId down = log.first(FaultReaction::kSit);
+  arming.keep_down(down);
   // Who lies and was not heard for long, or began anew, may be another one than was armed.
   const double since = 1e-3 * std::abs(static_cast<std::int32_t>(state.tick - last_tick));
   if (now.seen && !active() && !now.trusted && !arming.told() && since > kStaleTime) {
@@ -33,7 +35,7 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
   }
   // Who lies down without a leg does not rise again before it is armed anew.
   const bool without_leg = active() && stand.lost_leg() >= 0;
-  now.must_sit = log.first(FaultReaction::kSit) != FaultId::kNone || without_leg;
+  now.must_sit = down != FaultId::kNone || without_leg;
   now.ready = arming.report().ready && !now.must_sit;
   return bad == FaultId::kNone;
 }

@@ -26,7 +26,7 @@ def add_world_panel(
     """
     world, mass = simulation.world, simulation.robot.mass
     friction = gui.add_slider(
-        "friction [1]", 0.1, 1.5, 0.05, world.friction, hint="the controller assumes 0.6"
+        "friction [1]", 0.1, 1.5, 0.05, world.friction, hint="the controller uses robot.friction at most"
     )
     hint = "on the trunk; the controller does not know of it"
     payload = gui.add_slider("payload [kg]", 0.0, float(round(1.5 * mass)), 0.5, 0.0, hint=hint)

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "motion.hpp"
+#include "surefoot/whole_body_controller.hpp"
+
+namespace surefoot {
+
+// Stands level; the capture point is moved by the body's speed alone.
+struct Leaning {
+  Robot robot = quadruped();
+  Gains gains;
+  double weight = robot.mass() * kGravity;
+  RobotState state = standing_state(robot);
+  Reference reference = reference_at(robot, state);
+  Dynamics dynamics = dynamics_at(robot, state);
+
+  // All mass moves alike when the whole robot does: v_com is the base's.
+  void lean(const Vector3& speed) {
+    state.v.head<3>() =
+        Quaternion(state.q[6], state.q[3], state.q[4], state.q[5]).conjugate() * speed;
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+  }
+  double omega() const { return std::sqrt(kGravity / dynamics.p_world_com().z()); }
+};
+
+}  // namespace surefoot
