@@ -79,7 +79,7 @@ void bind_config(nb::module_& m) {
       .def_rw("no_load_speed", &RobotConfig::no_load_speed, "[rad/s] torque has vanished here.")
       .def_rw("armature", &RobotConfig::armature, "Reflected rotor inertia [kg.m^2].")
       .def_rw("q_standing", &RobotConfig::q_standing, "Standing pose [rad].")
-      .def_rw("friction", &RobotConfig::friction, "Coefficient between foot and ground that is used at most.")
+      .def_rw("friction", &RobotConfig::friction, "Coefficient that the controller assumes.")
       .def_rw("gains", &RobotConfig::gains, "This robot's default gains.")
       .def("validate", &RobotConfig::validate, "Raise Error naming the field that is wrong.");
   m.def("motor_torque_limit", &motor_torque_limit, "config"_a, "motor"_a, "dq"_a, "sign"_a,

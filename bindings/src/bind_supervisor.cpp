@@ -100,9 +100,8 @@ void bind_arming(nb::module_& m) {
       .def_ro("motor", &ArmingCheck::motor, "SDK number of the motor found at, or -1.")
       .def_ro("other", &ArmingCheck::other, "Motor it seems swapped with, or -1.");
   nb::class_<ArmingReport>(m, "ArmingReport", "All arming checks of one tick.")
-      .def_ro("held", &ArmingReport::held, "[s] that all but fault have passed without a break.")
-      .def_ro("ready", &ArmingReport::ready,
-              "Have they for the time that arming asks for, and is there no such fault?")
+      .def_ro("held", &ArmingReport::held, "[s] that all have passed without a break.")
+      .def_ro("ready", &ArmingReport::ready, "Have they for the time that arming asks for?")
       .def_prop_ro(
           "checks",
           [](const ArmingReport& report) {

@@ -2,6 +2,7 @@
 #include "stand_controller_impl.hpp"
 
 #include "low_state_check.hpp"
+#include "reference/usable_friction.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -31,6 +32,7 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
       ladder(r),
       torques(r, o) {
   estimator.set_gains(g);
+  careful = estimator.state();  // of its size, that no tick allocates
 }
 
 void StandController::Impl::adopt(const Gains& gains) noexcept {
@@ -115,17 +117,19 @@ Status StandController::Impl::solve_predicted(const Reference& wanted) noexcept 
 // The program, if need be anew from nothing, then the power that its torques may take.
 Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& state,
                                     const Reference& wanted) noexcept {
-  const Solution& solution = controller.solve(dynamics, state, wanted);
+  careful = state;
+  careful.friction = usable_friction(dynamics, state, wanted, robot.mass());
+  const Solution& solution = controller.solve(dynamics, careful, wanted);
   rung = Rung::kSolved;
   if (!is_usable(solution.status)) {
     controller.solve_cold(dynamics);
     rung = Rung::kColdSolve;
   }
   if (is_usable(solution.status)) {
-    ladder.remember(controller.gains(), dynamics, state, wanted, solution.forces);
-    return torques.take(solution, dynamics, state, wanted, controller.gains());
+    ladder.remember(controller.gains(), dynamics, careful, wanted, solution.forces);
+    return torques.take(solution, dynamics, careful, wanted, controller.gains());
   }
-  descend(dynamics, state, wanted);
+  descend(dynamics, careful, wanted);
   return solution.status;
 }
 

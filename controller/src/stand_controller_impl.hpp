@@ -28,6 +28,7 @@ struct StandController::Impl {
   StandReference reference;
   DelayPredictor predictor;
   Dynamics predicted;  // at the state when the command acts
+  RobotState careful;  // that state, with the friction that may be used
   WholeBodyController controller;
   CommandLadder ladder;
   TorqueCommand torques;

@@ -8,7 +8,6 @@
 #include "wbc/friction_cone.hpp"
 #include "wbc/hold_down.hpp"
 #include "wbc/limits.hpp"
-#include "wbc/usable_friction.hpp"
 
 using namespace surefoot;
 
@@ -30,13 +29,12 @@ struct Active {
     Dynamics dynamics(robot);
     dynamics.update(state.q, state.v, r.ground_normal);
     const double weight = robot.mass() * kGravity;
-    const Eigen::Vector4d usable = usable_friction(dynamics, state, r, robot.mass());
+    const ConeRows cone = friction_cone(r.ground_normal, robot.config().friction);
     const auto most = normal_force_limits(gains, weight, state.contact, r);
     const auto least =
         hold_down_forces(gains, weight, edge_fade(gains, dynamics, r), state.contact, r);
     for (int leg = 0; leg < kLegs; ++leg) {
       const Vector3 f = s.forces.col(leg);
-      const ConeRows cone = friction_cone(r.ground_normal, usable[leg] * robot.config().friction);
       const double normal_force = r.ground_normal.dot(f);
       swing += !r.feet[leg].stance;
       friction += normal_force > 1.0 && (cone * f).maxCoeff() > -kAtLimit;

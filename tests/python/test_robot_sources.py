@@ -60,7 +60,7 @@ def test_the_model_that_was_given_stays_as_it_was(model, config):
         ('"FR_calf_joint"', '"FR_claf_joint"', ["'FR_claf_joint' (motor 2)", "'FR_calf_joint'"]),
         ('"RL_foot"', '"RL_fot"', ["missing foot frame 'RL_fot'", "mean 'RL_foot'"]),
         ('frame = "imu_link"', 'frame = "imu_lnk"', ["IMU frame 'imu_lnk'", "mean 'imu_link'"]),
-        ("friction = 0.6 ", "frction = 0.6 ", ["robot.frction", "mean 'friction'", "valid keys"]),
+        ("friction = 0.65 ", "frction = 0.65 ", ["robot.frction", "mean 'friction'", "valid keys"]),
     ],
 )
 def test_a_name_that_model_or_toml_does_not_have_is_named(model, config, old, new, words):

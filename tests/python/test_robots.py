@@ -139,7 +139,7 @@ def test_the_imu_sits_where_the_urdf_mounts_it(name: str) -> None:
     config = surefoot.load_robot(name).config
     np.testing.assert_allclose(config.p_base_imu, IMU_MOUNT[name], atol=1e-6)
     np.testing.assert_allclose(config.quat_base_imu, [1.0, 0.0, 0.0, 0.0], atol=1e-6)
-    assert config.friction == 0.6
+    assert config.friction == (0.65 if name == "go1" else 0.7)
 
 
 def test_motor_torque_falls_linearly_with_speed_only_while_driving(go1) -> None:
@@ -162,7 +162,7 @@ def with_gain(toml: str, line: str) -> str:
 def test_a_robot_of_ones_own_is_loaded_from_urdf_and_toml(load, toml: str) -> None:
     text = changed(toml, 'name = "go1"', 'name = "rex"')
     text = changed(text, 'frame = "imu_link"', "position = [0.1, 0, 0]\nquaternion = [0, 0, 0, 1]")
-    text = changed(text, "friction = 0.6 ", "friction = 0.4 ")
+    text = changed(text, "friction = 0.65 ", "friction = 0.4 ")
     robot = load(with_gain(text, "com_kp_vertical = 99"))
     assert (robot.name, robot.config.friction) == ("rex", 0.4)
     np.testing.assert_array_equal(robot.config.p_base_imu, [0.1, 0.0, 0.0])
@@ -182,7 +182,7 @@ def test_a_configuration_handed_out_is_a_copy(go1) -> None:
     config = go1.robot.config
     config.friction = 1.1
     config.gains.foot_kp = 1.0
-    assert go1.robot.config.friction == 0.6
+    assert go1.robot.config.friction == 0.65
     assert go1.robot.config.gains.foot_kp != 1.0
 
 
@@ -210,9 +210,9 @@ def test_half_a_description_is_refused(arguments) -> None:
         ('frame = "imu_link"', 'frame = "FR_foot"', ["FR_calf_joint", "expected the base"]),
         ('frame = "imu_link"', "quaternion = [1, 1, 0, 0]", ["IMU quaternion norm: got 1.4"]),
         ('frame = "imu_link"', "position = [0, 0]", ["imu.position: got [0, 0], expected 3"]),
-        ("friction = 0.6 ", "frction = 0.6 ", ["robot.frction", "mean 'friction'", "valid keys"]),
+        ("friction = 0.65 ", "frction = 0.65 ", ["robot.frction", "mean 'friction'", "valid keys"]),
         ("[motors]", "[motrs]", ["section [motrs]", "mean 'motors'", "valid sections"]),
-        ("friction = 0.6 ", "friction = -0.5 ", ["friction: got -0.5", "expected 0 < friction"]),
+        ("friction = 0.65 ", "friction = -0.5 ", ["friction: got -0.5", "expected 0 < friction"]),
         ("radius = 0.02 ", "radius = nan ", ["foot radius: got nan"]),
         ("[0.0, 0.8, -1.6]", "[0.0, 0.8, -0.6]", ["standing pose of FR_calf_joint", "-2.7"]),
         ("[0.0, 0.8, -1.6]", "[0.9, 0.8, -1.6]", ["standing pose of FR_hip_joint: got 0.9"]),

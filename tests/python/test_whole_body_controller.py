@@ -170,6 +170,7 @@ def test_forces_stay_inside_the_friction_cone_and_reach_it(body, normal) -> None
     gains.weight_com_horizontal, gains.weight_com_vertical = 10.0, 10.0
     gains.weight_base_tilt = 0.01
     controller, reached = WholeBodyController(body.robot, gains), []
+    friction = body.robot.config.friction
     for k in range(24):
         state = body.random_state(seed=k, speed=0.05)
         reference = body.reference_at(state, normal)
@@ -180,10 +181,10 @@ def test_forces_stay_inside_the_friction_cone_and_reach_it(body, normal) -> None
         along = normal @ solution.forces
         across = np.linalg.norm(solution.forces - np.outer(normal, along), axis=0)
         assert along.min() >= -1e-4 * body.weight
-        assert (across - 0.6 * along).max() <= 1e-4 * body.weight
+        assert (across - friction * along).max() <= 1e-4 * body.weight
         loaded = along > 0.05 * body.weight
         reached.append((across[loaded] / along[loaded]).max())
-    assert min(reached) > 0.6 * 0.97
+    assert min(reached) > friction * 0.97
 
 
 def test_the_friction_assumed_is_the_configurations(go1) -> None:

@@ -39,8 +39,8 @@ struct ArmingCheck {
 /// All checks, in the order of ArmingCheckId.
 struct ArmingReport {
   std::array<ArmingCheck, kArmingChecks> checks;
-  double held = 0.0;   ///< [s] that all but kFault have passed without a break
-  bool ready = false;  ///< have they for the time that arming asks for, and is there no such fault?
+  double held = 0.0;   ///< [s] that all have passed without a break
+  bool ready = false;  ///< have they for the time that arming asks for?
 
   const ArmingCheck& operator[](ArmingCheckId id) const noexcept {
     return checks[static_cast<int>(id)];

@@ -29,7 +29,7 @@ struct RobotConfig {
   Vector12 armature = Vector12::Zero();       ///< [kg.m^2] rotor inertia times gear ratio squared
   Vector12 q_standing = Vector12::Zero();     ///< [rad]
 
-  double friction = 0.6;  ///< coefficient between foot and ground that is used at most
+  double friction = 0.6;  ///< coefficient that the controller assumes between foot and ground
   Gains gains;            ///< this robot's defaults
 
   /// Throw surefoot::Error naming the field, what was got and what is expected.

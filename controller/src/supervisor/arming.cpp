@@ -177,13 +177,9 @@ void Arming::check_feet(const LowState& state) noexcept {
 
 void Arming::conclude(double step) noexcept {
   bool all = true;
-  const ArmingCheck& fault = at(ArmingCheckId::kFault);
-  for (const ArmingCheck& check : report_.checks) {
-    // A fault has waited for as long as its own rule says before it is gone.
-    all = all && (check.passed || !check.applies || &check == &fault);
-  }
+  for (const ArmingCheck& check : report_.checks) all = all && (check.passed || !check.applies);
   report_.held = all ? report_.held + step : 0.0;
-  report_.ready = report_.held >= limits_.time && fault.passed;
+  report_.ready = report_.held >= limits_.time;
 }
 
 }  // namespace surefoot

@@ -122,6 +122,7 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   fade.jump(Source::kDamping);
   rate.rest();
   safety.reset();
+  log.set(FaultId::kHanging, false);  // seen on the way up, which is over: it must not bar the next
   reason = why;
 }
 

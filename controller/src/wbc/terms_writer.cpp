@@ -14,7 +14,6 @@
 #include "tasks/momentum_task.hpp"
 #include "tasks/posture_task.hpp"
 #include "wbc/hold_down.hpp"
-#include "wbc/usable_friction.hpp"
 
 namespace surefoot {
 
@@ -65,8 +64,7 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
         gains.weight_foot_soft * std::pow(kNearlyHard, 1.0 - foot_softness[leg]);
   }
   terms_.ground_normal = reference.ground_normal;
-  terms_.friction =
-      robot_.config().friction * usable_friction(dynamics, state, reference, robot_.mass());
+  terms_.friction = robot_.config().friction * state.friction;
   terms_.normal_max = normal_force_limits(gains, weight, state.contact, reference);
   const double fade = edge_fade(gains, dynamics, reference);
   terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);

@@ -25,9 +25,8 @@ def add_world_panel(
         post: Has an action done by the thread that the simulation belongs to.
     """
     world, mass = simulation.world, simulation.robot.mass
-    friction = gui.add_slider(
-        "friction [1]", 0.1, 1.5, 0.05, world.friction, hint="the controller uses robot.friction at most"
-    )
+    hint = f"the controller assumes {simulation.robot.config.friction:g}"
+    friction = gui.add_slider("friction [1]", 0.1, 1.5, 0.05, world.friction, hint=hint)
     hint = "on the trunk; the controller does not know of it"
     payload = gui.add_slider("payload [kg]", 0.0, float(round(1.5 * mass)), 0.5, 0.0, hint=hint)
     hint = "of commands, beyond the sensors' own 2 ms each way"
