@@ -26,7 +26,7 @@ Rung StandController::rung() const noexcept { return impl_->rung; }
 std::uint64_t StandController::rung_count(Rung rung) const noexcept {
   return impl_->rung_counts[static_cast<int>(rung)];
 }
-const RobotState& StandController::state() const noexcept { return impl_->estimator.state(); }
+const RobotState& StandController::state() const noexcept { return impl_->state; }
 EstimatorReport StandController::estimator_report() const noexcept {
   return impl_->estimator.report();
 }
@@ -86,7 +86,9 @@ void StandController::reset() noexcept {
   Impl& s = *impl_;
   s.clock.reset();
   s.estimator.reset();
+  s.state = s.estimator.state();
   s.reference.reset();
+  s.friction.reset();
   s.controller.reset();
   s.predictor.reset();
   s.ladder.reset();

@@ -2,7 +2,6 @@
 #include "stand_controller_impl.hpp"
 
 #include "low_state_check.hpp"
-#include "reference/usable_friction.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -32,7 +31,7 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
       ladder(r),
       torques(r, o) {
   estimator.set_gains(g);
-  careful = estimator.state();  // of its size, that no tick allocates
+  state = ahead = estimator.state();  // of its size, that no tick allocates
 }
 
 void StandController::Impl::adopt(const Gains& gains) noexcept {
@@ -89,6 +88,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   const SentCommand* acting = predictor.acting();
   if (acting != nullptr) estimator.set_plan(acting->accelerations.head<6>(), acting->tau);
   const Status estimated = estimator.update(low_state, dt);
+  state = estimator.state();
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;
   if (ramp.moving()) adopt(ramp.step(dt));
@@ -105,41 +105,42 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  return predictor.active() ? solve_predicted(wanted) : solve(dynamics, estimator.state(), wanted);
+  if (predictor.active()) return solve_predicted(wanted, dt);
+  state.friction = friction.update(dynamics, state, wanted, robot.mass(), dt);
+  return solve(dynamics, state, wanted);
 }
 
-Status StandController::Impl::solve_predicted(const Reference& wanted) noexcept {
-  const RobotState& then = predictor.predict(estimator.state());
-  predicted.update(then.q, then.v, wanted.ground_normal);
-  return solve(predicted, then, wanted);
+Status StandController::Impl::solve_predicted(const Reference& wanted, double dt) noexcept {
+  ahead = predictor.predict(state);
+  predicted.update(ahead.q, ahead.v, wanted.ground_normal);
+  ahead.friction = state.friction = friction.update(predicted, ahead, wanted, robot.mass(), dt);
+  return solve(predicted, ahead, wanted);
 }
 
 // The program, if need be anew from nothing, then the power that its torques may take.
-Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& state,
+Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& now,
                                     const Reference& wanted) noexcept {
-  careful = state;
-  careful.friction = usable_friction(dynamics, state, wanted, robot.mass());
-  const Solution& solution = controller.solve(dynamics, careful, wanted);
+  const Solution& solution = controller.solve(dynamics, now, wanted);
   rung = Rung::kSolved;
   if (!is_usable(solution.status)) {
     controller.solve_cold(dynamics);
     rung = Rung::kColdSolve;
   }
   if (is_usable(solution.status)) {
-    ladder.remember(controller.gains(), dynamics, careful, wanted, solution.forces);
-    return torques.take(solution, dynamics, careful, wanted, controller.gains());
+    ladder.remember(controller.gains(), dynamics, now, wanted, solution.forces);
+    return torques.take(solution, dynamics, now, wanted, controller.gains());
   }
-  descend(dynamics, careful, wanted);
+  descend(dynamics, now, wanted);
   return solution.status;
 }
 
 // Where there is no solution: torques without the program, within the same power.
-void StandController::Impl::descend(const Dynamics& dynamics, const RobotState& state,
+void StandController::Impl::descend(const Dynamics& dynamics, const RobotState& now,
                                     const Reference& wanted) noexcept {
   const Gains& gains = controller.gains();
-  rung = ladder.descend(gains, dynamics, state, wanted);
+  rung = ladder.descend(gains, dynamics, now, wanted);
   if (rung == Rung::kHold) return;
-  torques.take(ladder.torques(), ladder.damping(), dynamics, state, wanted, gains);
+  torques.take(ladder.torques(), ladder.damping(), dynamics, now, wanted, gains);
 }
 
 }  // namespace surefoot

@@ -3,6 +3,7 @@
 
 #include "estimator/delay_predictor.hpp"
 #include "reference/stand_reference.hpp"
+#include "reference/usable_friction.hpp"
 #include "safety/command_keeper.hpp"
 #include "safety/command_ladder.hpp"
 #include "safety/gain_ramp.hpp"
@@ -26,9 +27,11 @@ struct StandController::Impl {
   TickClock clock;
   StateEstimator estimator;
   StandReference reference;
+  UsableFriction friction;
   DelayPredictor predictor;
   Dynamics predicted;  // at the state when the command acts
-  RobotState careful;  // that state, with the friction that may be used
+  RobotState state;    // as estimated, but for the friction: what may be used of it
+  RobotState ahead;    // that, when the command acts
   WholeBodyController controller;
   CommandLadder ladder;
   TorqueCommand torques;
@@ -43,9 +46,9 @@ struct StandController::Impl {
 
  private:
   Status think(const LowState& low_state, double dt) noexcept;
-  Status solve_predicted(const Reference& wanted) noexcept;
-  Status solve(const Dynamics& dynamics, const RobotState& state, const Reference& wanted) noexcept;
-  void descend(const Dynamics& dynamics, const RobotState& state, const Reference& wanted) noexcept;
+  Status solve_predicted(const Reference& wanted, double dt) noexcept;
+  Status solve(const Dynamics& dynamics, const RobotState& now, const Reference& wanted) noexcept;
+  void descend(const Dynamics& dynamics, const RobotState& now, const Reference& wanted) noexcept;
   const LowCmd& send(Status tick, double elapsed) noexcept;
 };
 

@@ -12,8 +12,11 @@ namespace {
 constexpr double kCalm = 0.7, kEdge = 0.06;
 
 struct Using : Leaning {
-  Eigen::Vector4d share() const {
-    return usable_friction(dynamics, state, reference, robot.mass());
+  // Where it comes to rest.
+  Eigen::Vector4d share() {
+    UsableFriction friction;
+    friction.update(dynamics, state, reference, robot.mass(), 1.0);
+    return friction.update(dynamics, state, reference, robot.mass(), 1.0);
   }
   // Leans until the capture point is so far inside the left edge.
   void lean_to(double margin) {
@@ -60,6 +63,17 @@ BOOST_FIXTURE_TEST_CASE(what_pushes_inwards_takes_nothing_away, Using) {
 BOOST_FIXTURE_TEST_CASE(two_feet_use_all_of_it, Using) {
   reference.feet[FR_].load = reference.feet[RL_].load = 0.0;
   BOOST_TEST((share().array() - 1.0).abs().maxCoeff() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(it_is_given_at_once_and_taken_back_in_a_tenth_of_a_second, Using) {
+  UsableFriction friction;
+  const auto tick = [&] {
+    return friction.update(dynamics, state, reference, robot.mass(), 0.002)[0];
+  };
+  for (int k = 1; k <= 60; ++k)
+    BOOST_TEST(std::abs(tick() - std::max(1.0 - 0.006 * k, kCalm)) < 1e-9);
+  lean_to(0.0);
+  BOOST_TEST(std::abs(tick() - 1.0) < 1e-9);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -90,7 +90,7 @@ class StandController {
   /// What was wrong when the last tick was not kOk; stays after the damping has latched.
   Status fault() const noexcept;
 
-  const RobotState& state() const noexcept;           ///< estimated
+  const RobotState& state() const noexcept;  ///< estimated; friction: what may be used of it
   EstimatorReport estimator_report() const noexcept;  ///< see StateEstimator::report()
   const Reference& reference() const noexcept;        ///< of the last good tick
   const Solution& solution() const noexcept;          ///< of the last good tick
