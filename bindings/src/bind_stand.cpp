@@ -117,7 +117,7 @@ void bind_controller(nb::module_& m) {
            "Return how many ticks came to this rung, since construction.")
       .def_prop_ro(
           "state", [](const StandController& c) { return RobotState(c.state()); },
-          "Estimate, a copy.")
+          "Estimate, a copy; its friction is what the program may use of it.")
       .def_prop_ro(
           "reference", [](const StandController& c) { return Reference(c.reference()); }, "A copy.")
       .def_prop_ro(
