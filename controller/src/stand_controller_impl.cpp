@@ -31,7 +31,7 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
       ladder(r),
       torques(r, o) {
   estimator.set_gains(g);
-  state = ahead = estimator.state();  // of its size, that no tick allocates
+  state = estimator.state();  // of its size, that no tick allocates
 }
 
 void StandController::Impl::adopt(const Gains& gains) noexcept {
@@ -111,7 +111,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
 }
 
 Status StandController::Impl::solve_predicted(const Reference& wanted, double dt) noexcept {
-  ahead = predictor.predict(state);
+  RobotState& ahead = predictor.predict(state);
   predicted.update(ahead.q, ahead.v, wanted.ground_normal);
   ahead.friction = state.friction = friction.update(predicted, ahead, wanted, robot.mass(), dt);
   return solve(predicted, ahead, wanted);

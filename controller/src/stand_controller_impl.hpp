@@ -31,7 +31,6 @@ struct StandController::Impl {
   DelayPredictor predictor;
   Dynamics predicted;  // at the state when the command acts
   RobotState state;    // as estimated, but for the friction: what may be used of it
-  RobotState ahead;    // that, when the command acts
   WholeBodyController controller;
   CommandLadder ladder;
   TorqueCommand torques;

@@ -40,7 +40,7 @@ const SentCommand* DelayPredictor::acting() const noexcept {
   return nullptr;
 }
 
-const RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
+RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   dv_.setZero();
   dq_ = delay_ * state.v;
   // Backwards from the command that stops acting when the next one starts.

@@ -38,8 +38,8 @@ class DelayPredictor {
   /// The command that acted until now; null while none has.
   const SentCommand* acting() const noexcept;
 
-  /// A state of the same size as `state`, `delay` later.
-  const RobotState& predict(const RobotState& state) noexcept;
+  /// A state of the same size as `state`, `delay` later; the caller's until the next call.
+  RobotState& predict(const RobotState& state) noexcept;
 
   void reset() noexcept { count_ = 0; }
 
