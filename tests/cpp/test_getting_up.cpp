@@ -71,6 +71,16 @@ BOOST_FIXTURE_TEST_CASE(a_leg_that_catches_backs_out_and_tries_again, Folding) {
   BOOST_TEST(legs.done());
 }
 
+BOOST_FIXTURE_TEST_CASE(the_side_that_folded_is_known_while_a_leg_of_the_other_catches, Folding) {
+  const std::array<bool, kLegs> none = {}, left = {false, true, false, true};
+  most = 1.0;
+  legs.start(q);
+  run(3.0);
+  BOOST_TEST((legs.folded_side(q) == none));  // a first catch is nothing
+  run(9.0);
+  BOOST_TEST((legs.folded_side(q) == left));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_leg_that_is_never_free_is_given_up_after_several_tries, Folding) {
   legs.start(q);
   most = plan.standing[kThigh] + 0.3;

@@ -27,8 +27,9 @@ struct Folded {
   LegWeighing weighing{plan};
   LegPressing pressing{plan};
 
-  Verdict weigh(const Vector12& measured) {
-    weighing.start(plan.folded);
+  Verdict weigh(const Vector12& measured,
+                const std::array<bool, kLegs>& legs = {true, true, true, true}) {
+    weighing.start(plan.folded, legs);
     for (double time = 0.0; time < 3.0 && weighing.verdict() == Verdict::kNone; time += kTick) {
       const JointReference& now = weighing.step(measured, bearing(), kTick);
       BOOST_REQUIRE(now.dq.cwiseAbs().maxCoeff() < 1.0);
@@ -92,6 +93,24 @@ BOOST_FIXTURE_TEST_CASE(legs_on_the_wrong_side_are_named_and_so_is_another_robot
   BOOST_TEST((weigh(bearing(0.2)) == Verdict::kWrongWeight));
   BOOST_TEST((weigh(bearing(4.0)) == Verdict::kWrongWeight));
   BOOST_TEST((weigh(Vector12::Constant(NAN)) != Verdict::kFits));
+}
+
+BOOST_FIXTURE_TEST_CASE(the_folded_legs_of_one_side_tell_while_the_others_are_left_alone, Folded) {
+  const std::array<bool, kLegs> left = {false, true, false, true};
+  Vector12 wedged = bearing();  // the right legs hold each other
+  wedged[0] = 9.0, wedged[6] = -9.0;
+  BOOST_TEST((weigh(wedged, left) == Verdict::kFits));
+  BOOST_TEST((weigh(wedged) != Verdict::kFits));
+  BOOST_TEST((weigh(bearing(4.0), left) == Verdict::kWrongWeight));
+  weighing.start(plan.folded, left);
+  double moved = 0.0;
+  for (double time = 0.0; time < 0.6; time += kTick) {
+    const Vector12 off = weighing.step(bearing(), bearing(), kTick).q - plan.folded;
+    BOOST_REQUIRE(off[0] == 0.0);
+    BOOST_REQUIRE(off[6] == 0.0);
+    moved = off[3];
+  }
+  BOOST_TEST(moved > 0.1);
 }
 
 BOOST_FIXTURE_TEST_CASE(rear_legs_that_press_put_the_nose_down, Folded) {

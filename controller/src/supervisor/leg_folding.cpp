@@ -54,6 +54,24 @@ int LegFolding::most_tries() const noexcept {
   return most;
 }
 
+bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
+  const int hip = kLegJoints * leg;
+  const auto wanted = plan_.folded.segment<kLegJoints>(hip);
+  const auto off = [&](const Vector12& q) {
+    return (wanted - q.segment<kLegJoints>(hip)).cwiseAbs().maxCoeff();
+  };
+  return off(reference_.q) < kThere && off(measured) < kNear;
+}
+
+std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const noexcept {
+  std::array<bool, kLegs> side = {};
+  if (most_tries() < kCaught) return side;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    side[leg] = folded(leg, measured) && folded(leg ^ kOtherEnd, measured);
+  }
+  return side;
+}
+
 // A leg has caught that neither moves nor is where it is to be.
 void LegFolding::watch(int leg, const Vector12& measured, double dt) noexcept {
   Leg& one = legs_[leg];
@@ -133,8 +151,8 @@ const JointReference& LegFolding::step(const Vector12& measured, double dt) noex
       follow(joint, wanted[i], measured[joint], dt);
     }
   }
-  done_ = (plan_.folded - reference_.q).cwiseAbs().maxCoeff() < kThere &&
-          (plan_.folded - measured).cwiseAbs().maxCoeff() < kNear;
+  done_ = true;
+  for (int leg = 0; leg < kLegs; ++leg) done_ = done_ && folded(leg, measured);
   return reference_;
 }
 

@@ -31,12 +31,16 @@ class LegFolding {
   const JointReference& step(const Vector12& measured, double dt) noexcept;
   /// Is the reference there, and the legs with it?
   bool done() const noexcept { return done_; }
+  /// Sides whose legs both are folded while a leg of the other has caught again and again: nothing
+  /// rests on them, and they tell what folding all four would, were it to end.
+  std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
   /// Has a leg caught more often than makes sense to try?
   bool stuck() const noexcept { return !done_ && (time_ > kPatience || most_tries() > kTries); }
 
  private:
   static constexpr double kPatience = 40.0;  // [s]
   static constexpr int kTries = 8;           // of one leg
+  static constexpr int kCaught = 2;          // tries that a leg seldom needs
 
   struct Leg {
     Vector3 q = Vector3::Zero();  // [rad] where it moved last, or caught
@@ -48,6 +52,7 @@ class LegFolding {
   };
 
   int most_tries() const noexcept;
+  bool folded(int leg, const Vector12& measured) const noexcept;
   void watch(int leg, const Vector12& measured, double dt) noexcept;
   Vector3 target(int leg, const Vector12& measured) const noexcept;
   void follow(int joint, double wanted, double measured, double dt) noexcept;

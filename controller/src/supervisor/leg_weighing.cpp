@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "supervisor/smooth.hpp"
 
@@ -17,7 +18,8 @@ constexpr double kBack = kWay + kRest + kLook;
 
 }  // namespace
 
-void LegWeighing::start(const Vector12& reference) noexcept {
+void LegWeighing::start(const Vector12& reference, const std::array<bool, kLegs>& legs) noexcept {
+  legs_ = legs;
   start_ = reference;
   reference_.q = reference;
   reference_.dq.setZero();
@@ -40,6 +42,7 @@ const JointReference& LegWeighing::step(const Vector12& measured, const Vector12
   }
   const double out = kOut * (smooth(time_ / kWay) - smooth((time_ - kBack) / kWay));
   for (int leg = 0; leg < kLegs; ++leg) {
+    if (!legs_[leg]) continue;
     const int hip = kLegJoints * leg;
     const double q = start_[hip] + std::copysign(out, plan_.widest[hip]);
     reference_.dq[hip] = (q - reference_.q[hip]) / dt;
@@ -53,14 +56,20 @@ const JointReference& LegWeighing::step(const Vector12& measured, const Vector12
 
 // All legs alike are another robot's; one that is not like the others is in the wrong place.
 void LegWeighing::judge() noexcept {
-  const Eigen::Vector4d share = measured_.cwiseQuotient(model_);
-  int worst = 0;
-  double off = -1.0;
+  int worst = 0, count = 0;
+  double off = -1.0, all = 0.0;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const double size = std::log(std::max(share[leg], 1e-3));
+    if (!legs_[leg]) continue;
+    const double share = measured_[leg] / model_[leg];
+    const double size = std::log(std::max(share, 1e-3));
     if (std::abs(size) > off) worst = leg, off = std::abs(size);
+    least = std::min(least, share);
+    most = std::max(most, share);
+    all += share;
+    ++count;
   }
-  const double least = share.minCoeff(), most = share.maxCoeff(), all = share.mean();
+  all /= count;
   const bool fits = least > kLeast && most < kMost && all > kLight && all < kHeavy;
   if (fits) return;
   const bool alike = least > 0.0 && most < kAlike * least;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "supervisor/leg_folding.hpp"
 
 namespace surefoot {
@@ -26,8 +28,8 @@ class LegWeighing {
 
   explicit LegWeighing(const RisePlan& plan) : plan_(plan) {}
 
-  /// @param reference of the folded legs, where it ended
-  void start(const Vector12& reference) noexcept;
+  /// @param reference of the legs, where folding ended @param legs that are folded and are weighed
+  void start(const Vector12& reference, const std::array<bool, kLegs>& legs) noexcept;
   /// @param measured, model torques of all motors that hold the legs up [N.m] @param dt [s]
   const JointReference& step(const Vector12& measured, const Vector12& model, double dt) noexcept;
   Verdict verdict() const noexcept { return verdict_; }
@@ -39,6 +41,7 @@ class LegWeighing {
 
   RisePlan plan_;
   JointReference reference_;
+  std::array<bool, kLegs> legs_ = {};
   Vector12 start_ = Vector12::Zero();                   // [rad]
   Eigen::Vector4d measured_ = Eigen::Vector4d::Zero();  // [N.m] hips, summed up
   Eigen::Vector4d model_ = Eigen::Vector4d::Zero();     // [N.m]

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stages of a rise: what is looked at before the body leaves the ground, and the way up.
+#include <algorithm>
+
 #include "supervisor/supervisor_impl.hpp"
 
 namespace surefoot {
@@ -8,6 +10,10 @@ namespace {
 constexpr double kOffGround = 0.2;  // of the way: feet below the body, on level ground
 constexpr double kOnTheWay = 0.35;  // [rad] that each joint may be off it
 constexpr double kBorne = 0.35;     // of the weight that legs bear which stand on something
+
+bool any(const std::array<bool, kLegs>& legs) noexcept {
+  return std::any_of(legs.begin(), legs.end(), [](bool leg) { return leg; });
+}
 }  // namespace
 
 // Who is on the way already, standing or crouching, goes on from there; anybody else folds first.
@@ -50,6 +56,7 @@ void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   if (!lift.done()) return;
   if (lift.too_light()) return refuse(FaultId::kWrongRobot, -1);
   stage = Stage::kFold;
+  side_weighed = false;
   folding.start(springs.q());
 }
 
@@ -57,7 +64,11 @@ void Supervisor::Impl::fold(double dt) noexcept {
   reference = folding.step(springs.q(), dt);
   if (folding.done()) {
     stage = Stage::kWeigh;
-    weighing.start(reference.q);
+    weighing.start(reference.q, {true, true, true, true});
+  } else if (const auto side = folding.folded_side(springs.q()); !side_weighed && any(side)) {
+    side_weighed = true;
+    stage = Stage::kWeigh;
+    weighing.start(reference.q, side);
   } else if (folding.stuck()) {
     gave_up = true;
     lie();
@@ -74,6 +85,10 @@ void Supervisor::Impl::weigh(const LowState& state, double dt) noexcept {
     case LegWeighing::Verdict::kWrongWeight:
       return refuse(FaultId::kWrongRobot, -1);
     case LegWeighing::Verdict::kFits:
+      if (!folding.done()) {
+        stage = Stage::kFold;
+        return;
+      }
       stage = Stage::kPress;
       return pressing.start(reference.q);
   }
