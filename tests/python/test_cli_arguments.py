@@ -287,6 +287,12 @@ def test_version_and_help_end_well(capsys):
     assert "--push" in text and "exit status: 0 the robot stood, 3 it fell" in text
 
 
+def test_the_package_is_the_command():
+    command = [sys.executable, "-m", "surefoot", "--version"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("surefoot ")
+
+
 def test_an_interrupted_run_ends_with_status_130(monkeypatch, capsys):
     def interrupt(_):
         raise KeyboardInterrupt

@@ -5,29 +5,47 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/support_polygon.hpp"
-
 namespace surefoot {
 
-double capture_margin(const Dynamics& dynamics, const Reference& reference,
-                      const Vector3& gained) noexcept {
+namespace {
+
+FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
+  FeetMatrix feet;
+  for (int leg = 0; leg < kLegs; ++leg) feet.col(leg) = dynamics.legs()[leg].p_world_contact;
+  return feet;
+}
+
+std::array<bool, kLegs> stance_of(const Reference& reference) noexcept {
   std::array<bool, kLegs> stance;
   for (int leg = 0; leg < kLegs; ++leg) {
     stance[leg] = reference.feet[leg].stance && reference.feet[leg].load > 0.0;
   }
-  return capture_margin(dynamics, stance, gained);
+  return stance;
+}
+
+}  // namespace
+
+Eigen::Vector2d capture_point(const Dynamics& dynamics, const Vector3& gained) noexcept {
+  const double ground = contact_points(dynamics).row(2).mean();
+  const double height = std::max(dynamics.p_world_com().z() - ground, 0.05);
+  const double omega = std::sqrt(kGravity / height);
+  return (dynamics.p_world_com() + (dynamics.v_world_com() + gained) / omega).head<2>();
+}
+
+SupportPolygon support_polygon(const Dynamics& dynamics, const Reference& reference) noexcept {
+  return SupportPolygon(contact_points(dynamics), stance_of(reference));
+}
+
+double capture_margin(const Dynamics& dynamics, const Reference& reference,
+                      const Vector3& gained) noexcept {
+  return capture_margin(dynamics, stance_of(reference), gained);
 }
 
 double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
                       const Vector3& gained) noexcept {
-  FeetMatrix feet;
-  for (int leg = 0; leg < kLegs; ++leg) feet.col(leg) = dynamics.legs()[leg].p_world_contact;
-  const double height = std::max(dynamics.p_world_com().z() - feet.row(2).mean(), 0.05);
-  const double omega = std::sqrt(kGravity / height);
-  const Vector3 capture = dynamics.p_world_com() + (dynamics.v_world_com() + gained) / omega;
   // Fewer than three feet have no edge to be near.
-  const SupportPolygon polygon(feet, stance);
-  return polygon.exists() ? polygon.margin(capture.head<2>())
+  const SupportPolygon polygon(contact_points(dynamics), stance);
+  return polygon.exists() ? polygon.margin(capture_point(dynamics, gained))
                           : std::numeric_limits<double>::infinity();
 }
 

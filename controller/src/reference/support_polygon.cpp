@@ -11,10 +11,6 @@ namespace {
 // Round the robot, counter-clockwise from above.
 constexpr int kRound[kLegs] = {FR_, FL_, RL_, RR_};
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) noexcept {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 }  // namespace
 
 SupportPolygon::SupportPolygon(const FeetMatrix& feet,
@@ -24,13 +20,17 @@ SupportPolygon::SupportPolygon(const FeetMatrix& feet,
   }
 }
 
+SupportPolygon::Edge SupportPolygon::edge(int k, const Eigen::Vector2d& point) const noexcept {
+  const Eigen::Vector2d along = corners_[(k + 1) % count_] - corners_[k];
+  const Eigen::Vector2d outward =
+      Eigen::Vector2d(along.y(), -along.x()) / std::max(along.norm(), 1e-6);
+  return {outward, outward.dot(corners_[k] - point)};
+}
+
 double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
   if (!exists()) return 0.0;
   double margin = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < count_; ++k) {
-    const Eigen::Vector2d edge = corners_[(k + 1) % count_] - corners_[k];
-    margin = std::min(margin, cross(edge, point - corners_[k]) / std::max(edge.norm(), 1e-6));
-  }
+  for (int k = 0; k < count_; ++k) margin = std::min(margin, edge(k, point).margin);
   return margin;
 }
 

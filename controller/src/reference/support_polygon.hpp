@@ -16,6 +16,14 @@ class SupportPolygon {
   /// Are there three feet or more?
   bool exists() const noexcept { return count_ >= 3; }
 
+  int edges() const noexcept { return exists() ? count_ : 0; }
+  struct Edge {
+    Eigen::Vector2d outward;  ///< unit length, away from the polygon
+    double margin;            ///< how far inside it the point is [m]; negative outside
+  };
+  /// Edge k, 0 .. edges() - 1, as seen from a point.
+  Edge edge(int k, const Eigen::Vector2d& point) const noexcept;
+
   /// Distance of a point inside the nearest edge [m]; negative outside; 0 where there is none.
   double margin(const Eigen::Vector2d& point) const noexcept;
 

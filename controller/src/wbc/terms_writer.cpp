@@ -13,6 +13,7 @@
 #include "tasks/force_task.hpp"
 #include "tasks/momentum_task.hpp"
 #include "tasks/posture_task.hpp"
+#include "wbc/braking_axes.hpp"
 #include "wbc/hold_down.hpp"
 
 namespace surefoot {
@@ -86,6 +87,7 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
   auto& [position, orientation, momentum] = terms_.body;
   position = base ? base_position_task(gains, demand.a, dynamics)
                   : com_task(gains, demand.a, state.f_outside, robot_.mass());
+  braking_axes(dynamics, state, reference, robot_.mass()).turn(position);
   position.scale = base ? units_.scale_base : units_.scale_com;
   orientation = base_orientation_task(gains, demand.alpha, dynamics);
   orientation.scale = units_.scale_angular;

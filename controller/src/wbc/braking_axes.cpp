@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/braking_axes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reference/capture_margin.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kAhead = 0.08;  // [s] that a push is expected to last
+constexpr double kNear = 0.03;   // [m] inside an edge, where it begins to count
+constexpr double kLeast = 0.01;  // of the weight along it; none would let the body wander there
+
+}  // namespace
+
+void BrakingAxes::turn(BodyRows& position) const noexcept {
+  if (along == 1.0) return;
+  position.A_base = (R * position.A_base).eval();
+  position.A_force = (R * position.A_force).eval();
+  position.b = (R * position.b).eval();
+  position.weight[1] *= along;
+}
+
+BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
+                         const Reference& reference, double mass) noexcept {
+  BrakingAxes axes;
+  const SupportPolygon polygon = support_polygon(dynamics, reference);
+  const Eigen::Vector2d capture = capture_point(dynamics, kAhead / mass * state.f_outside);
+  std::array<double, kLegs> near = {};  // 0 .. 1 at the edge, and on outside of it
+  int worst = 0;
+  for (int k = 0; k < polygon.edges(); ++k) {
+    near[k] = std::max(1.0 - polygon.edge(k, capture).margin / kNear, 0.0);
+    if (near[k] > near[worst]) worst = k;
+  }
+  if (!(near[worst] > 0.0)) return axes;
+  const Eigen::Vector2d across = polygon.edge(worst, capture).outward;
+  const Eigen::Vector2d along(-across.y(), across.x());
+  double other = 0.0;  // how much of an edge there is along it
+  for (int k = 0; k < polygon.edges(); ++k) {
+    if (k == worst) continue;
+    const double part = std::abs(polygon.edge(k, capture).outward.dot(along));
+    other = std::max(other, part * near[k] / near[worst]);
+  }
+  axes.R.row(0) << across.x(), across.y(), 0.0;
+  axes.R.row(1) << along.x(), along.y(), 0.0;
+  axes.along = 1.0 - std::min(near[worst], 1.0) * (1.0 - kLeast) * (1.0 - other);
+  return axes;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "leaning.hpp"
+#include "reference/capture_margin.hpp"
+#include "surefoot/whole_body_controller.hpp"
+#include "wbc/braking_axes.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+struct PushedOver : Leaning {
+  BrakingAxes axes() const { return braking_axes(dynamics, state, reference, robot.mass()); }
+  // Times what takes the capture point over the front edge.
+  void push(double degrees, double share) {
+    const double angle = degrees / 180.0 * M_PI;
+    const double edge = contact_points(robot, state.q)(0, FL_) - dynamics.p_world_com().x();
+    const double force = share * edge * omega() * robot.mass() / 0.08;
+    state.f_outside = force * Vector3(std::cos(angle), std::sin(angle), 0.0);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(braking)
+
+BOOST_FIXTURE_TEST_CASE(away_from_the_edges_all_directions_count_alike, PushedOver) {
+  BOOST_TEST(axes().along == 1.0);
+  push(22.5, 0.5);
+  BOOST_TEST(axes().along == 1.0);
+  BOOST_TEST(axes().R.isIdentity());
+}
+
+BOOST_FIXTURE_TEST_CASE(over_the_front_edge_it_brakes_forward_first, PushedOver) {
+  push(15.0, 1.5);
+  const BrakingAxes found = axes();
+  BOOST_TEST((found.R.row(0) - Eigen::RowVector3d(1, 0, 0)).norm() < 1e-9);
+  BOOST_TEST((found.R.row(1) - Eigen::RowVector3d(0, 1, 0)).norm() < 1e-9);
+  BOOST_TEST(found.along < 0.05);
+  BOOST_TEST(found.along > 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(over_the_side_it_brakes_sideways_first, PushedOver) {
+  push(90.0, 1.5);
+  const BrakingAxes found = axes();
+  BOOST_TEST((found.R.row(0) - Eigen::RowVector3d(0, 1, 0)).norm() < 1e-9);
+  BOOST_TEST(found.along < 0.05);
+}
+
+BOOST_FIXTURE_TEST_CASE(over_a_corner_both_edges_count, PushedOver) {
+  const Vector3 corner = contact_points(robot, state.q).col(FL_) - dynamics.p_world_com();
+  lean(1.3 * omega() * Vector3(corner.x(), corner.y(), 0.0));
+  BOOST_TEST(axes().along > 0.5);
+}
+
+// The share does not jump as the capture point goes out past an edge, nor round the corner.
+BOOST_FIXTURE_TEST_CASE(nothing_jumps, PushedOver) {
+  const auto weight = [&] {  // of every direction, as a matrix
+    const BrakingAxes found = axes();
+    return Matrix3(found.R.transpose() * Vector3(1.0, found.along, 1.0).asDiagonal() * found.R);
+  };
+  for (const bool round : {false, true}) {
+    Matrix3 before = weight();
+    for (double s = 0.0; s < 1.0; s += 1e-3) {
+      push(round ? 90.0 * s : 20.0, round ? 1.5 : 2.0 * s);
+      if (s > 0.0) BOOST_TEST((weight() - before).norm() < 0.1);
+      before = weight();
+    }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(turned_rows_ask_the_same_of_the_body, PushedOver) {
+  BodyRows rows;
+  rows.A_base.setRandom();
+  rows.A_force.setRandom();
+  rows.b.setRandom();
+  rows.weight << 2.0, 2.0, 3.0;
+  const BodyRows as_given = rows;
+  push(22.5, 1.5);
+  const BrakingAxes found = axes();
+  found.turn(rows);
+  BOOST_TEST((found.R.transpose() * rows.b - as_given.b).norm() < 1e-12);
+  BOOST_TEST((found.R.transpose() * rows.A_force - as_given.A_force).norm() < 1e-12);
+  BOOST_TEST((found.R.transpose() * rows.A_base - as_given.A_base).norm() < 1e-12);
+  BOOST_TEST((rows.weight - Vector3(2.0, 2.0 * found.along, 3.0)).norm() < 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(two_feet_have_no_edge, PushedOver) {
+  reference.feet[FR_].load = reference.feet[RL_].load = 0.0;
+  push(22.5, 5.0);
+  BOOST_TEST(axes().along == 1.0);
+}
+
+// The force of both front feet against a push that leaves over their edge.
+BOOST_FIXTURE_TEST_CASE(the_front_feet_share_the_braking, PushedOver) {
+  push(15.0, 1.5);
+  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+    WholeBodyController controller(robot, gains, {form});
+    const Solution& solution = controller.update(state, controller.hold(state));
+    BOOST_REQUIRE(is_usable(solution.status));
+    const Vector3 sum = solution.forces.rowwise().sum();
+    BOOST_TEST(sum.x() < 0.0);
+    BOOST_TEST(std::abs(sum.y()) < 0.2 * std::abs(sum.x()));  // the push's own share is 0.27
+    BOOST_TEST(solution.forces(2, FR_) > 0.5 * solution.forces(2, FL_));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
