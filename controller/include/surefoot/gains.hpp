@@ -81,7 +81,7 @@ struct Gains {
   double slip_friction = 0.5;
   double payload_time = 0.15;
   double payload_max = 1.2;
-  double push_time = 0.008;
+  double push_time = 0.016;
   double push_dead_band = 0.5;
   double push_max = 20.0;
   double push_resist = 1.0;

@@ -9,6 +9,10 @@ using namespace error;
 
 namespace {
 constexpr double kSmallestFoot = 1e-12;  // [m^2] keeps a perfectly known foot invertible
+// [s] in which the accelerometer's bias is forgotten. At rest nothing tells it from a tilt, and both
+// together walk on what noise leaks into them: by 2.5 m/s^2 and 15 deg in 19 hours of standing. The
+// covariance leaves this out: it is slow beside all that it weighs.
+constexpr double kForget = 600.0;
 }
 
 void InvariantFilter::reset(const Quaternion& R, const Vector3& v, const Vector3& p,
@@ -50,6 +54,7 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
   motion.gyroscope_drift = gains.gyroscope_drift * gains.gyroscope_drift * dt;
   motion.accelerometer_drift = gains.accelerometer_drift * gains.accelerometer_drift * dt;
   P_.propagate(motion);
+  accelerometer_bias_ *= 1.0 - dt / kForget;
 
   // The specific force is turned by half of the tick's rotation: its mean over the tick.
   const Vector3 turn = dt * (imu.w_base - gyroscope_bias_);
