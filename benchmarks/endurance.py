@@ -41,13 +41,12 @@ WRAP = 2**32  # [ms]
 LIMITS = {
     "height_mm": 1.0,
     "tilt_deg": 0.2,
+    "believed_tilt_deg": 1.5,  # from the true one, whatever it was in the beginning
     "yaw_deg": 0.5,
     "foot_travel_mm": 5.0,
     "com_mm": 2.0,
     "memory_mb": 4.0,
 }
-
-Progress = Callable[[float], None]  # is told the simulated time [s]
 
 
 @dataclass(frozen=True)
@@ -107,10 +106,21 @@ class Watch:
         self.look({"memory_mb": self.memory[-1] - self.memory_start})
 
 
+def believed_tilt(plant: Plant, supervisor: surefoot.Supervisor) -> float:
+    """Return how far the estimator's vertical is from the true one [deg]."""
+    q = supervisor.stand.state.q
+    believed = matrix_from_wxyz(np.roll(q[3:7], 1))[2]
+    true = matrix_from_wxyz(plant.data.qpos[3:7])[2]
+    return math.degrees(math.acos(min(1.0, float(believed @ true))))
+
+
 def resident_mb() -> float:
     """Return the resident memory of this process [MB]."""
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+Progress = Callable[[float, Watch], None]  # is told the simulated time [s], and what was seen
 
 
 def endure(
@@ -135,10 +145,11 @@ def endure(
             start, watch.memory_start = Pose.of(plant), resident_mb()
         elif k * PERIOD > SETTLED and k % LOOK == 0:
             watch.look(Pose.of(plant).drift(start))
+            watch.look({"believed_tilt_deg": believed_tilt(plant, supervisor)})
             if k % WEIGH == 0:
                 watch.weigh()
                 if progress is not None:
-                    progress(k * PERIOD)
+                    progress(k * PERIOD, watch)
         if supervisor.mode != Mode.STAND or (k % LOOK == 0 and plant.truth.fell):
             watch.ended = f"{plant.time:.1f} s: {supervisor.mode.name}, {supervisor.reason.name}"
             break
@@ -212,11 +223,12 @@ def main() -> int:
     if 3600.0 * options.hours <= SETTLED:
         parser.error(f"--hours: got {options.hours:g}, expected more than {SETTLED / 3600.0:.4f}")
 
-    def progress(seconds: float) -> None:
+    def progress(seconds: float, watch: Watch) -> None:
         every = 60.0 if sys.stderr.isatty() else 600.0
         if seconds % every < 1e-6:
             end = "\r" if sys.stderr.isatty() else "\n"
-            print(f"{seconds / 3600.0:.2f} h, {resident_mb():.1f} MB", end=end, file=sys.stderr)
+            worst = ", ".join(f"{name} {value:.3f}" for name, value in watch.worst.items())
+            print(f"{seconds / 3600.0:.2f} h: {worst}", end=end, file=sys.stderr)
 
     result = endure(options.robot, 3600.0 * options.hours, options.seed, progress)
     print(text(result))
