@@ -74,7 +74,7 @@ class Pose:
         turned = self.R_world_base @ start.R_world_base.T
         return {
             "height_mm": 1e3 * abs(self.height - start.height),
-            "tilt_deg": math.degrees(math.acos(min(1.0, float(up)))),
+            "tilt_deg": math.degrees(math.acos(float(np.clip(up, -1.0, 1.0)))),
             "yaw_deg": abs(math.degrees(math.atan2(turned[1, 0], turned[0, 0]))),
             "foot_travel_mm": 1e3 * float(np.linalg.norm(self.feet - start.feet, axis=0).max()),
             "com_mm": 1e3 * float(np.linalg.norm(self.com - start.com)),
@@ -111,7 +111,7 @@ def believed_tilt(plant: Plant, supervisor: surefoot.Supervisor) -> float:
     q = supervisor.stand.state.q
     believed = matrix_from_wxyz(np.roll(q[3:7], 1))[2]
     true = matrix_from_wxyz(plant.data.qpos[3:7])[2]
-    return math.degrees(math.acos(min(1.0, float(believed @ true))))
+    return math.degrees(math.acos(float(np.clip(believed @ true, -1.0, 1.0))))
 
 
 def resident_mb() -> float:

@@ -79,6 +79,12 @@ BOOST_FIXTURE_TEST_CASE(the_side_that_folded_is_known_while_a_leg_of_the_other_c
   BOOST_TEST((legs.folded_side(q) == none));  // a first catch is nothing
   run(9.0);
   BOOST_TEST((legs.folded_side(q) == left));
+  most = 1e9;  // it slips off: that side caught, and tells nothing of the other
+  run(20.0);
+  const std::array<bool, kLegs> folded = legs.folded_side(q);
+  BOOST_TEST(legs.done());
+  BOOST_TEST(!folded[FR_]);
+  BOOST_TEST(!folded[RR_]);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_leg_that_is_never_free_is_given_up_after_several_tries, Folding) {

@@ -30,6 +30,7 @@ constexpr double kBackTime = 1.5;  // [s] that a leg backs out for
 constexpr double kBackStep = 0.6;  // [rad] thigh: how far, on the first try
 constexpr double kOpenCalf = 1.2;  // [rad] while it does
 constexpr int kOtherEnd = 2;       // FR RR, FL RL: the legs of a side
+constexpr int kOtherSide = 1;      // FR FL, RR RL: the legs of an end
 
 double turned_back(const Vector12& folded, const Vector12& q, int thigh) {
   return std::copysign(1.0, folded[thigh]) * q[thigh];
@@ -65,9 +66,10 @@ bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
 
 std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const noexcept {
   std::array<bool, kLegs> side = {};
-  if (most_tries() < kCaught) return side;
   for (int leg = 0; leg < kLegs; ++leg) {
-    side[leg] = folded(leg, measured) && folded(leg ^ kOtherEnd, measured);
+    const int across = leg ^ kOtherSide;
+    const int caught = std::max(legs_[across].tries, legs_[across ^ kOtherEnd].tries);
+    side[leg] = caught >= kCaught && folded(leg, measured) && folded(leg ^ kOtherEnd, measured);
   }
   return side;
 }

@@ -31,8 +31,8 @@ class LegFolding {
   const JointReference& step(const Vector12& measured, double dt) noexcept;
   /// Is the reference there, and the legs with it?
   bool done() const noexcept { return done_; }
-  /// Sides whose legs both are folded while a leg of the other has caught again and again: nothing
-  /// rests on them, and they tell what folding all four would, were it to end.
+  /// Legs of a side that is folded while a leg of the other has caught again and again: they weigh
+  /// what all four would, were folding to end.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
   /// Has a leg caught more often than makes sense to try?
   bool stuck() const noexcept { return !done_ && (time_ > kPatience || most_tries() > kTries); }

@@ -81,7 +81,10 @@ void Supervisor::Impl::weigh(const LowState& state, double dt) noexcept {
     case LegWeighing::Verdict::kNone:
       return;
     case LegWeighing::Verdict::kWrongSide:
-      return refuse(FaultId::kWiring, weighing.motor());
+      if (folding.done()) return refuse(FaultId::kWiring, weighing.motor());
+      // Of one side alone, beside legs that are stuck: the other may lean on it. Fold on.
+      stage = Stage::kFold;
+      return;
     case LegWeighing::Verdict::kWrongWeight:
       return refuse(FaultId::kWrongRobot, -1);
     case LegWeighing::Verdict::kFits:

@@ -14,7 +14,8 @@ namespace surefoot {
 /// along it: a push at 22.5 deg from forward leaves over the front edge, and while it is also
 /// braked sideways one front leg bears most of the weight and the other, unloaded, has no friction
 /// to brake with. What the body gains along the edge meanwhile has room, and is braked afterwards.
-/// Near a corner both directions are edges, and count alike.
+/// At a corner both directions are edges and count alike; elsewhere each counts by how far the
+/// capture point is over it.
 struct BrakingAxes {
   Matrix3 R = Matrix3::Identity();  ///< rows: across the edge outward, along it, up; world axes
   double along = 1.0;               ///< share of the weight that braking along the edge keeps

@@ -9,9 +9,9 @@ using namespace error;
 
 namespace {
 constexpr double kSmallestFoot = 1e-12;  // [m^2] keeps a perfectly known foot invertible
-// [s] in which the accelerometer's bias is forgotten. At rest nothing tells it from a tilt, and both
-// together walk on what noise leaks into them: by 2.5 m/s^2 and 15 deg in 19 hours of standing. The
-// covariance leaves this out: it is slow beside all that it weighs.
+// [s] time constant with which the accelerometer's bias is forgotten. At rest nothing tells it from
+// a tilt, and both together walked by 2.5 m/s^2 and 15 deg in 19 hours of standing. The covariance
+// leaves this out, so at rest it is optimistic by what is forgotten of a bias learnt in motion.
 constexpr double kForget = 600.0;
 }
 
