@@ -49,6 +49,11 @@ LIMITS = {
 }
 
 
+def angle_deg(a: np.ndarray, b: np.ndarray) -> float:
+    """Return the angle between two unit vectors (3,) [deg]; NaN stays."""
+    return math.degrees(math.acos(float(np.clip(a @ b, -1.0, 1.0))))
+
+
 @dataclass(frozen=True)
 class Pose:
     """What must stay: feet (3, 4) [m]; base over them [m], its attitude, centre of mass (3,)."""
@@ -70,11 +75,10 @@ class Pose:
 
     def drift(self, start: Pose) -> dict[str, float]:
         """Return by how much it differs from another, by LIMITS' names."""
-        up = self.R_world_base[2] @ start.R_world_base[2]
         turned = self.R_world_base @ start.R_world_base.T
         return {
             "height_mm": 1e3 * abs(self.height - start.height),
-            "tilt_deg": math.degrees(math.acos(float(np.clip(up, -1.0, 1.0)))),
+            "tilt_deg": angle_deg(self.R_world_base[2], start.R_world_base[2]),
             "yaw_deg": abs(math.degrees(math.atan2(turned[1, 0], turned[0, 0]))),
             "foot_travel_mm": 1e3 * float(np.linalg.norm(self.feet - start.feet, axis=0).max()),
             "com_mm": 1e3 * float(np.linalg.norm(self.com - start.com)),
@@ -109,9 +113,8 @@ class Watch:
 def believed_tilt(plant: Plant, supervisor: surefoot.Supervisor) -> float:
     """Return how far the estimator's vertical is from the true one [deg]."""
     q = supervisor.stand.state.q
-    believed = matrix_from_wxyz(np.roll(q[3:7], 1))[2]
-    true = matrix_from_wxyz(plant.data.qpos[3:7])[2]
-    return math.degrees(math.acos(float(np.clip(believed @ true, -1.0, 1.0))))
+    believed, true = np.roll(q[3:7], 1), plant.data.qpos[3:7]
+    return angle_deg(matrix_from_wxyz(believed)[2], matrix_from_wxyz(true)[2])
 
 
 def resident_mb() -> float:
