@@ -68,6 +68,7 @@ struct Random {
     for (int leg = 0; leg < kLegs; ++leg) m.foot_variance[leg] = positive();
     m.gyroscope_drift = positive();
     m.accelerometer_drift = positive();
+    m.accelerometer_kept = 1.0 / (1.0 + positive());
     return m;
   }
 };
@@ -79,6 +80,7 @@ Covariance transition(const ErrorMotion& m) {
   Phi.block<3, 3>(kPosition, kVelocity) = m.dt * Matrix3::Identity();
   Phi.block<kGroup, 3>(0, kGyroscope) = -m.by_rate;
   Phi.block<3, 3>(kVelocity, kAccelerometer) = -m.by_force;
+  Phi.block<3, 3>(kAccelerometer, kAccelerometer) *= m.accelerometer_kept;
   return Phi;
 }
 
@@ -466,6 +468,39 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_seen_stays_open) {
     BOOST_TEST(std::sqrt(sway.variance(kAccelerometer + 1)) > 0.8 * 0.1);
     BOOST_TEST(std::sqrt(sway.variance(kAccelerometer + 2)) < 0.3 * 0.1);
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_accelerometers_bias_is_in_the_long_run_as_great_as_at_the_start) {
+  Gains gains;
+  gains.accelerometer_drift = 0.02;
+  gains.start_accelerometer_bias = 0.1;
+  const double forgets = 50.0;  // [s] 2 (start / drift)^2
+  InertialStep imu;
+  imu.f_base = kGravity * Vector3::UnitZ();
+  imu.dt = 0.01;
+  const auto variance_after = [&](double sigma) {
+    InvariantFilter filter = State().filter({0.0, 0.0, 0.0, 0.0, sigma});
+    for (int k = 0; k < 4.0 * forgets / imu.dt; ++k) {
+      filter.predict(gains, imu, Eigen::Vector4d::Zero());
+    }
+    return filter.covariance()(kAccelerometer, kAccelerometer);
+  };
+  BOOST_TEST(variance_after(0.1) == 0.01, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(variance_after(0.0) == 0.01, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(variance_after(0.5) == 0.01, boost::test_tools::tolerance(2e-2));
+
+  Sway sway;  // at rest the vertical bias is seen
+  sway.size = 0.0;
+  sway.accelerometer_bias = Vector3(0.0, 0.0, 0.08);
+  sway.start({0.05, 0.5, 0.002, 0.02, 0.1});
+  sway.run(10.0);
+  const double learnt = sway.filter.accelerometer_bias().z();
+  BOOST_TEST(std::abs(learnt - 0.08) < 0.02);
+  for (int k = 0; k < forgets / imu.dt; ++k) {
+    sway.filter.predict(gains, imu, Eigen::Vector4d::Zero());
+  }
+  BOOST_TEST(sway.filter.accelerometer_bias().z() == learnt * std::exp(-1.0),
+             boost::test_tools::tolerance(1e-3));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_foot_that_jumps_is_refused, Sway) {

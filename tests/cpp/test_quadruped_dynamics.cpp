@@ -35,6 +35,7 @@ void check_legs(const Dynamics& ours, const Dynamics& theirs) {
     BOOST_TEST(same(a.p_world_contact, b.p_world_contact));
     BOOST_TEST(same(a.v_world_contact, b.v_world_contact));
     BOOST_TEST(same(a.w_world_shank, b.w_world_shank));
+    BOOST_TEST(same(a.axes_world, b.axes_world));
     BOOST_TEST(same(a.J_base, b.J_base));
     BOOST_TEST(same(a.J_leg, b.J_leg));
     BOOST_TEST(same(a.drift, b.drift));

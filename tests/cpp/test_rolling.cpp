@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
+#include "estimator/base/foot_wander.hpp"
 #include "reference/stand_reference.hpp"
 #include "scenes.hpp"
 
@@ -67,6 +68,32 @@ BOOST_FIXTURE_TEST_CASE(it_is_the_way_of_contact_points_that_do_not_slip, Sway) 
   BOOST_TEST(rolling.way().col(RR_).norm() == 0.0);
   rolling.reset();
   BOOST_TEST(rolling.way().norm() == 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_filters_contact_points_roll_by_the_angles_also_over_a_gap, Sway) {
+  FootWander wander;
+  const Vector3 lever = robot.config().foot_radius * Vector3::UnitZ();
+  const auto roll = [&](double dt) {
+    Vector12 q;
+    for (int i = 0; i < kMotors; ++i) q[i] = state.q[robot.motor_to_q()[i]];
+    return wander.roll(dynamics, q, Eigen::Vector4d(1, 0.5, 0, 1), lever, dt);
+  };
+  for (int round = 0; round < 2; ++round) {
+    BOOST_TEST(roll(kDt).norm() == 0.0);
+    const FeetMatrix before = contact_points(robot, state.q);
+    FeetMatrix sum = FeetMatrix::Zero();
+    for (int tick = 0; tick < 50; ++tick) {
+      step(forward());
+      if (tick == 20) continue;  // a report that never came
+      sum += roll(tick == 21 ? 2.0 * kDt : kDt);
+    }
+    const FeetMatrix way = contact_points(robot, state.q) - before;
+    BOOST_TEST(way.col(FR_).norm() > 0.001);
+    BOOST_TEST((sum.col(FR_) - way.col(FR_)).norm() < 0.02 * way.col(FR_).norm());
+    BOOST_TEST((sum.col(FL_) - 0.5 * way.col(FL_)).norm() < 0.02 * way.col(FL_).norm());
+    BOOST_TEST(sum.col(RR_).norm() == 0.0);
+    wander.reset();
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(a_gyroscope_that_is_stuck_moves_it_by_little_and_not_for_long, Sway) {

@@ -108,9 +108,11 @@ void LegPairs::read_leg(int leg, TickDynamics& out) const noexcept {
   half.read(code::kVContact, L.v_world_contact);
   // Hip about x, thigh and calf about the y that the hip has turned.
   const Half joints{legs_[leg / 2], leg % 2};
-  const double bent = joints[7] + joints[8];
-  const Vector3 w_leg(joints[6], joints[0] * bent, joints[1] * bent);
-  L.w_world_shank = out.R_world_base * (out.w_base + w_leg);
+  L.axes_world.col(0) = out.R_world_base.col(0);
+  L.axes_world.col(1) = out.R_world_base * Vector3(0.0, joints[0], joints[1]);
+  L.axes_world.col(2) = L.axes_world.col(1);
+  const Vector3 dq(joints[6], joints[7], joints[8]);
+  L.w_world_shank = out.R_world_base * out.w_base + L.axes_world * dq;
   half.read(code::kDrift, L.drift);
   half.read(code::kJLeg, L.J_leg);
   L.J_base.leftCols<3>() = out.R_world_base;

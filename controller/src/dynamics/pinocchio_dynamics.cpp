@@ -89,6 +89,7 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   for (int k = 0; k < kLegJoints; ++k) {
     const auto J = data.J.col(column[k]);
     out.J_leg.col(k) = J.head<3>() - out.p_world_contact.cross(J.tail<3>());
+    out.axes_world.col(k) = J.tail<3>();
   }
 
   // Drift: classical acceleration of the foot centre at zero joint acceleration (a_gf carries
@@ -112,7 +113,7 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   }
   // The hip's column of J is its axis crossed with the way to the foot; its part along the thigh's
   // axis is the foot's distance below the hip axis, and a factor of the Jacobian's determinant.
-  out.depth = out.J_leg.col(0).dot(data.J.col(column[1]).tail<3>());
+  out.depth = out.J_leg.col(0).dot(out.axes_world.col(1));
 }
 
 void PinocchioDynamics::write_full(const TickDynamics& now, FullDynamics& out) const noexcept {

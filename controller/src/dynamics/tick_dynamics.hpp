@@ -15,6 +15,7 @@ struct LegDynamics {
   Vector3 p_world_contact;  ///< [m] foot centre minus radius times ground normal
   Vector3 v_world_contact;  ///< [m/s] of the foot's material point there: zero when it rolls
   Vector3 w_world_shank;    ///< [rad/s] of the body that the foot belongs to
+  Matrix3 axes_world;       ///< columns: the leg's joint axes, about which the shank turns
   Matrix36 J_base;          ///< contact velocity from the base twist
   Matrix3 J_leg;            ///< contact velocity from the leg's three joint velocities
   Vector3 drift;            ///< [m/s^2] contact acceleration at zero generalised acceleration

@@ -21,6 +21,7 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
     const MotorState& motor = low_state.motorState[i];
     state.q[robot.motor_to_q()[i]] = motor.q;
     state.v[robot.motor_to_v()[i]] = dq[i] = motor.dq;
+    q[i] = motor.q;
     tau_est[i] = motor.tauEst;
   }
 }
@@ -87,7 +88,7 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   const Matrix3& R = dynamics.R_world_base();
   const Vector3 arm = robot.config().p_base_imu;
   const Vector3 lever = robot.config().foot_radius * normal;
-  filter.move_feet(wander.roll(dynamics, state.contact, lever, dt));
+  filter.move_feet(wander.roll(dynamics, q, state.contact, lever, dt));
   FeetMatrix y_base;
   for (int leg = 0; leg < kLegs; ++leg) {
     y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;

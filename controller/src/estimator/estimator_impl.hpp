@@ -60,7 +60,8 @@ struct StateEstimator::Impl {
   Vector12 planned_tau = Vector12::Zero();
   bool has_plan = false;
   RobotState state;
-  Vector12 tau_est = Vector12::Zero(), dq = Vector12::Zero();  // SDK order
+  Vector12 tau_est = Vector12::Zero();  // SDK order, as the next two
+  Vector12 q = Vector12::Zero(), dq = Vector12::Zero();
   InertialStep step;
   Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);       // shares of the weight, by torques
   Vector3 w_base = Vector3::Zero(), w_smooth = Vector3::Zero();  // [rad/s] bias taken off

@@ -61,6 +61,9 @@ void ErrorCovariance::multiply(const ErrorMotion& motion) noexcept {
       column[i] -= a * gyroscope[0][i] + b * gyroscope[1][i] + c * gyroscope[2][i];
     }
   }
+  for (int k = kAccelerometer; k < kAccelerometer + 3; ++k) {
+    for (int i = 0; i < kPadded; ++i) P_[k][i] *= motion.accelerometer_kept;
+  }
 }
 
 // A noisy rate does to the group what an error of the gyroscope's bias does, so its variance goes

@@ -28,6 +28,7 @@ struct ErrorMotion {
   Eigen::Vector4d foot_variance;     ///< [m^2] that each foot may have moved
   double gyroscope_drift = 0.0;      ///< [rad^2/s^2] of the bias, this tick
   double accelerometer_drift = 0.0;  ///< [m^2/s^4]
+  double accelerometer_kept = 1.0;   ///< share of the bias that this tick does not forget
 };
 
 /// Covariance of the filter's error. Its lower triangle is kept; loops of constant length over

@@ -22,11 +22,22 @@ void FootWander::see(const Dynamics& dynamics, double dt) noexcept {
   }
 }
 
-FeetMatrix FootWander::roll(const Dynamics& dynamics, const Eigen::Vector4d& contact,
-                            const Vector3& lever, double dt) noexcept {
-  const FeetMatrix before = rolling_;
-  rolling_ = rolling_rates(dynamics, contact, lever);
-  return 0.5 * dt * (before + rolling_);
+FeetMatrix FootWander::roll(const Dynamics& dynamics, const Vector12& q,
+                            const Eigen::Vector4d& contact, const Vector3& lever,
+                            double dt) noexcept {
+  const Vector12 bent = q - q_;
+  q_ = q;
+  if (!called_) {
+    called_ = true;
+    return FeetMatrix::Zero();
+  }
+  const Vector3 turned = dt * dynamics.w_world_base();
+  FeetMatrix way;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 turn = turned + dynamics.legs()[leg].axes_world * bent.segment<3>(3 * leg);
+    way.col(leg) = contact[leg] * turn.cross(lever);
+  }
+  return way;
 }
 
 Eigen::Vector4d FootWander::variance(const Gains& gains, const FootBeliefs& beliefs,

@@ -21,11 +21,14 @@ class FootWander {
   /// Take in how the feet move relative to the base.
   void see(const Dynamics& dynamics, double dt) noexcept;
 
-  /// What rolling has moved each contact point by since the last call [m], world axes: the shank's
-  /// rate times the lever, its mean over the tick.
+  /// What rolling has moved each contact point by since the last call [m], world axes: what the
+  /// shank has turned by, times the lever. Of the joints' angles, for their velocities are noisy,
+  /// and a contact point that trembles makes the filter's tilt and accelerometer bias walk.
+  /// Joints count from the last call, the base over dt; the first call rolls nothing.
+  /// @param q joints' angles, SDK order [rad]
   /// @param lever [m] from a contact point to its sole's centre, world axes
-  FeetMatrix roll(const Dynamics& dynamics, const Eigen::Vector4d& contact, const Vector3& lever,
-                  double dt) noexcept;
+  FeetMatrix roll(const Dynamics& dynamics, const Vector12& q, const Eigen::Vector4d& contact,
+                  const Vector3& lever, double dt) noexcept;
 
   /// Variance of where each may have gone besides [m^2]. Feet that bear no load, slip, or were
   /// refused may be anywhere soon; those that bear little slide easily.
@@ -35,8 +38,9 @@ class FootWander {
   void reset() noexcept { *this = FootWander(); }
 
  private:
-  FeetMatrix rolling_ = FeetMatrix::Zero();  // [m/s] world axes
-  FeetMatrix v_ = FeetMatrix::Zero();        // [m/s] relative to the base, smoothed
+  Vector12 q_ = Vector12::Zero();  // [rad] of the last call
+  bool called_ = false;
+  FeetMatrix v_ = FeetMatrix::Zero();  // [m/s] relative to the base, smoothed
 };
 
 }  // namespace surefoot

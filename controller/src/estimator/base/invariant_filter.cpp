@@ -2,6 +2,7 @@
 #include "estimator/base/invariant_filter.hpp"
 
 #include <Eigen/LU>
+#include <cmath>
 
 namespace surefoot {
 
@@ -9,11 +10,20 @@ using namespace error;
 
 namespace {
 constexpr double kSmallestFoot = 1e-12;  // [m^2] keeps a perfectly known foot invertible
-// [s] time constant with which the accelerometer's bias is forgotten. At rest nothing tells it from
-// a tilt, and both together walked by 2.5 m/s^2 and 15 deg in 19 hours of standing. The covariance
-// leaves this out, so at rest it is optimistic by what is forgotten of a bias learnt in motion.
-constexpr double kForget = 600.0;
+
+double square(double x) noexcept { return x * x; }
+
+// The accelerometer's bias is a first-order Gauss-Markov process that wanders as its gain says and
+// is as great in the long run as it was thought to be at the start. At rest nothing tells it from a
+// tilt, and without a bound both would walk together for ever.
+void move_accelerometer_bias(const Gains& gains, ErrorMotion& motion) noexcept {
+  const double start = square(gains.start_accelerometer_bias);
+  const double rate = 0.5 * square(gains.accelerometer_drift) / start;
+  motion.accelerometer_kept = std::exp(-motion.dt * rate);
+  motion.accelerometer_drift = -start * std::expm1(-2.0 * motion.dt * rate);
 }
+
+}  // namespace
 
 void InvariantFilter::reset(const Quaternion& R, const Vector3& v, const Vector3& p,
                             const FeetMatrix& p_feet, const StartDoubt& doubt) noexcept {
@@ -27,7 +37,6 @@ void InvariantFilter::reset(const Quaternion& R, const Vector3& v, const Vector3
 }
 
 void InvariantFilter::doubt(const StartDoubt& doubt) noexcept {
-  const auto square = [](double x) { return x * x; };
   P_ = ErrorCovariance();
   P_.set_variance(kRotation, 2, square(doubt.tilt));
   P_.set_variance(kVelocity, 3, square(doubt.velocity));
@@ -51,10 +60,9 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
   motion.rate_variance = imu.w_variance;
   motion.force_variance = imu.f_variance;
   motion.foot_variance = foot_variance;
-  motion.gyroscope_drift = gains.gyroscope_drift * gains.gyroscope_drift * dt;
-  motion.accelerometer_drift = gains.accelerometer_drift * gains.accelerometer_drift * dt;
+  motion.gyroscope_drift = square(gains.gyroscope_drift) * dt;
+  move_accelerometer_bias(gains, motion);
   P_.propagate(motion);
-  accelerometer_bias_ *= 1.0 - dt / kForget;
 
   // The specific force is turned by half of the tick's rotation: its mean over the tick.
   const Vector3 turn = dt * (imu.w_base - gyroscope_bias_);
@@ -62,6 +70,7 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
   const Vector3 a = R_ * (force + 0.5 * turn.cross(force)) - kGravity * Vector3::UnitZ();
   p_ += dt * v_ + 0.5 * dt * dt * a;
   v_ += dt * a;
+  accelerometer_bias_ *= motion.accelerometer_kept;
   q_ = (q_ * exp_so3(turn)).normalized();
   R_ = q_.toRotationMatrix();
 }

@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The largest push that is survived with feet that stay: an optimal control, whole dynamics.
+
+    python benchmarks/push_bound.py --robot go2 --heading 22.5 157.5 --tilt 5
+
+Pushes of 0.1 s through the centre of mass, as those of surefoot assess. Motors keep the standing
+torques for one knot of 10 ms (sensors, two periods of the link, motors), then give what brings the
+body to rest in 0.8 s with all feet where they are: torques within their limits, forces within the
+friction cone, the trunk within --tilt of level. It knows when the push ends and its motors have no
+lag, which no controller has; feet that slide or step, a trunk that tilts further and friction in
+the joints, which brakes beyond the motors' torque, may add to it. IPOPT finds a local optimum;
+where it finds none it is said why, without a figure. A minute each; needs CasADi.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import casadi as ca
+import numpy as np
+from seed_runs import ROBOTS
+from surefoot import Robot, load_robot, symbolic
+from surefoot.assess.pinned import pin
+from surefoot.assess.push_limits import push_limit
+
+KNOT = 0.01  # [s]
+PUSH = 0.1  # [s]
+KNOTS = 80  # after as many it has to be at rest
+FORCE, TORQUE = 10.0, 5.0  # [N], [N.m] units of the variables
+WEIGHT = 0.1  # [1/(N.s)] of the impulse
+SMALL = 1e-5, 1e-6  # of squared velocities and torques, in units: breaks ties
+IPOPT = {
+    "max_iter": 600,
+    "print_level": 0,
+    "sb": "yes",
+    "mu_strategy": "monotone",
+    "tol": 1e-5,
+    "constr_viol_tol": 1e-6,
+    "acceptable_tol": 1e-3,
+    "acceptable_constr_viol_tol": 1e-6,
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    """What is asked of one push."""
+
+    heading: float  # [deg] from forward towards left
+    tilt: float  # [deg] most that the trunk may tilt by
+    friction: float
+
+
+def rotation(quaternion: ca.SX) -> ca.SX:
+    """Return R of a quaternion x y z w."""
+    x, y, z, w = ca.vertsplit(quaternion)
+    return ca.vertcat(
+        ca.horzcat(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
+        ca.horzcat(2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
+        ca.horzcat(2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
+    )
+
+
+def integration(robot: Robot) -> ca.Function:
+    """Make q a knot later of (q, v); the quaternion by its rate, normalised."""
+    q, v = ca.SX.sym("q", robot.nq), ca.SX.sym("v", robot.nv)
+    p = q[:3] + KNOT * rotation(q[3:7]) @ v[:3]
+    half = 0.5 * KNOT * v[3:6]
+    xyz = q[3:6] + q[6] * half + ca.cross(q[3:6], half)
+    turned = ca.vertcat(xyz, q[6] - ca.dot(q[3:6], half))
+    after = ca.vertcat(p, turned / ca.norm_2(turned), q[7:] + KNOT * v[6:])
+    return ca.Function("integration", [q, v], [after])
+
+
+def contact_jacobian(robot: Robot) -> ca.Function:
+    """Make J(q), shape (12, nv), of contact points under feet that roll: J_c + r [z]x J_w."""
+    q = ca.SX.sym("q", robot.nq)
+    R = rotation(q[3:7])
+    below = robot.config.foot_radius * ca.DM([[0, -1, 0], [1, 0, 0], [0, 0, 0]])
+    rows = []
+    for leg in range(4):
+        columns = [int(robot.motor_to_v[3 * leg + k]) for k in range(3)]
+        hip = q[columns[0] + 1]
+        pitch = ca.vertcat(0, ca.cos(hip), ca.sin(hip))
+        turns = ca.SX.zeros(3, robot.nv)
+        turns[:, 3:6] = R
+        for column, axis in zip(columns, (ca.DM([1, 0, 0]), pitch, pitch), strict=True):
+            turns[:, column] = R @ axis
+        rows.append(below @ turns)
+    return ca.Function("contact", [q], [symbolic.foot_jacobian(robot)(q) + ca.vertcat(*rows)])
+
+
+def dynamics(robot: Robot, contact: ca.Function, heading: float) -> ca.Function:
+    """Make the residual of the equations of motion of (q, v, v after, tau, f, push)."""
+    q, v, after = (ca.SX.sym(n, k) for n, k in (("q", robot.nq), ("v", robot.nv), ("w", robot.nv)))
+    tau, f, push = ca.SX.sym("tau", 12), ca.SX.sym("f", 12), ca.SX.sym("push")
+    select = np.zeros((robot.nv, 12))
+    select[np.array(robot.motor_to_v), range(12)] = 1.0
+    along = ca.DM([math.cos(math.radians(heading)), math.sin(math.radians(heading)), 0.0])
+    com = symbolic.centroidal_matrix(robot)(q)[:3, :] / robot.mass
+    asked = symbolic.inverse_dynamics(robot)(q, after, (after - v) / KNOT)
+    given = ca.DM(select) @ tau + contact(q).T @ f + com.T @ (along * push)
+    return ca.Function("dynamics", [q, v, after, tau, f, push], [(asked - given) / FORCE])
+
+
+def standing(robot: Robot, contact: ca.Function) -> tuple[np.ndarray, np.ndarray]:
+    """Return the forces (12,) and torques (12,) that hold the standing pose, least squares."""
+    q = np.array(robot.q_standing())
+    J = contact(q).full()
+    h = symbolic.bias(robot)(q, np.zeros(robot.nv)).full().ravel()
+    f = np.linalg.lstsq(J[:, :6].T, h[:6], rcond=None)[0]
+    return f, (h - J.T @ f)[np.array(robot.motor_to_v)]
+
+
+class Program:
+    """The optimal control of one push.
+
+    Args:
+        case: The push.
+        robot: The robot that bears it.
+    """
+
+    def __init__(self, case: Case, robot: Robot) -> None:
+        self.case = case
+        self.opti = ca.Opti()
+        self.impulse = self.opti.variable()
+        self.q = self.opti.variable(robot.nq, KNOTS + 1)
+        self.v = self.opti.variable(robot.nv, KNOTS + 1)
+        self.tau = self.opti.variable(12, KNOTS)
+        self.f = self.opti.variable(12, KNOTS)
+        self.contact = contact_jacobian(robot)
+        self.motion = dynamics(robot, self.contact, case.heading)
+        self.step = integration(robot)
+        self.most = np.array(robot.config.tau_max) / TORQUE
+        self.q_rest = np.array(robot.q_standing())
+        self.f_rest, self.tau_rest = standing(robot, self.contact)
+
+    def largest(self, guess: float) -> tuple[float, str]:
+        """Return the largest impulse [N.s], NaN if none was found, and what IPOPT says of it.
+
+        Args:
+            guess: Where it begins [N.s].
+        """
+        opti = self.opti
+        opti.subject_to(self.q[:, 0] == self.q_rest)
+        opti.subject_to(self.v[:, 0] == 0)
+        opti.subject_to(ca.vec(self.v[:, KNOTS - 1 :]) == 0)
+        opti.subject_to(self.tau[:, 0] == self.tau_rest / TORQUE)
+        for k in range(KNOTS):
+            self._move(k)
+            self._bear(k)
+        small = SMALL[0] * ca.sumsqr(self.v) + SMALL[1] * ca.sumsqr(self.tau)
+        opti.minimize(small - WEIGHT * self.impulse)
+        opti.set_initial(self.q, np.tile(self.q_rest[:, None], KNOTS + 1))
+        opti.set_initial(self.f, np.tile(self.f_rest[:, None] / FORCE, KNOTS))
+        opti.set_initial(self.tau, np.tile(self.tau_rest[:, None] / TORQUE, KNOTS))
+        opti.set_initial(self.impulse, guess)
+        opti.solver("ipopt", {"expand": True, "print_time": False}, IPOPT)
+        try:
+            found = float(opti.solve().value(self.impulse))
+        except RuntimeError:  # an iterate that IPOPT gave up need not obey anything
+            found = math.nan
+        return found, str(opti.return_status())
+
+    def _move(self, k: int) -> None:
+        q, v, after = self.q[:, k], self.v[:, k], self.v[:, k + 1]
+        push = self.impulse / PUSH if k < round(PUSH / KNOT) else 0.0
+        tau, f = TORQUE * self.tau[:, k], FORCE * self.f[:, k]
+        self.opti.subject_to(self.motion(q, v, after, tau, f, push) == 0)
+        self.opti.subject_to(self.q[:, k + 1] == self.step(q, after))
+        self.opti.subject_to(self.contact(q) @ after == 0)
+
+    def _bear(self, k: int) -> None:
+        if k > 0:
+            self.opti.subject_to(self.opti.bounded(-self.most, self.tau[:, k], self.most))
+        for leg in range(4):
+            x, y, z = (self.f[3 * leg + i, k] for i in range(3))
+            self.opti.subject_to(z >= 0)
+            self.opti.subject_to((self.case.friction * z) ** 2 >= x * x + y * y)
+        most = math.sin(0.5 * math.radians(self.case.tilt))
+        self.opti.subject_to(ca.sumsqr(self.q[3:5, k + 1]) <= most * most)
+
+
+def main() -> int:
+    """Print a row per push."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--robot", nargs="+", choices=ROBOTS, default=list(ROBOTS))
+    parser.add_argument("--heading", nargs="+", type=float, default=[0.0, 22.5, 157.5, 180.0])
+    parser.add_argument("--tilt", type=float, default=5.0, help="of the trunk, at most [deg]")
+    parser.add_argument("--friction", type=float, default=0.8, help="of the floor")
+    options = parser.parse_args()
+    print("robot     deg  own limit     bound")
+    for name in options.robot:
+        robot = load_robot(name)
+        for heading in options.heading:
+            case = Case(heading, options.tilt, options.friction)
+            own = push_limit(pin(robot), heading, PUSH, 0.0, options.friction).own
+            most, said = Program(case, robot).largest(0.7 * own)
+            print(
+                f"{name:6} {heading:6.1f} {own:6.2f} N.s {most:6.2f} N.s {100 * most / own:5.1f} %"
+                f"  {said}",
+                flush=True,
+            )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
