@@ -3,6 +3,7 @@
 
 #include "leaning.hpp"
 #include "reference/capture_margin.hpp"
+#include "wbc/edge_demand.hpp"
 #include "wbc/hold_down.hpp"
 
 using namespace surefoot;
@@ -101,6 +102,30 @@ BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_fo
       }
     }
   }
+}
+
+// What turns the body back at once takes the force that brakes: at the edge it comes back slowly.
+BOOST_FIXTURE_TEST_CASE(a_tilted_body_is_turned_back_slowly_at_the_edge, Pressing) {
+  const double length = 0.3, slowly = kGravity / length;
+  BodyDemand demand;
+  demand.alpha = Vector3(-300.0, 400.0, 50.0);
+  const Vector3 asked = demand.alpha;
+  bound_at_edge(gains, 1.0, length, demand);
+  BOOST_TEST((demand.alpha == asked));
+  double before = std::numeric_limits<double>::infinity();
+  for (double fade = 1.0; fade >= 0.0; fade -= 0.1) {
+    bound_at_edge(gains, fade, length, demand);
+    const double turning = demand.alpha.head<2>().norm();
+    BOOST_TEST(turning <= before);
+    BOOST_TEST(std::abs(demand.alpha.x() * asked.y() - demand.alpha.y() * asked.x()) < 1e-9);
+    before = turning;
+  }
+  BOOST_TEST(demand.alpha.z() == asked.z());
+  bound_at_edge(gains, 0.0, length, demand);
+  BOOST_TEST(demand.alpha.head<2>().norm() == slowly, boost::test_tools::tolerance(1e-9));
+  demand.alpha = Vector3(0.5 * slowly, 0.0, 0.0);
+  bound_at_edge(gains, 0.0, length, demand);
+  BOOST_TEST(demand.alpha.x() == 0.5 * slowly);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -77,7 +77,9 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
   for (int i = 0; i < kMotors; ++i) {
     tau[i] = within_motor_limits(config, i, tau[i], dq_[i], kTorqueShare * share_[i]);
   }
-  return limit_power(tau, hold, dq_, watts_, damping_).torques;
+  const LimitedTorques out = limit_power(tau, hold, dq_, watts_, damping_);
+  braking_ = out.exceeds ? limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale : 1.0;
+  return out.torques;
 }
 
 }  // namespace surefoot

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dynamics/dynamics.hpp"
 #include "surefoot/gains.hpp"
+#include "surefoot/math.hpp"
 #include "surefoot/types.hpp"
 
 namespace surefoot {
-
-/// 1 while the capture point is at least edge_margin inside the support, 0 at its edge.
-double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
-
-/// Least vertical acceleration [m/s^2] that is asked of the body. Real-time: yes.
-///
-/// Legs that brake a push with all they have throw the body up, and if it then falls freely nothing
-/// brakes: at the support's edge the feet keep edge_load, away from it anything may be asked.
-double least_lift(const Gains& gains, double fade) noexcept;
 
 /// Least normal force wanted of each foot [N], FR FL RR RL. Real-time: yes.
 ///

@@ -14,6 +14,7 @@
 #include "tasks/momentum_task.hpp"
 #include "tasks/posture_task.hpp"
 #include "wbc/braking_axes.hpp"
+#include "wbc/edge_demand.hpp"
 #include "wbc/hold_down.hpp"
 
 namespace surefoot {
@@ -83,7 +84,7 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
                              const Reference& reference, double fade) noexcept {
   const bool base = reference.body_point == BodyPoint::kBase;
   BodyDemand demand = body_demand(gains, robot_.mass(), dynamics, state, reference);
-  demand.a.z() = std::max(demand.a.z(), least_lift(gains, fade));
+  bound_at_edge(gains, fade, units_.length, demand);
   auto& [position, orientation, momentum] = terms_.body;
   position = base ? base_position_task(gains, demand.a, dynamics)
                   : com_task(gains, demand.a, state.f_outside, robot_.mass());

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "surefoot/gains.hpp"
+#include "surefoot/types.hpp"
+#include "tasks/body_demand.hpp"
+
+namespace surefoot {
+
+/// 1 while the capture point is at least edge_margin inside the support, 0 at its edge.
+/// Real-time: yes.
+double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
+
+/// Keep what is asked of the body within what leaves the feet something to brake with at the
+/// support's edge; away from it anything may be asked. Real-time: yes.
+///
+/// Legs that brake a push with all they have throw the body up, and if it then falls freely nothing
+/// brakes: the feet keep edge_load. They tilt it as well, and turning it back at once takes the
+/// very force that brakes, or more: it comes back slowly until the body is inside again.
+/// @param fade as edge_fade() has it
+/// @param length [m] hips over the ground: angles are asked back by g / length at most
+void bound_at_edge(const Gains& gains, double fade, double length, BodyDemand& demand) noexcept;
+
+}  // namespace surefoot
