@@ -5,8 +5,8 @@
 #include "motion.hpp"
 #include "random_demand.hpp"
 #include "surefoot/whole_body_controller.hpp"
-#include "wbc/friction_cone.hpp"
 #include "wbc/edge_demand.hpp"
+#include "wbc/friction_cone.hpp"
 #include "wbc/hold_down.hpp"
 #include "wbc/limits.hpp"
 
