@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
 
 #include "scenes.hpp"
 #include "supervisor/leg_springs.hpp"
@@ -48,6 +50,11 @@ BOOST_FIXTURE_TEST_CASE(it_damps_in_full_once_that_is_within_the_power, Flung) {
   power(std::sqrt(4.0 * kWatts / plan.damping));
   BOOST_TEST(springs.damping() < 0.5 * plan.damping);
   power(std::sqrt(0.5 * kWatts / plan.damping));
+  BOOST_TEST(springs.damping() == plan.damping);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_speed_that_is_none_takes_no_damping_away, Flung) {
+  power(std::numeric_limits<double>::quiet_NaN());
   BOOST_TEST(springs.damping() == plan.damping);
 }
 

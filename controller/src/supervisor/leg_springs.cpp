@@ -78,7 +78,8 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
     tau[i] = within_motor_limits(config, i, tau[i], dq_[i], kTorqueShare * share_[i]);
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, watts_, damping_);
-  braking_ = out.exceeds ? limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale : 1.0;
+  const bool flung = out.exceeds && hold.allFinite() && dq_.allFinite();
+  braking_ = flung ? limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale : 1.0;
   return out.torques;
 }
 
