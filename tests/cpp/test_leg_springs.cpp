@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <limits>
 
 #include "scenes.hpp"
 #include "supervisor/leg_springs.hpp"
@@ -45,16 +44,10 @@ BOOST_FIXTURE_TEST_CASE(braking_a_flung_leg_stays_within_the_power, Flung) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(it_damps_in_full_once_that_is_within_the_power, Flung) {
-  BOOST_TEST(springs.damping() == plan.damping);
-  power(std::sqrt(4.0 * kWatts / plan.damping));
-  BOOST_TEST(springs.damping() < 0.5 * plan.damping);
-  power(std::sqrt(0.5 * kWatts / plan.damping));
-  BOOST_TEST(springs.damping() == plan.damping);
-}
-
-BOOST_FIXTURE_TEST_CASE(a_speed_that_is_none_takes_no_damping_away, Flung) {
-  power(std::numeric_limits<double>::quiet_NaN());
+BOOST_FIXTURE_TEST_CASE(within_the_power_the_damping_is_whole, Flung) {
+  const double thigh = std::sqrt(0.5 * kWatts / plan.damping);
+  BOOST_TEST(std::abs(power(thigh) - power(-thigh)) < kWatts);
+  BOOST_TEST(power(thigh) > 0.2 * kWatts);
   BOOST_TEST(springs.damping() == plan.damping);
 }
 

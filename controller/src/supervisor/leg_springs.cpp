@@ -78,9 +78,9 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
     tau[i] = within_motor_limits(config, i, tau[i], dq_[i], kTorqueShare * share_[i]);
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, watts_, damping_);
-  const bool flung = out.exceeds && hold.allFinite() && dq_.allFinite();
-  braking_ = flung ? limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale : 1.0;
-  return out.torques;
+  if (!out.exceeds || !hold.allFinite() || !dq_.allFinite()) return out.torques;
+  const double braking = limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale;
+  return hold + (1.0 - braking) * damping_ * dq_;
 }
 
 }  // namespace surefoot

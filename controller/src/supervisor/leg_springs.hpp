@@ -13,7 +13,8 @@ namespace surefoot {
 /// with the spring's reach, the motors' limits and the power bounded. The damping is the motors'
 /// because a leg that slips off the ground is let go of by a taut spring: what comes two or three
 /// ticks later is too late for the power protection. Where braking alone takes more than the power
-/// allows, D is less: a leg that comes free from under the body is flung, whatever the springs do.
+/// allows, torques take some of it back: a leg that comes free from under the body is flung,
+/// whatever the springs do.
 /// Feet and body are weighed by joint angles and the IMU's attitude alone. Real-time: yes.
 class LegSprings {
  public:
@@ -23,8 +24,7 @@ class LegSprings {
   /// Read joints and attitude out of a report.
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
-  /// D of the last torques(), for the motors [N.m.s/rad].
-  double damping() const noexcept { return braking_ * damping_; }
+  double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
   const Quaternion& R_base_imu() const noexcept { return R_base_imu_; }
   /// Share of each motor's torque that may be used, SDK order.
@@ -48,7 +48,6 @@ class LegSprings {
   RobotState state_;
   Vector12 q_ = Vector12::Zero(), dq_ = Vector12::Zero();
   double stiffness_, damping_, watts_;
-  double braking_ = 1.0;  // share of the damping that the power allows
   Vector12 share_ = Vector12::Ones();
   Quaternion R_world_base_ = Quaternion::Identity(), R_base_imu_ = Quaternion::Identity();
 };
