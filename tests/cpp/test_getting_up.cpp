@@ -20,10 +20,11 @@ struct Folding {
   RisePlan plan = plan_rise(quadruped(), 50.0);
   LegFolding legs{plan};
   Vector12 q = plan.standing;
+  double lean = 0.0;  // [rad]
   double most = 1e9;  // [rad] that the thigh can turn back
 
   const JointReference& step() {
-    const JointReference& reference = legs.step(q, kTick);
+    const JointReference& reference = legs.step(q, lean, kTick);
     q = reference.q;
     q[kThigh] = std::min(q[kThigh], most);
     return reference;
@@ -50,15 +51,58 @@ BOOST_FIXTURE_TEST_CASE(legs_fold_from_anywhere, Folding) {
     for (int i = 0; i < kMotors; ++i) {
       q[i] = plan.lower[i] + share(random) * (plan.upper[i] - plan.lower[i]);
     }
-    legs.start(q);
+    legs.start(q, lean);
     BOOST_TEST(run(8.0) < 8.0);
     BOOST_TEST(legs.done());
     BOOST_TEST((q - plan.folded).cwiseAbs().maxCoeff() < 0.25);
   }
 }
 
+// Bent, it would lift the body as its hip opens.
+BOOST_FIXTURE_TEST_CASE(a_leg_drawn_in_and_ahead_is_stretched_before_its_hip_opens, Folding) {
+  const double in = -plan.widest[0];
+  q.head<3>() << in, -0.4, plan.lower[2];
+  legs.start(q, lean);
+  while (std::abs(q[0] - in) < 0.05 && run(kTick) > 0.0) {
+  }
+  BOOST_TEST(q[kThigh] < plan.lower[kThigh] + 0.35);
+  BOOST_TEST(q[2] > -1.55);
+  run(8.0);
+  BOOST_TEST(legs.done());
+}
+
+BOOST_FIXTURE_TEST_CASE(legs_that_a_body_rolls_over_are_let_go_of_and_stretched, Folding) {
+  const double in = -plan.widest[0];
+  q.head<3>() << in, 1.2, plan.lower[2];
+  legs.start(q, lean);
+  run(0.1);
+  lean = 0.5;
+  for (double time = 0.0; time < 1.0; time += kTick) {
+    BOOST_TEST(legs.step(q, lean, kTick).dq.norm() == 0.0);  // q stays: limp on the ground
+    BOOST_TEST(!legs.done());
+  }
+  BOOST_TEST((legs.step(q, lean, kTick).q - q).cwiseAbs().maxCoeff() < 0.01);
+  const double before = q[0];
+  while (q[0] > before - 0.05 && run(kTick) > 0.0) {
+  }
+  BOOST_TEST(std::abs(q[kThigh] - 1.9) < 0.35);
+  BOOST_TEST(q[2] > -1.55);
+  run(8.0);  // it leans still, but is let go of once
+  BOOST_TEST(legs.done());
+}
+
+BOOST_FIXTURE_TEST_CASE(a_body_that_leans_from_the_first_has_not_rolled, Folding) {
+  lean = 0.5;
+  legs.start(q, lean);
+  BOOST_TEST(run(8.0) < 8.0);
+  lean = NAN;
+  legs.start(plan.standing, 0.0);
+  q = plan.standing;
+  BOOST_TEST(run(8.0) < 8.0);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_leg_that_catches_backs_out_and_tries_again, Folding) {
-  legs.start(q);
+  legs.start(q, lean);
   most = plan.standing[kThigh] + 0.3;
   bool backed = false;
   for (double time = 0.0; time < 3.0; time += kTick) {
@@ -74,7 +118,7 @@ BOOST_FIXTURE_TEST_CASE(a_leg_that_catches_backs_out_and_tries_again, Folding) {
 BOOST_FIXTURE_TEST_CASE(the_side_that_folded_is_known_while_a_leg_of_the_other_catches, Folding) {
   const std::array<bool, kLegs> none = {}, left = {false, true, false, true};
   most = 1.0;
-  legs.start(q);
+  legs.start(q, lean);
   run(3.0);
   BOOST_TEST((legs.folded_side(q) == none));  // a first catch is nothing
   run(9.0);
@@ -88,7 +132,7 @@ BOOST_FIXTURE_TEST_CASE(the_side_that_folded_is_known_while_a_leg_of_the_other_c
 }
 
 BOOST_FIXTURE_TEST_CASE(a_leg_that_is_never_free_is_given_up_after_several_tries, Folding) {
-  legs.start(q);
+  legs.start(q, lean);
   most = plan.standing[kThigh] + 0.3;
   int times = 0;
   bool out = false;

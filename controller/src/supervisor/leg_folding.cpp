@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "supervisor/smooth.hpp"
+#include "supervisor/folding_path.hpp"
 
 namespace surefoot {
 
@@ -15,38 +15,40 @@ constexpr double kAcceleration = 15.0;  // [rad/s^2]
 constexpr double kPull = 4.0;           // [1/s] how the reference ends
 constexpr double kLead = 0.4;           // [rad] that it may run ahead of its joint
 constexpr double kWedgedLead = 0.3;     // [rad] of legs that hold each other: none is to fly
-constexpr double kKneeForward = -0.8;   // [rad] thigh: from here the hip is turned outward ...
-constexpr double kKneeBelow = 0.2;      // ... until it is wholly here ...
-constexpr double kKneeBeside = 1.3;     // ... up to here ...
-constexpr double kKneeUp = 2.2;         // ... and from here on it is straight
-constexpr double kKneeBack = 1.9;  // [rad] thigh: where a knee that leans over the body goes ...
-constexpr double kHipOff = 0.2;    // [rad] until its hip is as near as this ...
-constexpr double kGently = 4.0;    // [s] but no longer
-constexpr double kThere = 0.005;   // [rad] of the reference
-constexpr double kNear = 0.25;     // [rad] of the joints: friction and the ground hold them
-constexpr double kMoved = 0.1;     // [rad] by which a leg that has not caught moves ...
-constexpr double kWait = 1.0;      // [s] ... in this time
-constexpr double kBackTime = 1.5;  // [s] that a leg backs out for
-constexpr double kBackStep = 0.6;  // [rad] thigh: how far, on the first try
-constexpr double kOpenCalf = 1.2;  // [rad] while it does
-constexpr int kOtherEnd = 2;       // FR RR, FL RL: the legs of a side
-constexpr int kOtherSide = 1;      // FR FL, RR RL: the legs of an end
-
-double turned_back(const Vector12& folded, const Vector12& q, int thigh) {
-  return std::copysign(1.0, folded[thigh]) * q[thigh];
-}
+constexpr double kGently = 4.0;         // [s] that ways round are taken
+constexpr double kLetGo = 0.03;         // [s] not at once: no step of torque
+constexpr double kThere = 0.005;        // [rad] of the reference
+constexpr double kNear = 0.25;          // [rad] of the joints: friction and the ground hold them
+constexpr double kMoved = 0.1;          // [rad] by which a leg that has not caught moves ...
+constexpr double kWait = 1.0;           // [s] ... in this time
+constexpr double kBackTime = 1.5;       // [s] that a leg backs out for
+constexpr double kBackStep = 0.6;       // [rad] thigh: how far, on the first try
+constexpr int kOtherEnd = 2;            // FR RR, FL RL: the legs of a side
+constexpr int kOtherSide = 1;           // FR FL, RR RL: the legs of an end
 
 }  // namespace
 
-void LegFolding::start(const Vector12& measured) noexcept {
+void LegFolding::start(const Vector12& measured, double lean) noexcept {
   reference_.q = measured;
   reference_.dq.setZero();
+  roll_.start(lean);
+  begin(measured);
+}
+
+void LegFolding::begin(const Vector12& measured) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     legs_[leg] = {};
     legs_[leg].q = measured.segment<kLegJoints>(kLegJoints * leg);
   }
   time_ = 0.0;
   done_ = false;
+}
+
+// Springs that have nothing to pull: the motors' damping alone lays the body down.
+void LegFolding::let_go(const Vector12& measured, double dt) noexcept {
+  reference_.q += dt / (dt + kLetGo) * (measured - reference_.q);
+  reference_.dq.setZero();
+  begin(measured);
 }
 
 int LegFolding::most_tries() const noexcept {
@@ -110,9 +112,9 @@ void LegFolding::watch(int leg, const Vector12& measured, double dt) noexcept {
 Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
   const int hip = kLegJoints * leg, thigh = hip + 1;
   const Leg& one = legs_[leg];
-  Vector3 target = plan_.folded.segment<kLegJoints>(hip);
   if (one.rest > 0.0) return measured.segment<kLegJoints>(hip);
   if (one.back > 0.0) {
+    Vector3 target = plan_.folded.segment<kLegJoints>(hip);
     const double left = target[1] - one.q[1];
     // Who is there already backs out the way it came.
     const double way = std::abs(left) < kNear ? target[1] : left;
@@ -122,14 +124,8 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
     target[2] = std::copysign(kOpenCalf, target[2]);
     return target;
   }
-  const double at = turned_back(plan_.folded, measured, thigh);
-  const double to = turned_back(plan_.folded, reference_.q, thigh);
-  const double below = smooth((at - kKneeForward) / (kKneeBelow - kKneeForward));
-  const double beside = 1.0 - smooth((std::abs(to) - kKneeBeside) / (kKneeUp - kKneeBeside));
-  target[0] += plan_.wide[hip] * below * beside;
-  const bool leans = std::abs(to) > kKneeBeside && std::abs(target[0] - measured[hip]) > kHipOff;
-  if (leans && time_ < kGently) target[1] = std::copysign(kKneeBack, target[1]);
-  return target;
+  return folding_target(plan_, leg, measured.segment<kLegJoints>(hip), reference_.q[thigh],
+                        {time_ < kGently, roll_.rolled()});
 }
 
 void LegFolding::follow(int joint, double wanted, double measured, double dt) noexcept {
@@ -143,7 +139,12 @@ void LegFolding::follow(int joint, double wanted, double measured, double dt) no
   q += dq * dt;
 }
 
-const JointReference& LegFolding::step(const Vector12& measured, double dt) noexcept {
+const JointReference& LegFolding::step(const Vector12& measured, double lean, double dt) noexcept {
+  roll_.update(lean, dt);
+  if (roll_.lets_go()) {
+    let_go(measured, dt);
+    return reference_;
+  }
   time_ += dt;
   for (int leg = 0; leg < kLegs; ++leg) {
     watch(leg, measured, dt);

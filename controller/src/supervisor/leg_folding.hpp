@@ -4,6 +4,7 @@
 #include <array>
 
 #include "supervisor/rise_plan.hpp"
+#include "supervisor/roll_watch.hpp"
 
 namespace surefoot {
 
@@ -15,20 +16,18 @@ struct JointReference {
 
 /// Folds the legs of a lying robot, from wherever they were measured to RisePlan::folded.
 ///
-/// All joints go at once. While a knee is below its hip that hip is turned outward, so that the leg
-/// sweeps beside the body; once the knee is up the hip goes straight, or the knees of a pair would
-/// meet over the back. So it is while a knee points forward: the foot is then up, and a leg that
-/// leans outward would lay it on the back. A knee that leans over the body is turned back until its
-/// hip is straight: upright it would wedge itself against the body's edge. A joint that is held up
-/// makes its reference wait. A leg that has caught on something backs out the way it came, hip
-/// outward and calf open, further from try to try; every other time it lies still while the leg
-/// beside it does so, which may have folded onto it. Real-time: yes.
+/// All joints go at once, by folding_target. A joint that is held up makes its reference wait. A
+/// leg that has caught on something backs out the way it came, hip outward and calf open, further
+/// from try to try; every other time it lies still while the leg beside it does so, which may have
+/// folded onto it. Where the body rolls over them it lets go of all legs for a second, and begins
+/// again with those stretched that are drawn in. Real-time: yes.
 class LegFolding {
  public:
   explicit LegFolding(const RisePlan& plan) : plan_(plan) {}
 
-  void start(const Vector12& measured) noexcept;
-  const JointReference& step(const Vector12& measured, double dt) noexcept;
+  /// @param measured joints, SDK motor order @param lean of the body's vertical [rad]
+  void start(const Vector12& measured, double lean) noexcept;
+  const JointReference& step(const Vector12& measured, double lean, double dt) noexcept;
   /// Is the reference there, and the legs with it?
   bool done() const noexcept { return done_; }
   /// Legs of a side that is folded while a leg of the other has caught again and again: they weigh
@@ -51,6 +50,8 @@ class LegFolding {
     bool wedged = false;  // by the leg beside it, as it seems
   };
 
+  void begin(const Vector12& measured) noexcept;
+  void let_go(const Vector12& measured, double dt) noexcept;
   int most_tries() const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;
   void watch(int leg, const Vector12& measured, double dt) noexcept;
@@ -60,6 +61,7 @@ class LegFolding {
   RisePlan plan_;
   JointReference reference_;
   std::array<Leg, kLegs> legs_;
+  RollWatch roll_;
   double time_ = 0.0;  // [s]
   bool done_ = false;
 };

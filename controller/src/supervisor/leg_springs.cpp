@@ -41,6 +41,10 @@ void LegSprings::read(const LowState& state) noexcept {
   state_.q.segment<4>(3) = R_world_base_.coeffs();
 }
 
+double LegSprings::lean() const noexcept {
+  return std::acos(std::clamp((R_world_base_ * Vector3::UnitZ()).z(), -1.0, 1.0));
+}
+
 // At the pose that dynamics_ was last updated for.
 Vector12 LegSprings::hold(double load) noexcept {
   state_.f_lasting = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();

@@ -26,6 +26,7 @@ class LegSprings {
   const Vector12& q() const noexcept { return q_; }
   double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
+  double lean() const noexcept;  ///< of the body's vertical [rad]
   const Quaternion& R_base_imu() const noexcept { return R_base_imu_; }
   /// Share of each motor's torque that may be used, SDK order.
   void set_torque_share(const Vector12& share) noexcept { share_ = share; }

@@ -57,11 +57,11 @@ void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   if (lift.too_light()) return refuse(FaultId::kWrongRobot, -1);
   stage = Stage::kFold;
   side_weighed = false;
-  folding.start(springs.q());
+  folding.start(springs.q(), springs.lean());
 }
 
 void Supervisor::Impl::fold(double dt) noexcept {
-  reference = folding.step(springs.q(), dt);
+  reference = folding.step(springs.q(), springs.lean(), dt);
   if (folding.done()) {
     stage = Stage::kWeigh;
     weighing.start(reference.q, {true, true, true, true});
