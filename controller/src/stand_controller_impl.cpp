@@ -76,7 +76,8 @@ const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept 
     // What stands in for a solution makes the last one's motion, or nearly; torques that were
     // limited make as much less of it as they are nearer to holding.
     const LimitedTorques& sent = torques.limited();
-    predictor.remember(controller.solution().accelerations, sent.scale, sent.torques);
+    predictor.remember(controller.solution().accelerations, sent.scale, sent.torques,
+                       state.f_outside - state.f_lasting);
   }
   return keeper.last();
 }
@@ -86,7 +87,9 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   // A robot that stands goes on without the vendor's attitude; none is started without it.
   if (latches == 0 && !has_quaternion(low_state.imu)) return Status::kBadQuaternion;
   const SentCommand* acting = predictor.acting();
-  if (acting != nullptr) estimator.set_plan(acting->accelerations.head<6>(), acting->tau);
+  if (acting != nullptr) {
+    estimator.set_plan(acting->accelerations.head<6>(), acting->tau, acting->f_push);
+  }
   const Status estimated = estimator.update(low_state, dt);
   state = estimator.state();
   if (estimated != Status::kOk) return estimated;

@@ -16,7 +16,7 @@ struct Predicting {
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
   void send(const Eigen::VectorXd& acceleration, double dt) {
-    predictor.remember(2.0 * acceleration, 0.5, acceleration.tail<12>());
+    predictor.remember(2.0 * acceleration, 0.5, acceleration.tail<12>(), acceleration.head<3>());
     predictor.elapse(dt);
   }
   Predicting() { state.contact << 0.1, 0.2, 0.3, 0.4; }
@@ -35,8 +35,20 @@ BOOST_FIXTURE_TEST_CASE(the_command_that_acts_is_the_one_sent_a_delay_ago, Predi
     BOOST_REQUIRE((predictor.acting()->accelerations - (k - 6) * a).norm() < 1e-12);
   }
   BOOST_TEST((predictor.acting()->tau - 23.0 * a.tail<12>()).norm() < 1e-12);
+  BOOST_TEST((predictor.acting()->f_push - 23.0 * a.head<3>()).norm() < 1e-12);
   predictor.elapse(kDt);  // a report was lost: the last command goes on
   BOOST_TEST((predictor.acting()->accelerations - 24.0 * a).norm() < 1e-12);
+}
+
+// A period for the report, one for the command.
+BOOST_FIXTURE_TEST_CASE(untold_of_a_delay_it_takes_a_link_to_be_two_periods_long, Predicting) {
+  DelayPredictor told(18, 0.0);
+  for (int k = 0; k < 5; ++k) {
+    BOOST_REQUIRE((told.acting() == nullptr) == (k < 3));
+    if (k >= 3) BOOST_TEST((told.acting()->accelerations - (k - 3) * a).norm() < 1e-12);
+    told.remember(k * a, 1.0, Vector12::Zero(), Vector3::Zero());
+    told.elapse(kDt);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly, Predicting) {
@@ -90,7 +102,7 @@ BOOST_FIXTURE_TEST_CASE(its_ring_wraps_and_the_oldest_are_forgotten, Predicting)
   DelayPredictor fresh(18, kDelay);
   for (int k = 0; k < 200; ++k) send((k % 7) * a, kDt);
   for (int k = 190; k < 200; ++k) {
-    fresh.remember((k % 7) * a, 1.0, Vector12::Zero());
+    fresh.remember((k % 7) * a, 1.0, Vector12::Zero(), Vector3::Zero());
     fresh.elapse(kDt);
   }
   BOOST_TEST((predictor.predict(state).v - fresh.predict(state).v).norm() == 0.0);

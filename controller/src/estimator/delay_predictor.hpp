@@ -9,9 +9,10 @@ namespace surefoot {
 
 /// A command on its way to the motors, or past them.
 struct SentCommand {
-  Eigen::VectorXd accelerations;    ///< that it is to make, Pinocchio's axes, shape (nv,)
-  Vector12 tau = Vector12::Zero();  ///< [N.m] SDK motor order
-  double dt = 0.0;                  ///< [s] for which it acts
+  Eigen::VectorXd accelerations;     ///< that it is to make, Pinocchio's axes, shape (nv,)
+  Vector12 tau = Vector12::Zero();   ///< [N.m] SDK motor order
+  Vector3 f_push = Vector3::Zero();  ///< [N] push that it counted with, world axes
+  double dt = 0.0;                   ///< [s] for which it acts
 };
 
 /// Carries the state forward to when the next command acts, with the motion that the commands on
@@ -32,10 +33,12 @@ class DelayPredictor {
 
   /// Note what the command sent now will make from when it acts until the next one does.
   /// @param accelerations shape (nv,) @param share of them that is made @param tau [N.m] SDK motor
-  /// order
-  void remember(const Eigen::VectorXd& accelerations, double share, const Vector12& tau) noexcept;
+  /// order @param f_push [N] that they count with, world axes
+  void remember(const Eigen::VectorXd& accelerations, double share, const Vector12& tau,
+                const Vector3& f_push) noexcept;
 
-  /// The command that acted until now; null while none has.
+  /// The command that the newest report tells of; null while none has acted. Where there is nothing
+  /// to predict, a report and a command are taken to be on their way for a period each.
   const SentCommand* acting() const noexcept;
 
   /// A state of the same size as `state`, `delay` later; the caller's until the next call.

@@ -134,10 +134,11 @@ void StateEstimator::Impl::observe_outside(double dt) noexcept {
   state.f_outside = state.f_lasting = payload.force();
   state.moment_outside = payload.moment();
   if (!has_plan) return;
-  // Classical acceleration of the base's origin that is planned.
+  // Classical acceleration of the base's origin that is planned. It counted with the push that was
+  // believed in when it was made, which is none of the feet's doing.
   const Vector3 a = planned.head<3>() + w_base.cross(Vector3(state.v.head<3>()));
-  const Vector3 unexplained = dynamics.R_world_base() * (base_acceleration() - a);
-  push.update(gains, unexplained + push.acceleration(gains), dt);
+  const Vector3 unplanned = dynamics.R_world_base() * (base_acceleration() - a);
+  push.update(gains, unplanned + planned_push / robot.mass(), dt);
   state.f_outside += robot.mass() * push.acceleration(gains);
 }
 

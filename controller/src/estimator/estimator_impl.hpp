@@ -58,6 +58,7 @@ struct StateEstimator::Impl {
 
   Vector6 planned = Vector6::Zero();  // Pinocchio's axes
   Vector12 planned_tau = Vector12::Zero();
+  Vector3 planned_push = Vector3::Zero();  // [N] world axes
   bool has_plan = false;
   RobotState state;
   Vector12 tau_est = Vector12::Zero();  // SDK order, as the next two

@@ -42,8 +42,10 @@ void StateEstimator::set_ground_normal(const Vector3& normal) noexcept {
   impl_->normal = normal;
 }
 
-void StateEstimator::set_plan(const Vector6& a_base, const Vector12& tau) noexcept {
+void StateEstimator::set_plan(const Vector6& a_base, const Vector12& tau,
+                              const Vector3& f_push) noexcept {
   impl_->planned = a_base;
+  impl_->planned_push = f_push;
   impl_->planned_tau = tau;
   impl_->has_plan = true;
 }

@@ -19,11 +19,12 @@ _FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
 # MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
 # at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
 _STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
-# State: position, speed, motor, acceleration; the same at the last two samples; what was planned,
-# push and payload observers; then the commands on their way, the newest first.
+# State: position, speed, motor, acceleration; the same at the last two samples; what the feet were
+# to make of the base in the last three ticks, push and payload observers; then the commands on
+# their way, the newest first.
 STATES = (
     *("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2"),
-    *("planned", "push", "payload", "force"),
+    *("made", "made1", "made2", "push", "payload", "force"),
 )
 
 
@@ -73,7 +74,10 @@ class Tick:
         unexplained = ((s["v"] - s["v1"]) / period - force) / self._share - s["payload"]
         payload = s["payload"] + period / self.observers.payload_time * unexplained
         moved = (x, v, motor, a, s["x"], s["v"], s["a"], s["v1"], s["a1"])
-        after = ca.vertcat(*moved, planned, push, payload, force, command, *sent[:-1])
+        # Of the base's origin, which moves further, but for the push that it counted with.
+        made = self.direction.base_share * planned - believed
+        observers = (made, s["made"], s["made1"], push, payload, force)
+        after = ca.vertcat(*moved, *observers, command, *sent[:-1])
         return state, gains, after
 
     def _push(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any]:
@@ -82,8 +86,7 @@ class Tick:
             return 0.0, 0.0
         period, o = self.timing.period, self.observers
         felt = 0.5 * (s["a1"] + s["a2"])
-        # Of the base's origin, which moves further; the plan counted with the old belief.
-        seen = self.direction.base_share * (felt - s["planned"]) + self._believed(s["push"])
+        seen = self.direction.base_share * felt - s["made2"]
         push = s["push"] + period / (period + o.push_time) * (seen - s["push"])
         return push, self._believed(push)
 

@@ -14,7 +14,8 @@ namespace surefoot {
 /// motion is planned for a body at rest, are dragged along.
 class PushObserver {
  public:
-  /// @param unexplained acceleration of the base, measured less planned, world axes [m/s^2]
+  /// @param unexplained acceleration of the base, measured less what the feet were to make of it,
+  /// world axes [m/s^2]
   void update(const Gains& gains, const Vector3& unexplained, double dt) noexcept;
 
   /// Outside acceleration that is believed, world axes [m/s^2].
