@@ -79,7 +79,7 @@ def test_a_log_that_says_nothing_is_refused(
 def still_after_a_push(delay: float) -> float:
     """RMS joint velocity [rad/s] 2.5 .. 3 s after a push, with commands 20 ms late."""
     plant = Plant("go1", PlantSettings(extra_delay=0.02, foot_force="dead", seed=1))
-    plant.add_push(Push("lateral", 0.4 * plant.lip_limit("lateral"), 0.1, 1.0))
+    plant.add_push(Push("lateral", 0.6 * plant.lip_limit("lateral"), 0.1, 1.0))
     controller = StandController(plant.robot, options=StandOptions(delay=delay))
     state, dq = plant.reset(), []
     for _ in range(2000):
