@@ -14,12 +14,12 @@ PLACE = (0.08, -0.03, 0.1)  # [m] from the trunk's origin
 
 
 def carry(silent: bool) -> tuple[Plant, StandController, float, float]:
-    """Stand for three seconds; errors of height [m] and tilt [rad] at the end."""
+    """Stand for four seconds; errors of height [m] and tilt [rad] at the end."""
     plant = Plant("go1", PlantSettings(payload_kg=KILOGRAMS, payload_position=PLACE))
     controller = StandController(plant.robot)
     state = plant.reset()
     height, up = plant.data.qpos[2], matrix_from_wxyz(plant.data.qpos[3:7])[2].copy()
-    for _ in range(1500):
+    for _ in range(2000):
         if silent:
             for motor in state.motorState:
                 motor.tauEst = 0.0
