@@ -84,9 +84,11 @@ class InvariantFilter {
   void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,
                     Error& xi) noexcept;
   void apply(const Error& xi) noexcept;
+  void relinearise() noexcept;
 
   Quaternion q_ = Quaternion::Identity();
   Matrix3 R_ = Matrix3::Identity();
+  Matrix3 linear_ = Matrix3::Identity();  // attitude that the error's motion is made at
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
