@@ -86,7 +86,7 @@ const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept 
 Status StandController::Impl::think(const LowState& low_state, double dt) noexcept {
   // A robot that stands goes on without the vendor's attitude; none is started without it.
   if (latches == 0 && !has_quaternion(low_state.imu)) return Status::kBadQuaternion;
-  const SentCommand* acting = predictor.acting();
+  const SentCommand* acting = predictor.acting(clock.period());
   if (acting != nullptr) {
     estimator.set_plan(acting->accelerations.head<6>(), acting->tau, acting->f_push);
   }

@@ -50,13 +50,13 @@ def test_half_a_push_is_far_below_the_lowest_level(name: str, direction: str) ->
 
 
 def test_a_limit_keeps_the_protection_from_tripping() -> None:
-    free = pushed("b1", "forward", 0.66, level=2, limit=float("inf"))
+    free = pushed("b1", "forward", 0.85, level=3, limit=float("inf"))
     assert free.refused > 0
-    limited = pushed("b1", "forward", 0.66, level=2, limit=180.0)
+    limited = pushed("b1", "forward", 0.85, level=3, limit=270.0)
     assert (limited.fell, limited.refused) == (False, 0)
     assert limited.limited > 0
-    # On two feet and moving, holding alone can take more for 20 ms: then it goes unscaled.
-    assert limited.over <= 10
+    # On two feet and moving, holding alone can take more for 10 ms: then it goes unscaled.
+    assert limited.over <= 5
 
 
 def test_a_robot_too_heavy_for_its_limit_is_not_let_go() -> None:

@@ -16,7 +16,8 @@ struct Predicting {
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
   void send(const Eigen::VectorXd& acceleration, double dt) {
-    predictor.remember(2.0 * acceleration, 0.5, acceleration.tail<12>(), acceleration.head<3>());
+    predictor.remember(2.0 * acceleration, 0.5, acceleration.tail<12>(),
+                       2.0 * acceleration.head<3>());
     predictor.elapse(dt);
   }
   Predicting() { state.contact << 0.1, 0.2, 0.3, 0.4; }
@@ -27,28 +28,32 @@ struct Predicting {
 BOOST_AUTO_TEST_SUITE(delay_predictor)
 
 BOOST_FIXTURE_TEST_CASE(the_command_that_acts_is_the_one_sent_a_delay_ago, Predicting) {
-  BOOST_TEST((predictor.acting() == nullptr));
+  BOOST_TEST((predictor.acting(kDt) == nullptr));
   for (int k = 0; k < 6; ++k) send(k * a, kDt);
-  BOOST_TEST((predictor.acting() == nullptr));  // six of 2 ms are all still on their way
+  BOOST_TEST((predictor.acting(kDt) == nullptr));  // six of 2 ms are all still on their way
   for (int k = 6; k < 30; ++k) {
     send(k * a, kDt);
-    BOOST_REQUIRE((predictor.acting()->accelerations - (k - 6) * a).norm() < 1e-12);
+    BOOST_REQUIRE((predictor.acting(kDt)->accelerations - (k - 6) * a).norm() < 1e-12);
   }
-  BOOST_TEST((predictor.acting()->tau - 23.0 * a.tail<12>()).norm() < 1e-12);
-  BOOST_TEST((predictor.acting()->f_push - 23.0 * a.head<3>()).norm() < 1e-12);
+  BOOST_TEST((predictor.acting(kDt)->tau - 23.0 * a.tail<12>()).norm() < 1e-12);
+  BOOST_TEST((predictor.acting(kDt)->f_push - 23.0 * a.head<3>()).norm() < 1e-12);
   predictor.elapse(kDt);  // a report was lost: the last command goes on
-  BOOST_TEST((predictor.acting()->accelerations - 24.0 * a).norm() < 1e-12);
+  BOOST_TEST((predictor.acting(kDt)->accelerations - 24.0 * a).norm() < 1e-12);
 }
 
 // A period for the report, one for the command.
 BOOST_FIXTURE_TEST_CASE(untold_of_a_delay_it_takes_a_link_to_be_two_periods_long, Predicting) {
   DelayPredictor told(18, 0.0);
   for (int k = 0; k < 5; ++k) {
-    BOOST_REQUIRE((told.acting() == nullptr) == (k < 3));
-    if (k >= 3) BOOST_TEST((told.acting()->accelerations - (k - 3) * a).norm() < 1e-12);
+    BOOST_REQUIRE((told.acting(kDt) == nullptr) == (k < 3));
+    if (k >= 3) BOOST_TEST((told.acting(kDt)->accelerations - (k - 3) * a).norm() < 1e-12);
     told.remember(k * a, 1.0, Vector12::Zero(), Vector3::Zero());
     told.elapse(kDt);
   }
+  told.elapse(kDt);  // a report was lost
+  BOOST_TEST((told.acting(kDt)->accelerations - 3.0 * a).norm() < 1e-12);
+  told.elapse(3.0 * kDt);  // the last command was held
+  BOOST_TEST((told.acting(kDt)->accelerations - 4.0 * a).norm() < 1e-12);
 }
 
 BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly, Predicting) {

@@ -23,6 +23,8 @@ struct StandOptions {
   /// [s] from a measurement to the action of the command made from it; the state is predicted over
   /// it with the commands already sent. Up to 0.05; beyond 0.03 no robot here stood in simulation.
   /// Prediction passes on more of the sensors' noise: leave it at 0 for delays up to a few ticks.
+  /// At 0 nothing is predicted, and what a report feels is held against the command of two periods
+  /// before it: one that a report and one that a command is on its way over the SDK's link.
   double delay = 0.0;
   Form form = Form::kAuto;
   /// [W] Most that a command may take by the joint velocities reported, sum |tau dq|, > 0; infinite

@@ -47,9 +47,10 @@ class StateEstimator {
   bool adopt_gains(const Gains& gains) noexcept;
   /// The ground's normal as the contacts know it; unit, world axes.
   void set_ground_normal(const Vector3& normal) noexcept;
-  /// What the command that acted until now was to make of the base, in Pinocchio's axes, and its
-  /// torques [N.m], SDK motor order. What the accelerometer feels beyond the plan is laid to a
-  /// force from outside; the torques stand in where tauEst tells nothing. No plan if never told.
+  /// What the command that the next report tells of was to make of the base, in Pinocchio's axes,
+  /// and its torques [N.m], SDK motor order. What the accelerometer feels beyond the plan is laid
+  /// to a force from outside; the torques stand in where tauEst tells nothing. No plan if never
+  /// told.
   /// @param f_push [N] that the plan counted with, world axes: f_outside - f_lasting of its state
   void set_plan(const Vector6& a_base, const Vector12& tau, const Vector3& f_push) noexcept;
   /// Begin anew with the next report.

@@ -7,7 +7,7 @@ namespace surefoot {
 
 namespace {
 constexpr int kRing = 64;          // commands that may be on their way: 50 ms at 1 kHz, and some
-constexpr int kOnTheWay = 2;       // commands, though no delay was told of
+constexpr double kUntold = 2.0;    // periods on the way where no delay was told of
 constexpr double kInstant = 1e-6;  // [s] periods are whole milliseconds
 }  // namespace
 
@@ -26,21 +26,19 @@ void DelayPredictor::remember(const Eigen::VectorXd& accelerations, double share
                               const Vector12& tau, const Vector3& f_push) noexcept {
   sent_[next_].accelerations = share * accelerations;
   sent_[next_].tau = tau;
-  sent_[next_].f_push = f_push;
+  sent_[next_].f_push = share * f_push;
   sent_[next_].dt = 0.0;
   next_ = (next_ + 1) % kRing;
   count_ = std::min(count_ + 1, kRing);
 }
 
-const SentCommand* DelayPredictor::acting() const noexcept {
-  if (!active()) {
-    return count_ > kOnTheWay ? &sent_[(next_ - 1 - kOnTheWay + kRing) % kRing] : nullptr;
-  }
+const SentCommand* DelayPredictor::acting(double period) const noexcept {
+  const double on_the_way = active() ? delay_ : kUntold * period;
   double age = 0.0;
   for (int k = 1; k <= count_; ++k) {
     const SentCommand& sent = sent_[(next_ - k + kRing) % kRing];
     age += sent.dt;
-    if (age > delay_ + kInstant) return &sent;
+    if (age > on_the_way + kInstant) return &sent;
   }
   return nullptr;
 }

@@ -32,14 +32,15 @@ class DelayPredictor {
   void elapse(double dt) noexcept;
 
   /// Note what the command sent now will make from when it acts until the next one does.
-  /// @param accelerations shape (nv,) @param share of them that is made @param tau [N.m] SDK motor
-  /// order @param f_push [N] that they count with, world axes
+  /// @param accelerations shape (nv,) @param f_push [N] that they count with, world axes
+  /// @param share of both that is made @param tau [N.m] SDK motor order
   void remember(const Eigen::VectorXd& accelerations, double share, const Vector12& tau,
                 const Vector3& f_push) noexcept;
 
   /// The command that the newest report tells of; null while none has acted. Where there is nothing
   /// to predict, a report and a command are taken to be on their way for a period each.
-  const SentCommand* acting() const noexcept;
+  /// @param period of commands [s]
+  const SentCommand* acting(double period) const noexcept;
 
   /// A state of the same size as `state`, `delay` later; the caller's until the next call.
   RobotState& predict(const RobotState& state) noexcept;

@@ -20,9 +20,9 @@ struct FoldingTry {
 /// back. So it is while a knee points forward: the foot is then up, and a leg that leans outward
 /// would lay it on the back. A knee that leans over the body is turned back until its hip is
 /// straight: upright it would wedge itself against the body's edge. A leg that is drawn in under
-/// the body and points ahead is stretched out along it first, and its hip waits for that: bent, it
-/// lifts its side of the body as the hip opens, and the body rolls. Where it has rolled, so is any
-/// leg that is drawn in, ahead or behind.
+/// the body and points ahead is stretched out along it until its hip is half open, if its thigh can
+/// point so far ahead: bent, it lifts its side of the body as the hip opens, and the body rolls.
+/// Where it has rolled, so is any such leg, and one that points behind is stretched behind.
 /// @param q measured @param to the thigh's reference [rad]
 /// @return hip, thigh, calf [rad]. Real-time: yes.
 Vector3 folding_target(const RisePlan& plan, int leg, const Vector3& q, double to,

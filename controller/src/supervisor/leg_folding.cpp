@@ -44,7 +44,8 @@ void LegFolding::begin(const Vector12& measured) noexcept {
   done_ = false;
 }
 
-// Springs that have nothing to pull: the motors' damping alone lays the body down.
+// Springs that follow their joints: what they trail by damps as the motors do, and that lays the
+// body down.
 void LegFolding::let_go(const Vector12& measured, double dt) noexcept {
   reference_.q += dt / (dt + kLetGo) * (measured - reference_.q);
   reference_.dq.setZero();

@@ -7,7 +7,8 @@
 namespace surefoot {
 
 /// Sees an outside force on the body by what the accelerometer feels and the commands do not
-/// explain: F = m (a_measured - a_planned), smoothed, with a dead band that keeps noise and small
+/// explain, F = m (a_measured - a_feet), where the feet make a_planned less what the plan counted
+/// with of F itself; smoothed, with a dead band that keeps noise and small
 /// errors of the model out, and bounded. Real-time: update() yes.
 ///
 /// Without it a push is felt only once it has moved the body, and the legs of unloaded feet, whose
