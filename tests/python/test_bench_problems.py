@@ -13,14 +13,15 @@ from surefoot.cli import main
 
 @pytest.fixture(scope="module")
 def pushed():
-    return record_problems("go1", "push80", Form.CONDENSED)
+    # Some ticks of an a1 so pushed have a second, elastic program.
+    return record_problems("a1", "push80", Form.CONDENSED)
 
 
 def test_programs_are_grouped_by_size_and_know_their_ticks(pushed):
     hard, elastic = pushed
     assert (hard.name, elastic.name) == (
-        "go1-push80-condensed",
-        "go1-push80-condensed-elastic",
+        "a1-push80-condensed",
+        "a1-push80-condensed-elastic",
     )
     assert hard.H.shape[1:] == (12, 12) and elastic.H.shape[1:] == (26, 26)
     assert sorted([*hard.tick, *elastic.tick]) == list(range(3500))
@@ -37,7 +38,7 @@ def test_programs_are_scaled_convex_and_bounded_in_order(pushed):
 
 
 def test_the_same_seed_records_the_same_programs(pushed):
-    again = record_problems("go1", "push80", Form.CONDENSED)
+    again = record_problems("a1", "push80", Form.CONDENSED)
     for a, b in zip(pushed, again, strict=True):
         for name in ("H", "g", "C", "l", "u"):
             np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
@@ -49,7 +50,7 @@ def test_the_general_form_has_equalities():
 
 
 def test_a_limping_robot_takes_all_load_off_a_foot():
-    (s,) = record_problems("go1", "limp", Form.CONDENSED)
+    (s,) = record_problems("a1", "limp", Form.CONDENSED)
     assert len(s) == 3000
     # In the air the foot's forces are held between zero and zero.
     fixed = (s.l == s.u).sum(axis=1)
@@ -59,7 +60,7 @@ def test_a_limping_robot_takes_all_load_off_a_foot():
 def test_a_file_gives_back_what_was_saved(pushed, tmp_path):
     path = pushed[0].save(tmp_path)
     read = load_sequence(path)
-    assert path.name == "go1-push80-condensed.npz" and read.meta == pushed[0].meta
+    assert path.name == "a1-push80-condensed.npz" and read.meta == pushed[0].meta
     np.testing.assert_array_equal(read.u, pushed[0].u)
     (tmp_path / "other.npz").write_bytes(b"no")
     with pytest.raises(surefoot.Error, match=r"other\.npz"):
