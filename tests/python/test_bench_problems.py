@@ -13,7 +13,7 @@ from surefoot.cli import main
 
 @pytest.fixture(scope="module")
 def pushed():
-    # Some ticks of an a1 so pushed have a second, elastic program.
+    # Some of the programs of an a1 so pushed are elastic.
     return record_problems("a1", "push80", Form.CONDENSED)
 
 
