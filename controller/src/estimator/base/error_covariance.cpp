@@ -86,6 +86,11 @@ void ErrorCovariance::propagate(const ErrorMotion& motion) noexcept {
   }
   add_variance(kGyroscope, 3, motion.gyroscope_drift);
   add_variance(kAccelerometer, 3, motion.accelerometer_drift);
+  for (int k = 0; k < 3; ++k) {
+    for (int i = k; i < 3; ++i)
+      P_[kAccelerometer + k][kAccelerometer + i] +=
+          motion.vertical_drift * motion.up_base[k] * motion.up_base[i];
+  }
 }
 
 void ErrorCovariance::project(int leg, const Vector3& lever, Columns& out) const noexcept {

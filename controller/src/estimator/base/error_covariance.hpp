@@ -21,14 +21,16 @@ constexpr int kGroup = kGyroscope;  ///< what lies on the group; the biases foll
 struct ErrorMotion {
   /// [R; v x R; p x R; d x R] dt: what a rate of turn adds to each part on the group.
   Eigen::Matrix<double, error::kGroup, 3> by_rate;
-  Matrix3 by_force;                  ///< R dt: what a specific force adds to the velocity
-  double dt = 0.0;                   ///< [s]
-  double rate_variance = 0.0;        ///< [rad^2/s^2] of the gyroscope over this tick
-  double force_variance = 0.0;       ///< [m^2/s^4] of the accelerometer over this tick
-  Eigen::Vector4d foot_variance;     ///< [m^2] that each foot may have moved
-  double gyroscope_drift = 0.0;      ///< [rad^2/s^2] of the bias, this tick
-  double accelerometer_drift = 0.0;  ///< [m^2/s^4]
-  double accelerometer_kept = 1.0;   ///< share of the bias that this tick does not forget
+  Matrix3 by_force;                    ///< R dt: what a specific force adds to the velocity
+  double dt = 0.0;                     ///< [s]
+  double rate_variance = 0.0;          ///< [rad^2/s^2] of the gyroscope over this tick
+  double force_variance = 0.0;         ///< [m^2/s^4] of the accelerometer over this tick
+  Eigen::Vector4d foot_variance;       ///< [m^2] that each foot may have moved
+  double gyroscope_drift = 0.0;        ///< [rad^2/s^2] of the bias, this tick
+  double accelerometer_drift = 0.0;    ///< [m^2/s^4]
+  double accelerometer_kept = 1.0;     ///< share of the bias that this tick does not forget
+  Vector3 up_base = Vector3::UnitZ();  ///< the vertical, along which the bias
+  double vertical_drift = 0.0;         ///< [m^2/s^4] wanders this much more
 };
 
 /// Covariance of the filter's error. Its lower triangle is kept; loops of constant length over
