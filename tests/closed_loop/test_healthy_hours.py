@@ -27,4 +27,12 @@ def test_a_push_beyond_all_limits_is_seen(monkeypatch: pytest.MonkeyPatch) -> No
     assert "damping for" in run.why or "fell" in run.why
     result = summary("go1", [run])
     assert list(result["trips"]) == [1]
-    assert "1 false trips" in text(result)
+    assert "1 false trips, 0 did not end" in text(result)
+
+
+def test_a_run_that_does_not_end_is_no_trip_but_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(healthy_hours, "PATIENCE", 0.0)
+    run = healthy(("go1", 1), standing=0.5)  # [s] too short to get up
+    result = summary("go1", [run])
+    assert not result["trips"] and list(result["unfinished"]) == [1]
+    assert "0 false trips, 1 did not end" in text(result)

@@ -11,6 +11,7 @@ from surefoot.sim.rotations import Array
 
 REST_TIME = 4.0  # [s] braking motors take to let the body down
 REST_SPEED = 0.05  # [m/s], [rad/s]
+DROPS = 400  # one in twenty rests well, on a slope and under a load
 MOST_TILT = np.radians(20.0)
 _DROP_TILT = np.radians(10.0)
 _DROP_HEIGHT = 0.005  # [m] of the lowest point above the ground

@@ -15,7 +15,7 @@ from surefoot.sim.adapter import Adapter
 from surefoot.sim.handles import find_handles
 from surefoot.sim.hands import Hand, Lift
 from surefoot.sim.hanging import hang
-from surefoot.sim.lying import REST_TIME, drop, rests
+from surefoot.sim.lying import DROPS, REST_TIME, drop, rests
 from surefoot.sim.model import build_model
 from surefoot.sim.motors import Law, Motors, command_law, damping_law
 from surefoot.sim.physics import make_physics
@@ -167,16 +167,18 @@ class Plant:
         sim/lying.py). The motors brake until the first LowCmd takes effect.
 
         Raises:
-            Error: It never came to rest so in 100 times.
+            Error: It never came to rest so in DROPS times.
         """
         self.reset()
         self._motors.law = damping_law()
-        for _ in range(100):
+        for _ in range(DROPS):
             drop(self.model, self.data, self.handles, self.robot, rng)
             self._advance(round(REST_TIME / self.settings.physics_dt))
             if rests(self.model, self.data, self.handles):
                 return self._begin()
-        raise Error(f"robot '{self.robot.name}': dropped 100 times, it never came to rest level")
+        raise Error(
+            f"robot '{self.robot.name}': dropped {DROPS} times, it never came to rest level"
+        )
 
     def reset_resting(self, qpos: Array) -> LowState:
         """Lay the robot where it came to rest before, motors braking, and return a LowState.
