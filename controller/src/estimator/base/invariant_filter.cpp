@@ -58,6 +58,13 @@ void InvariantFilter::relinearise() noexcept {
   if ((R_ - linear_).squaredNorm() > 2.0 * square(kTurned)) linear_ = R_;
 }
 
+// The same of the lever: the ground's normal is found from the believed feet and trembles with
+// them, 0.016 m/s^2 an hour of a robot that stands.
+void InvariantFilter::relinearise(const Vector3& lever) noexcept {
+  const double most = square(kTurned) * lever.squaredNorm();
+  if ((lever - linear_lever_).squaredNorm() > most) linear_lever_ = lever;
+}
+
 void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
                               const Eigen::Vector4d& foot_variance) noexcept {
   const double dt = imu.dt;
@@ -96,12 +103,13 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
 
 void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance,
                               double gate, const Vector3& lever) noexcept {
+  relinearise(lever);
   Error xi = Error::Zero();
   nis_ = 0.0;
   nis_dimension_ = 0;
   const FeetMatrix z = R_ * y_base - (feet_.colwise() - p_);
   for (int leg = 0; leg < kLegs; ++leg) {
-    correct_foot(leg, z.col(leg), variance[leg], gate, lever, xi);
+    correct_foot(leg, z.col(leg), variance[leg], gate, linear_lever_, xi);
   }
   apply(xi);
 }

@@ -85,10 +85,12 @@ class InvariantFilter {
                     Error& xi) noexcept;
   void apply(const Error& xi) noexcept;
   void relinearise() noexcept;
+  void relinearise(const Vector3& lever) noexcept;
 
   Quaternion q_ = Quaternion::Identity();
   Matrix3 R_ = Matrix3::Identity();
-  Matrix3 linear_ = Matrix3::Identity();  // attitude that the error's motion is made at
+  Matrix3 linear_ = Matrix3::Identity();    // attitude that the error's motion is made at
+  Vector3 linear_lever_ = Vector3::Zero();  // lever that the measurement is made at
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
