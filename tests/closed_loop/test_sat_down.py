@@ -1,36 +1,82 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot that was taken over as it stood, and lies by now."""
+"""A robot that was taken over as it stood sits down as any other does, and lies by then."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+import pytest
 import surefoot
-from surefoot import Mode, RequestStatus, Start
+from surefoot import FaultId, Mode, RequestStatus, Start
+from surefoot.faults.joint_faults import power_level
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
+SILENCE = 0.5  # [s] of the operator
+
 
 class Scene:
-    def __init__(self) -> None:
-        self.plant = Plant("go1", PlantSettings(seed=3, physics_dt=COARSE_DT))
-        options = surefoot.SupervisorOptions(start=Start.STANDING)
+    """A robot that stands from the start; its battery may run low, its operator fall silent."""
+
+    def __init__(self, robot: str = "go1") -> None:
+        self.plant = Plant(robot, PlantSettings(seed=3, physics_dt=COARSE_DT))
+        options = surefoot.SupervisorOptions(
+            start=Start.STANDING, power_level=power_level(robot), operator_timeout=SILENCE
+        )
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self.report = self.plant.reset()
+        self.operator, self.battery = True, 50  # there; [%]
+        self.sinking = 0.0  # [m/s] greatest
 
     def run(self, seconds: float, until: Mode | None = None) -> list[Mode]:
         modes = []
         for _ in range(round(500 * seconds)):
+            if self.operator:
+                self.supervisor.heartbeat()
+            self.report.bms.SOC = self.battery
             self.report = self.plant.step(self.supervisor.update(self.report))
+            self.sinking = max(self.sinking, -self.plant.truth.v[2])
             modes.append(self.supervisor.mode)
             if modes[-1] == until:
                 break
         return modes
 
 
+def asked(scene: Scene) -> None:
+    assert scene.supervisor.request(Mode.SIT) == RequestStatus.ACCEPTED
+
+
+def operator_silent(scene: Scene) -> None:
+    scene.operator = False
+
+
+def battery_low(scene: Scene) -> None:
+    scene.battery = 1
+
+
+@pytest.mark.parametrize("why", [asked, operator_silent, battery_low])
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+def test_it_sits_down_slowly(robot: str, why: Callable[[Scene], None]) -> None:
+    scene = Scene(robot)
+    assert set(scene.run(1.0)) == {Mode.STAND}
+    assert scene.supervisor.height == 1.0
+    why(scene)
+    modes = scene.run(10.0, until=Mode.PASSIVE)
+    assert modes[-1] == Mode.PASSIVE
+    assert modes.count(Mode.SIT) > 500  # 1 s, of two
+    scene.run(1.0)
+    assert scene.sinking < 0.4
+    if why is operator_silent:
+        assert FaultId.OPERATOR in scene.supervisor.faults.active
+    if why is battery_low:
+        assert FaultId.BATTERY in scene.supervisor.faults.active
+
+
 def test_it_is_armed_behind_checks_like_any_that_lies() -> None:
     scene = Scene()
     supervisor = scene.supervisor
     assert scene.run(0.5)[-1] == Mode.STAND
-    assert supervisor.request(Mode.SIT) == RequestStatus.ACCEPTED
+    asked(scene)
     assert scene.run(10.0, until=Mode.PASSIVE)[-1] == Mode.PASSIVE
     scene.run(0.5)
     supervisor.stop()

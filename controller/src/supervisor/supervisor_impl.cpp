@@ -109,6 +109,8 @@ void Supervisor::Impl::take_over() noexcept {
   motors.reset();
   now.mode = Mode::kStand;
   now.armed = true;
+  stage = Stage::kUp;  // or it would be thought to lie, and be let go of instead of sitting down
+  motion.start(1.0, springs.q());
   rate.forget();
   fade.jump(Source::kProgram);
 }
