@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
 from pathlib import Path
 
 import pytest
+import surefoot
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 import healthy_hours
 from healthy_hours import healthy, summary, text
+from surefoot import Mode
 
 
 @pytest.mark.parametrize("robot", ["go1", "b1"])
@@ -19,6 +22,22 @@ def test_a_healthy_robot_gets_up_stands_and_lies_down_without_a_trip(robot: str)
     run = healthy((robot, 1), standing=8.0)
     assert run.ok, run.why
     assert run.seconds > 12.0
+
+
+def test_a_fault_before_the_body_leaves_the_ground_is_a_trip(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # The supervisor lies down from there at once, and the next rise may go well.
+    update, ticks = surefoot.Supervisor.update, itertools.count()
+
+    def hot(supervisor: surefoot.Supervisor, state: surefoot.LowState) -> surefoot.LowCmd:
+        if supervisor.mode == Mode.RISE and next(ticks) < 1000:
+            state.bms.SOC = 1
+        return update(supervisor, state)
+
+    monkeypatch.setattr(surefoot.Supervisor, "update", hot)
+    run = healthy(("go1", 1), standing=1.0)
+    assert run.ended and "after battery" in run.why
 
 
 def test_a_push_beyond_all_limits_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -72,10 +72,10 @@ def faults(arguments: argparse.Namespace) -> int | None:
         from surefoot.faults import choose_cells, faults_text, list_text, run_faults
     except ModuleNotFoundError as problem:
         raise missing_module("faults", problem) from None
+    settings, bar = _settings(arguments), progress_bar()
     if arguments.list:
         print(list_text(choose_cells(arguments.only)))
         return None
-    settings, bar = _settings(arguments), progress_bar()
     with kept_in(arguments.store):
         result = run_faults(settings, None if bar is None else lambda n, of: bar("faults", n, of))
     command = shlex.join(["surefoot", *arguments.words])

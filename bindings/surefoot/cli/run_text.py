@@ -64,13 +64,16 @@ def why_damped(now: RunSnapshot) -> str:
 def status_line(now: RunSnapshot) -> str:
     """Return how it is, on one line."""
     link = now.link
-    how = f"height {now.height:.3f} m, tilt {math.degrees(now.tilt):.1f} deg"
-    if now.phase in ("rising", "sitting"):
-        how = f"{100 * now.way_up:.0f} % of the way up"
+    how = ""  # height and tilt are the controller's, which knows them while it stands
+    if now.phase == "standing":
+        how = f"height {now.height:.3f} m, tilt {math.degrees(now.tilt):.1f} deg, "
+    elif now.phase in ("rising", "sitting"):
+        way = f"{100 * now.way_up:.0f} % of the way up, "
+        how = way if now.way_up > 0.0 else "the body on the ground, "
     elif now.phase == "passive":
-        how = "armed" if now.armed else "not armed"
+        how = "armed, " if now.armed else "not armed, "
     return (
-        f"{now.time:7.2f} s {now.phase:8} {how}, {now.power:.0f} W; states {link.valid}, lost "
+        f"{now.time:7.2f} s {now.phase:8} {how}{now.power:.0f} W; states {link.valid}, lost "
         f"{link.lost}, bad {link.corrupt + link.wrong_length + link.wrong_generation}, age "
         f"{1000 * now.age:.0f} ms; tick {now.tick_p50:.0f} us, {now.tick_p999:.0f} p99.9"
     )

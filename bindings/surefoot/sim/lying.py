@@ -9,10 +9,12 @@ from surefoot._core import Robot
 from surefoot.sim.handles import Handles
 from surefoot.sim.rotations import Array
 
+LOOK_TIME = 1.0  # [s] after which most of those that will not rest well can be told
 REST_TIME = 4.0  # [s] braking motors take to let the body down
 REST_SPEED = 0.05  # [m/s], [rad/s]
-DROPS = 400  # one in twenty rests well, on a slope and under a load
+DROPS = 400  # one in four to thirty rests well, by robot and ground
 MOST_TILT = np.radians(20.0)
+_LOST_TILT = np.radians(40.0)
 _DROP_TILT = np.radians(10.0)
 _DROP_HEIGHT = 0.005  # [m] of the lowest point above the ground
 _CLEAR = 0.02  # [m] along the body between the front and the rear leg of a side
@@ -46,6 +48,12 @@ def drop(
     data.qpos[2] -= _lowest_point(model, data) - _DROP_HEIGHT
     mujoco.mj_forward(model, data)
     mujoco.mj_step1(model, data)
+
+
+def hopeful(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> bool:
+    """Return whether it may yet come to rest well: not far tipped over, its legs clear."""
+    tipped = data.xmat[handles.root, 8] < np.cos(_LOST_TILT)
+    return not tipped and legs_clear(model, data, handles)
 
 
 def rests(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> bool:

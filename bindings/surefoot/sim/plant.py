@@ -15,7 +15,7 @@ from surefoot.sim.adapter import Adapter
 from surefoot.sim.handles import find_handles
 from surefoot.sim.hands import Hand, Lift
 from surefoot.sim.hanging import hang
-from surefoot.sim.lying import DROPS, REST_TIME, drop, rests
+from surefoot.sim.lying import DROPS, LOOK_TIME, REST_TIME, drop, hopeful, rests
 from surefoot.sim.model import build_model
 from surefoot.sim.motors import Law, Motors, command_law, damping_law
 from surefoot.sim.physics import make_physics
@@ -173,7 +173,10 @@ class Plant:
         self._motors.law = damping_law()
         for _ in range(DROPS):
             drop(self.model, self.data, self.handles, self.robot, rng)
-            self._advance(round(REST_TIME / self.settings.physics_dt))
+            self._advance(round(LOOK_TIME / self.settings.physics_dt))
+            if not hopeful(self.model, self.data, self.handles):
+                continue
+            self._advance(round((REST_TIME - LOOK_TIME) / self.settings.physics_dt))
             if rests(self.model, self.data, self.handles):
                 return self._begin()
         raise Error(

@@ -64,6 +64,7 @@ struct Gains {
   double noise_accelerometer = 0.1;
   double gyroscope_drift = 1e-4;
   double accelerometer_drift = 1e-3;
+  double accelerometer_drift_vertical = 0.01;
   double start_tilt = 0.3;
   double start_velocity = 0.5;
   double start_gyroscope_bias = 0.02;

@@ -106,6 +106,8 @@ constexpr GainInfo kRows[] = {
      "how fast the gyroscope's bias wanders"},
     {kEstimator, "accelerometer_drift", "m/s^2/sqrt(s)", 0, 10, &G::accelerometer_drift,
      "how fast the accelerometer's bias wanders"},
+    {kEstimator, "accelerometer_drift_vertical", "m/s^2/sqrt(s)", 0, 10,
+     &G::accelerometer_drift_vertical, "how fast it wanders along the vertical besides"},
     {kEstimator, "start_tilt", "rad", 1e-4, 3, &G::start_tilt, "doubt about the tilt at the start"},
     {kEstimator, "start_velocity", "m/s", 1e-4, 10, &G::start_velocity, "doubt about the velocity"},
     {kEstimator, "start_gyroscope_bias", "rad/s", 1e-6, 1, &G::start_gyroscope_bias,

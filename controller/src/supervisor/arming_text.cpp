@@ -84,6 +84,8 @@ std::string describe(ArmingCheckId id, const ArmingCheck& check, const RobotConf
 }
 
 std::string describe_failures(const ArmingReport& report, const RobotConfig& config) {
+  const ArmingCheck& link = report.checks[static_cast<int>(ArmingCheckId::kLink)];
+  if (!link.passed && link.limit == 0.0) return "link: no LowState yet";
   std::string text;
   for (int i = 0; i < kArmingChecks; ++i) {
     const ArmingCheck& check = report.checks[i];

@@ -33,8 +33,8 @@ struct ErrorMotion {
   double vertical_drift = 0.0;         ///< [m^2/s^4] wanders this much more
 };
 
-/// Covariance of the filter's error. Its lower triangle is kept; loops of constant length over
-/// padded columns, because the two operations here are most of the estimator's time.
+/// Covariance of the filter's error. Its lower triangle is kept; mostly loops of constant length
+/// over padded columns, because the two operations here are most of the estimator's time.
 ///
 /// Real-time: yes.
 class ErrorCovariance {

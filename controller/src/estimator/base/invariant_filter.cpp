@@ -10,8 +10,7 @@ using namespace error;
 
 namespace {
 constexpr double kSmallestFoot = 1e-12;  // [m^2] keeps a perfectly known foot invertible
-constexpr double kTurned = 0.01;         // [rad] after which the error's motion is made anew
-constexpr double kVerticalDrift = 0.01;  // [m/s^2/sqrt(s)]
+constexpr double kTurned = 0.01;         // [rad] after which linearisations are made anew
 
 double square(double x) noexcept { return x * x; }
 
@@ -58,8 +57,9 @@ void InvariantFilter::relinearise() noexcept {
   if ((R_ - linear_).squaredNorm() > 2.0 * square(kTurned)) linear_ = R_;
 }
 
-// The same of the lever: the ground's normal is found from the believed feet and trembles with
-// them, 0.016 m/s^2 an hour of a robot that stands.
+// The same of the measurement's lever, until the lever itself has turned: the ground's normal is
+// found from the believed feet and trembles with them. Taken as it came, it taught a robot that
+// stands 0.016 m/s^2 of bias an hour.
 void InvariantFilter::relinearise(const Vector3& lever) noexcept {
   const double most = square(kTurned) * lever.squaredNorm();
   if ((lever - linear_lever_).squaredNorm() > most) linear_lever_ = lever;
@@ -85,9 +85,10 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
   move_accelerometer_bias(gains, motion);
   // Along the vertical standing feet tell the bias from everything else, so it may change soon.
   // Were it thought to be known, one that jumps would be laid to the horizontal bias and the tilt,
-  // which are not: 0.7 m/s^2 upwards made an a1 rock itself off its feet.
+  // which are not: 0.7 m/s^2 upwards made an a1 rock itself off its feet. How soon it is learnt
+  // goes by sigma sqrt(dt) / drift, with the accelerometer's noise sigma.
   motion.up_base = linear_.row(2);
-  motion.vertical_drift = square(kVerticalDrift) * dt;
+  motion.vertical_drift = square(gains.accelerometer_drift_vertical) * dt;
   P_.propagate(motion);
 
   // The specific force is turned by half of the tick's rotation: its mean over the tick.

@@ -54,7 +54,8 @@ class InvariantFilter {
   /// @param y_base from the IMU's point, base axes [m], @param variance [m^2] of each
   /// @param gate standard deviations beyond which a foot counts for less (as if its
   /// measurement were as noisy as its surprise); beyond kRefuse times that it is refused
-  /// @param lever [m] from a contact point to its sole's centre, world axes
+  /// @param lever [m] from a contact point to its sole's centre, world axes; the measurement is
+  /// linearised at one that is kept until it has turned by 10 mrad
   void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate,
                const Vector3& lever) noexcept;
 
