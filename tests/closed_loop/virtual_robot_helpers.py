@@ -99,7 +99,7 @@ class UdpClient:
 
 
 def start(*words: str) -> tuple[subprocess.Popen[str], int]:
-    """A virtual robot of its own process, and its port."""
+    """A virtual robot of its own process, and its port: on its first line, as programs read it."""
     command = [sys.executable, "-m", "surefoot.cli", "robot", "--port", "0", *words]
     process = subprocess.Popen(
         command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

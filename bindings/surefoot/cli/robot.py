@@ -27,6 +27,8 @@ def robot(arguments: argparse.Namespace) -> None:
     if arguments.json == "-":
         raise Error("--json: got '-', expected a file: stdout has the status lines")
     check_json_place(arguments.json)
+    if arguments.lying:  # not to stdout: programs read the port from its first line
+        print("dropping it until it lies well, its legs clear: some seconds ...", file=sys.stderr)
     options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
     record = run_robot(read_settings(arguments), options, Speaker(sys.stdout))
     write_json(arguments.json, record, indent=None)

@@ -64,15 +64,14 @@ class VirtualRobot:
         )
         alive = description.table.get("simulation", {}).get("foot_force_est", False)
         self.plant = Plant(description, settings.plant_settings(alive))
-        self._say = say or (lambda line: None)
         if settings.lying:
-            self._say("dropped until it lies well, its legs clear: some seconds ...")
             self.plant.reset_lying(np.random.default_rng([settings.seed, _LYING_STREAM]))
         self.link = Link(port, settings)
         self.watchdog = Watchdog(settings.timeout)
         self.remote = Remote(settings.remote)
         self._hands = Hands(settings.shakes)
         self._extras = _battery_extras()
+        self._say = say or (lambda line: None)
         self._period = 1.0 / settings.rate
         self._cycles = 0
         self._fall_cycles = max(1, round(_FALL_PERIOD / self._period))
