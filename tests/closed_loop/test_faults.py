@@ -34,6 +34,22 @@ def test_the_short_form_passes(robot: str) -> None:
     assert all(cell["simulated_s"] > 0.5 for cell in result["cells"])
 
 
+def test_a_robot_that_was_taken_over_as_it_stood_passes_as_well() -> None:
+    only = ("healthy/*/pushed", "nan_in_state/garbage/*", "operator_link/off/*", "battery/wrong/*")
+    result = run_faults(FaultSettings("go1", seed=1, only=only, taken_over=True))
+    assert result["failures"] == []
+    assert {cell["mode"] for cell in result["cells"]} == {"standing", "pushed"}
+    # It never lay: it stands at once, its rise takes no time.
+    assert all(cell["simulated_s"] < 15.0 for cell in result["cells"])
+    assert {cell["ended"] for cell in result["cells"]} >= {"stand", "damping", "passive"}
+
+
+def test_what_is_there_before_is_no_cell_of_a_robot_that_is_taken_over() -> None:
+    assert len(choose_cells(taken_over=True)) < 0.6 * len(choose_cells())
+    with pytest.raises(surefoot.Error, match="motor_order"):
+        choose_cells(["motor_order/wrong/lying"], taken_over=True)
+
+
 def test_processes_find_what_one_finds() -> None:
     only = ("nan_in_state/garbage/lying", "emergency_stop/wrong/rising")
     alone, together = (run_faults(FaultSettings("go1", 1, jobs, only)) for jobs in (1, 2))

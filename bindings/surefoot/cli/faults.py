@@ -52,6 +52,11 @@ def add_faults_options(parser: argparse.ArgumentParser) -> None:
         help="a row, or ROW/INJECTION/MODE with * and ?; may be given again",
     )
     add("--store", metavar="FILE", help="keep every cell when it is done; the same command goes on")
+    add(
+        "--taken-over",
+        action="store_true",
+        help="the robot stands from the start, as surefoot run finds it without --rise",
+    )
     add("--list", action="store_true", help="list the cells and what is expected; run nothing")
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
     add("--report", metavar="DIR", help="write index.html, plots and summary.json")
@@ -74,7 +79,7 @@ def faults(arguments: argparse.Namespace) -> int | None:
         raise missing_module("faults", problem) from None
     settings, bar = _settings(arguments), progress_bar()
     if arguments.list:
-        print(list_text(choose_cells(arguments.only)))
+        print(list_text(choose_cells(settings.only, settings.taken_over)))
         return None
     with kept_in(arguments.store):
         result = run_faults(settings, None if bar is None else lambda n, of: bar("faults", n, of))
@@ -98,4 +103,5 @@ def _settings(arguments: argparse.Namespace) -> FaultSettings:
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
     jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS)
-    return FaultSettings(robot, arguments.seed, jobs, tuple(arguments.only), arguments.store)
+    only, taken_over = tuple(arguments.only), arguments.taken_over
+    return FaultSettings(robot, arguments.seed, jobs, only, arguments.store, taken_over)

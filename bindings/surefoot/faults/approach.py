@@ -16,6 +16,9 @@ PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] of the push; and of it before the fault
 
 def approach(scene: Scene, mode: str) -> str:
     """Bring a robot to a mode's moment; return why it did not get there, or ""."""
+    if scene.taken_over:
+        scene.step()
+        return _stand(scene, mode) if scene.is_armed() else "was not taken over"
     if not scene.arm():
         return f"was not armed: {scene.failures}"
     if mode == "lying":
@@ -28,6 +31,10 @@ def approach(scene: Scene, mode: str) -> str:
         return _rise(scene)
     if not scene.reaches(Mode.STAND, RISE_TIME):
         return _where(scene)
+    return _stand(scene, mode)
+
+
+def _stand(scene: Scene, mode: str) -> str:
     scene.run(SETTLE)
     if mode == "pushed":
         plant = scene.plant

@@ -53,6 +53,11 @@ class Cell:
         return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"
 
     @property
+    def begins_standing(self) -> bool:
+        """Can a robot that is taken over as it stands come to where it begins?"""
+        return self.mode in ("standing", "pushed") and not self.case.make().from_start
+
+    @property
     def expect(self) -> Expectation:
         """What is expected."""
         return self.case.expect[self.mode]
@@ -69,24 +74,24 @@ def all_cells() -> list[Cell]:
     return cells
 
 
-def choose_cells(patterns: Sequence[str] = ()) -> list[Cell]:
+def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list[Cell]:
     """Return the cells that any of the patterns fits; all without patterns.
 
     Args:
         patterns: A row's id, or ROW/INJECTION/MODE with * and ? as in file names.
+        taken_over: Only those that a robot comes to that is taken over as it stands.
 
     Raises:
         Error: A pattern that fits none.
     """
-    cells = all_cells()
+    cells = [cell for cell in all_cells() if cell.begins_standing or not taken_over]
     if not patterns:
         return cells
     for pattern in patterns:
         if not any(_fits(cell, pattern) for cell in cells):
-            names = ", ".join(row.id for row in ROWS)
             raise Error(
                 f"--only: got '{pattern}', expected a row or ROW/INJECTION/MODE with * and ?; "
-                f"rows: {names}"
+                f"{_near(cells, pattern)}"
             )
     return [cell for cell in cells if any(_fits(cell, pattern) for pattern in patterns)]
 
@@ -94,6 +99,14 @@ def choose_cells(patterns: Sequence[str] = ()) -> list[Cell]:
 def find_cell(name: str) -> Cell:
     """Return the cell of an id; raises Error."""
     return choose_cells([name])[0]
+
+
+def _near(cells: Sequence[Cell], pattern: str) -> str:
+    """Return what there is: of the row that a pattern begins with, or, without one, rows."""
+    row = [cell.id for cell in cells if fnmatchcase(cell.row.id, pattern.partition("/")[0])]
+    if row:
+        return f"cells: {', '.join(row)}"
+    return f"rows: {', '.join(dict.fromkeys(cell.row.id for cell in cells))}"
 
 
 def _fits(cell: Cell, pattern: str) -> bool:

@@ -32,8 +32,8 @@ def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dic
         Error: An unknown robot or pattern; a process that died; a store of another run.
         OSError: The store cannot be written; what is in it is safe.
     """
-    names = [cell.id for cell in choose_cells(settings.only)]
-    setup = set_up(settings.description, settings.seed)
+    names = [cell.id for cell in choose_cells(settings.only, settings.taken_over)]
+    setup = set_up(settings.description, settings.seed, taken_over=settings.taken_over)
     robot = setup.description.name
     with open_store(settings.store, "surefoot faults", settings.described()) as store:
         left = [name for name in names if (robot, name) not in store.results]
@@ -55,6 +55,7 @@ def summarise(settings: FaultSettings, setup: Setup, cells: list[dict[str, Any]]
         "robot": robot,
         "seed": settings.seed,
         "only": list(settings.only),
+        "taken_over": settings.taken_over,
         "power_level": power_level(robot),
         "passed": len(cells) - len(failures),
         "failed": len(failures),

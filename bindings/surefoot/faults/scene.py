@@ -7,6 +7,7 @@ from surefoot._core import (
     LowState,
     Mode,
     RequestStatus,
+    Start,
     SupervisorOptions,
     fault_table,
 )
@@ -36,7 +37,8 @@ class Scene:
         judge: Of the commands so far.
         fault: As given; begin() starts it.
         command: That the supervisor made last.
-        armed: Was it armed by arm()?
+        armed: Was it armed by arm(), or taken over?
+        taken_over: It stands from the start, and is armed so.
         k: Control periods since the fault began, or None.
     """
 
@@ -48,9 +50,14 @@ class Scene:
         believed = fault.robot(robot)
         settings = fault.settings(PlantSettings(seed=setup.seed, physics_dt=COARSE_DT))
         self.plant = Plant(setup.description, settings, tick0=tick0)
-        self._state = fault.start(self.plant, setup.lying)
+        self.taken_over = setup.taken_over
+        if self.taken_over:
+            self._state = self.plant.reset()
+        else:
+            self._state = fault.start(self.plant, setup.lying)
         level = power_level(robot.name) if level is None else level
-        options = SupervisorOptions(power_level=level)
+        start = Start.STANDING if self.taken_over else Start.LYING
+        options = SupervisorOptions(power_level=level, start=start)
         fault.options(options)
         self.supervisor = setup.make_supervisor(believed, options)
         fault.prepare(self.supervisor)
@@ -122,11 +129,15 @@ class Scene:
         for _ in range(round(6.0 / PERIOD)):
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
                 self.step()
-                self.armed = bool(self.supervisor.armed)
-                self._told_unarmed = self._counts()
-                return self.armed
+                return self.is_armed()
             self.step()
         return False
+
+    def is_armed(self) -> bool:
+        """Return whether it is armed; from now on what is told counts."""
+        self.armed = bool(self.supervisor.armed)
+        self._told_unarmed = self._counts()
+        return self.armed
 
     @property
     def told(self) -> list[str]:

@@ -26,6 +26,7 @@ class Setup:
         lying: MuJoCo's qpos of the robot at rest.
         height: Of the standing base [m].
         make_supervisor: Makes what is put to the test.
+        taken_over: The robot stands from the start, and is taken over so.
     """
 
     description: RobotDescription
@@ -33,19 +34,21 @@ class Setup:
     lying: Array
     height: float
     make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor]
+    taken_over: bool = False
 
 
 def set_up(
     description: RobotDescription,
     seed: int,
     make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor] | None = None,
+    taken_over: bool = False,
 ) -> Setup:
     """Drop a robot until it lies well, and return the setup; raises Error."""
     plant = Plant(description, PlantSettings(seed=seed, physics_dt=COARSE_DT))
     height = float(plant.data.qpos[2])
     plant.reset_lying(np.random.default_rng([seed, _POSE]))
     lying = plant.data.qpos.copy()
-    return Setup(description, seed, lying, height, make_supervisor or supervisor)
+    return Setup(description, seed, lying, height, make_supervisor or supervisor, taken_over)
 
 
 def supervisor(robot: Robot, options: SupervisorOptions) -> Supervisor:

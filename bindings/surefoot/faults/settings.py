@@ -22,6 +22,8 @@ class FaultSettings:
         jobs: Processes; 1 runs in this one.
         only: Patterns of cells (see catalogue.choose_cells); all if empty.
         store: File that keeps every cell when it is done; a run that ended goes on with it.
+        taken_over: The supervisor finds the robot standing, and takes it over unchecked: cells that
+            begin while it stands or is pushed, less those of faults that are there before.
     """
 
     robot: str | RobotDescription = "go1"
@@ -29,6 +31,7 @@ class FaultSettings:
     jobs: int = 1
     only: tuple[str, ...] = ()
     store: str | None = None
+    taken_over: bool = False
 
     def __post_init__(self) -> None:
         if not 1 <= self.jobs <= MOST_JOBS:
@@ -44,4 +47,5 @@ class FaultSettings:
     def described(self) -> dict[str, Any]:
         """Return as plain data what makes a cell of two runs the same; raises Error."""
         robot = build_robot(self.description)
-        return {**identity(self.description, robot), "seed": self.seed}
+        asked = {"seed": self.seed, "taken_over": self.taken_over}
+        return {**identity(self.description, robot), **asked}

@@ -16,6 +16,7 @@ def faults_text(result: dict[str, Any]) -> str:
     """Return a matrix as a table: a line for each injection, a column for each mode."""
     total = result["passed"] + result["failed"]
     title = f"{result['robot']}, seed {result['seed']}, power level {result['power_level']}"
+    title += ", taken over standing" if result["taken_over"] else ""
     lines = [title, "", _line("", "", "expected", MODES)]
     row = ""
     for name, cells in by_injection(result["cells"]).items():

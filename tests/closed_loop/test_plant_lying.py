@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A robot that is dropped until it lies well."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import surefoot
+from surefoot.sim import Plant, PlantSettings
+from surefoot.sim import plant as plant_module
+from surefoot.sim.lying import MOST_TILT, hopeful, legs_clear
+
+FAST = PlantSettings(physics_dt=0.001)
+
+
+@pytest.mark.parametrize("robot", ["go1", "b1"])
+def test_it_lies_still_level_and_clear_of_itself_as_it_was_drawn(robot: str) -> None:
+    poses = []
+    for _ in range(2):
+        plant = Plant(robot, FAST)
+        plant.reset_lying(np.random.default_rng(4))
+        poses.append(plant.data.qpos.copy())
+        assert plant.data.xmat[plant.handles.root, 8] > np.cos(MOST_TILT)
+        assert legs_clear(plant.model, plant.data, plant.handles)
+        assert np.abs(plant.data.qvel).max() < 0.5
+        assert plant.data.qpos[2] < 0.7 * Plant(robot, FAST).data.qpos[2]
+    assert np.array_equal(*poses)
+
+
+def test_what_is_tipped_far_over_is_given_up_at_once() -> None:
+    plant = Plant("go1", FAST)
+    plant.reset()
+    assert hopeful(plant.model, plant.data, plant.handles)
+    plant.data.xmat[plant.handles.root, 8] = np.cos(np.radians(45.0))
+    assert not hopeful(plant.model, plant.data, plant.handles)
+
+
+def test_one_that_never_lies_well_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plant_module, "DROPS", 2)
+    monkeypatch.setattr(plant_module, "rests", lambda *_: False)
+    with pytest.raises(surefoot.Error, match="'go1': dropped 2 times, it never came to rest"):
+        Plant("go1", FAST).reset_lying(np.random.default_rng(4))
