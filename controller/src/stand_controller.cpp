@@ -64,6 +64,7 @@ double StandController::margin_without(int leg) const noexcept {
 void StandController::set_torque_share(const Vector12& share) noexcept {
   impl_->controller.set_torque_share(share);
   impl_->ladder.set_torque_share(impl_->controller.torque_share());
+  impl_->torques.set_torque_share(impl_->controller.torque_share());
 }
 void StandController::add_task(std::shared_ptr<Task> task) {
   impl_->controller.add_task(std::move(task));

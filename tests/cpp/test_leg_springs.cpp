@@ -44,6 +44,23 @@ BOOST_FIXTURE_TEST_CASE(braking_a_flung_leg_stays_within_the_power, Flung) {
   }
 }
 
+// Torques that hold a whole robot are far beyond what hot motors have left.
+BOOST_FIXTURE_TEST_CASE(less_power_takes_no_more_torque_than_the_motors_have, Flung) {
+  const double share = 0.05;
+  springs.set_torque_share(Vector12::Constant(share));
+  for (const double way : {-1.0, 1.0}) {
+    LowState report = resting_report(robot, 0);
+    report.motorState[FL_1].dq = static_cast<float>(way * std::sqrt(0.98 * kWatts / plan.damping));
+    springs.read(report);
+    JointReference reference;
+    reference.q = springs.q() - Vector12::Constant(0.4 * way);  // all but FL_1 brake well
+    const Vector12 tau = springs.torques(reference, 1.0);
+    for (int i = 0; i < kMotors; ++i) {
+      BOOST_TEST(std::abs(tau[i]) <= share * robot.config().tau_max[i]);
+    }
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(within_the_power_the_damping_is_whole, Flung) {
   const double thigh = std::sqrt(0.5 * kWatts / plan.damping);
   BOOST_TEST(std::abs(power(thigh) - power(-thigh)) < kWatts);

@@ -19,10 +19,11 @@ namespace {
 /// told moves it.
 struct AtRest {
   Robot robot = quadruped();
-  Supervisor supervisor{robot};
+  Supervisor supervisor;
   LowState report = resting_report(robot, 0);
   LowCmd last = init_low_cmd();
-  AtRest() {
+  explicit AtRest(const SupervisorOptions& options = {})
+      : supervisor(robot, robot.config().gains, options) {
     for (int i = 0; i < kMotors; ++i) {
       report.motorState[i].mode = kModeServo;
       report.motorState[i].temperature = 30;
@@ -114,6 +115,19 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   expect("motor_order: FR_1 and FR_2 seem swapped");
   report.imu.accelerometer = {6.0F, 0.0F, 7.8F};
   expect("tilt");
+}
+
+BOOST_AUTO_TEST_CASE(checks_that_need_not_last_must_pass_all_the_same) {
+  SupervisorOptions options;
+  options.arming_time = 0.0;
+  AtRest lies(options);
+  lies.report.motorState[RR_2].temperature = 71;
+  lies.run(0.1);
+  BOOST_TEST(!lies.supervisor.arming().ready);
+  BOOST_TEST((lies.supervisor.arm() == RequestStatus::kNotReady));
+  lies.report.motorState[RR_2].temperature = 30;
+  lies.run(1.0);
+  BOOST_TEST((lies.supervisor.arm() == RequestStatus::kAccepted));
 }
 
 BOOST_FIXTURE_TEST_CASE(a_link_that_loses_reports_is_not_armed, AtRest) {

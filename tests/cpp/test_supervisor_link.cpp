@@ -120,6 +120,100 @@ BOOST_FIXTURE_TEST_CASE(without_reports_the_last_command_lives_ten_milliseconds,
   BOOST_TEST((supervisor.request(Mode::kSit) == RequestStatus::kAccepted));
 }
 
+// Of 14 ms between reports a loop at 500 Hz bridges the most; none of them has a number.
+BOOST_FIXTURE_TEST_CASE(bad_reports_far_apart_damp_and_latch, Standing) {
+  run(0.1);
+  report.imu.gyroscope[0] = NAN;
+  for (int k = 0; k < 2; ++k) {
+    for (const double age : {0.002, 0.004, 0.006, 0.008, 0.010, 0.012}) supervisor.bridge(age);
+    report.tick += 14;
+    last = supervisor.update(report);
+  }
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.reason() == FaultId::kStateNotFinite), to_string(supervisor.reason()));
+  report.imu.gyroscope[0] = 0.0F;
+  step();
+  BOOST_TEST(motors_brake(last));
+}
+
+BOOST_FIXTURE_TEST_CASE(reports_so_far_apart_that_none_is_believed_latch, Standing) {
+  run(0.1);
+  for (int k = 0; k < 8; ++k) {
+    step(17);
+    for (const double age : {0.004, 0.008, 0.012, 0.016}) supervisor.bridge(age);
+  }
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.reason() == FaultId::kStaleTick), to_string(supervisor.reason()));
+}
+
+BOOST_FIXTURE_TEST_CASE(bad_reports_and_silence_share_the_ten_milliseconds, Standing) {
+  run(0.1);
+  report.imu.gyroscope[0] = NAN;
+  for (int k = 0; k < 5; ++k) step();
+  BOOST_TEST(!motors_brake(last));  // 10 ms old
+  BOOST_TEST(motors_brake(supervisor.bridge(0.002)));
+}
+
+BOOST_FIXTURE_TEST_CASE(torques_come_back_from_damping_at_their_rate, Standing) {
+  run(0.5);
+  const LowCmd before = last;
+  BOOST_TEST(motors_brake(supervisor.bridge(0.0101)));
+  LowCmd sent = init_low_cmd();  // no torque
+  for (int k = 0; k < 20; ++k) {
+    step();
+    for (int i = 0; i < kMotors; ++i) {
+      const double change = std::abs(last.motorCmd[i].tau - sent.motorCmd[i].tau);
+      BOOST_TEST(change < 0.0951 * robot.config().tau_max[i]);
+    }
+    sent = last;
+  }
+  for (int i = 0; i < kMotors; ++i) {
+    const double off = last.motorCmd[i].tau - before.motorCmd[i].tau;
+    BOOST_TEST(std::abs(off) < 0.05 * robot.config().tau_max[i]);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(nothing_waits_for_a_robot_that_is_not_heard, Standing) {
+  run(0.1);
+  supervisor.stop();
+  run(0.1);
+  BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
+  report.imu.gyroscope[0] = NAN;
+  run(0.1);
+  BOOST_TEST((supervisor.arm() == RequestStatus::kNoState));
+  report.imu.gyroscope[0] = 0.0F;
+  run(0.1);
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
+  supervisor.bridge(0.0201);
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+}
+
+BOOST_AUTO_TEST_CASE(one_that_lay_unheard_is_disarmed_though_its_gap_was_bridged) {
+  Standing robot(Start::kLying);
+  robot.run(1.2);
+  robot.supervisor.arm();
+  robot.step();
+  BOOST_TEST(robot.supervisor.armed());
+  robot.supervisor.bridge(0.03);
+  robot.step(5000);
+  robot.step();
+  BOOST_TEST(!robot.supervisor.armed());
+}
+
+BOOST_FIXTURE_TEST_CASE(springs_that_fade_out_end_with_the_moment_they_belong_to, Rising) {
+  BOOST_TEST((supervisor.request(Mode::kSit) == RequestStatus::kAccepted));
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kPassive));
+  BOOST_TEST(!motors_brake(last));
+  for (int k = 0; k < 2; ++k) {
+    step(k == 0 ? 10000 : 2);
+    BOOST_TEST(motors_brake(last));
+    BOOST_TEST(!supervisor.armed());
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(a_stop_needs_no_report, Rising) {
   supervisor.stop();
   BOOST_TEST(motors_brake(supervisor.bridge(0.002)));

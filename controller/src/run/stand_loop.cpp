@@ -2,6 +2,7 @@
 #include "run/stand_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "run/remote_reference.hpp"
 #include "surefoot/error.hpp"
@@ -30,6 +31,10 @@ SupervisorOptions supervised(const RunOptions& options, const StandOptions& stan
   out.operator_timeout = options.operator_timeout;
   out.stand = stand;
   return out;
+}
+
+bool is_finite(const BodyReference& r) {
+  return std::isfinite(r.x + r.y + r.height + r.roll + r.pitch + r.yaw);
 }
 
 }  // namespace
@@ -159,7 +164,10 @@ void StandLoop::obey_letters() noexcept {
     supervisor_.set_gains(gains_);  // valid: see set_gains()
     damping_ = damping_low_cmd(gains_.damping_kd);
   }
-  if (reference_letter_.take(asked_)) supervisor_.set_body_reference(asked_);
+  BodyReference asked;
+  if (!reference_letter_.take(asked)) return;
+  supervisor_.set_body_reference(asked);  // which refuses what is not finite ...
+  if (is_finite(asked)) asked_ = asked;   // ... and would what the sticks add to it
 }
 
 void StandLoop::obey_sticks() noexcept {

@@ -23,6 +23,11 @@ const LowCmd& CommandKeeper::refuse(double elapsed, double damping_kd) noexcept 
   return command_;
 }
 
+const LowCmd& CommandKeeper::damp(double damping_kd) noexcept {
+  command_ = damping_low_cmd(damping_kd);
+  return command_;
+}
+
 const LowCmd& CommandKeeper::bridge(const LowCmd& command, double elapsed,
                                     double damping_kd) noexcept {
   if (controls()) command_ = command;

@@ -28,6 +28,11 @@ class CommandKeeper {
   /// The same with a command made from today's state in the place of the last one.
   const LowCmd& bridge(const LowCmd& command, double elapsed, double damping_kd) noexcept;
 
+  /// Damping while there is nothing to make a command from. The last good one gets no younger by
+  /// it.
+  const LowCmd& damp(double damping_kd) noexcept;
+
+  double age() const noexcept { return age_; }  ///< [s] that bad ticks have added to the last good
   const LowCmd& last() const noexcept { return command_; }  ///< that left
   bool latched() const noexcept { return latched_; }
   /// Is what left something else than damping?

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "safety/holding_torques.hpp"
+#include "safety/motor_limits.hpp"
 #include "wbc/limits.hpp"
 
 namespace surefoot {
@@ -32,7 +33,11 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   for (int i = 0; i < kMotors; ++i) dq[i] = state.v[robot_.motor_to_v()[i]];
   const auto limit = [&](const Eigen::Vector4d& contact, double most) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
-    const Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
+    Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
+    // Less power is nearer to it, and must not be more torque than the motors have.
+    for (int i = 0; i < kMotors; ++i) {
+      hold[i] = within_motor_limits(robot_.config(), i, hold[i], dq[i], torque_share_[i]);
+    }
     limited_ = limit_power(tau, hold, dq, most, damping_);
   };
   limit(state.contact, options_.power_limit);

@@ -32,6 +32,9 @@ class TorqueCommand {
   /// @param lost_leg whose motors get no torques and damp, from 0 on; -1: none
   LowCmd command(int lost_leg) noexcept;
 
+  /// See WholeBodyController::set_torque_share().
+  void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }
+
   const LimitedTorques& limited() const noexcept { return limited_; }
   void reset() noexcept {
     limited_ = {};
@@ -42,6 +45,7 @@ class TorqueCommand {
   Robot robot_;
   StandOptions options_;
   LimitedTorques limited_;                      // motor order
+  Vector12 torque_share_ = Vector12::Ones();    // of each motor
   double damping_ = 0.0;                        // [N.m.s/rad]
   double lost_damping_ = 0.0, faded_in_ = 0.0;  // [N.m.s/rad] of the lost leg; its share by now
 };

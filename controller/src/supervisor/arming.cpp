@@ -179,7 +179,7 @@ void Arming::conclude(double step) noexcept {
   bool all = true;
   for (const ArmingCheck& check : report_.checks) all = all && (check.passed || !check.applies);
   report_.held = all ? report_.held + step : 0.0;
-  report_.ready = report_.held >= limits_.time;
+  report_.ready = all && report_.held >= limits_.time;
 }
 
 }  // namespace surefoot

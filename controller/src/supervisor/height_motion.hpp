@@ -13,7 +13,10 @@ class HeightMotion {
   /// Begin at s, with joints that need not be exactly there: what they are off fades out in a
   /// second.
   void start(double s, const Vector12& joints) noexcept;
-  void go_to(double s) noexcept { goal_ = s; }
+  void go_to(double s) noexcept {
+    goal_ = s;
+    waited_ = 0.0;
+  }
   const JointReference& step(const Vector12& measured, double dt) noexcept;
 
   double position() const noexcept { return s_; }

@@ -69,7 +69,7 @@ double LegSprings::borne(const Vector12& measured) noexcept {
 
 Vector12 LegSprings::torques(const JointReference& reference, double load) noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
-  const Vector12 hold = this->hold(load);
+  Vector12 hold = this->hold(load);
   Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
   // What slips off an obstacle must not be flung: that alone takes more power than the rise.
   for (int i = 0; i < kMotors; ++i) {
@@ -77,13 +77,18 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
     pull[i] *= std::clamp(1.0 - (ahead - kRuns) / kLetGo, 0.0, 1.0);
   }
   Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
-  const RobotConfig& config = robot_.config();
-  for (int i = 0; i < kMotors; ++i) {
-    tau[i] = within_motor_limits(config, i, tau[i], dq_[i], kTorqueShare * share_[i]);
-  }
+  const auto clip = [this](Vector12& torques) {
+    for (int i = 0; i < kMotors; ++i) {
+      const double share = kTorqueShare * share_[i];
+      torques[i] = within_motor_limits(robot_.config(), i, torques[i], dq_[i], share);
+    }
+  };
+  clip(tau);
+  clip(hold);  // less power is nearer to it: both within the limits, all between them is
   const LimitedTorques out = limit_power(tau, hold, dq_, watts_, damping_);
   if (!out.exceeds || !hold.allFinite() || !dq_.allFinite()) return out.torques;
   const double braking = limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale;
+  // Against what the motors add by themselves: what they make is nearer to holding.
   return hold + (1.0 - braking) * damping_ * dq_;
 }
 

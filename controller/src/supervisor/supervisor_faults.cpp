@@ -55,8 +55,9 @@ void Supervisor::Impl::judge_legs() noexcept {
     const Reference& wanted = stand.reference();
     const double height = wanted.p_com.z() - wanted.feet[kLegs - 1 - leg].p_world.z();
     const double push = stand.state().f_outside.head<2>().norm();
-    if (push > kPushed * kGravity * robot.mass()) continue;
-    if (stand.margin_without(leg) < -kOutside * height) continue;
+    // What is no number is no reason to.
+    const bool quiet = push <= kPushed * kGravity * robot.mass();
+    if (!quiet || !(stand.margin_without(leg) >= -kOutside * height)) continue;
     stand.give_up(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);

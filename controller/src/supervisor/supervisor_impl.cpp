@@ -46,7 +46,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
 const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   const double step = clock.advance(state.tick);
   const double dt = step > 0.0 ? std::min(step, TickClock::kMaxStep) : clock.period();
-  const bool good = read(state, step);
+  const bool good = read(state, step, dt);
   log.set(FaultId::kLink, false);
   log.set(FaultId::kStop, requests.take_stop());
   const bool pressed = decode_wireless_remote(state.wirelessRemote).pressed(kStopButton);
@@ -86,6 +86,7 @@ void Supervisor::Impl::obey(int request) noexcept {
     now.mode = Mode::kPassive;
     now.armed = true;
     keeper.reset();
+    pace = {};  // at rest it goes on saying what it said last
     for (const FaultId over :
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(over, false);  // it begins anew
@@ -123,6 +124,7 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   arming.distrust();  // what it was before it was let go of says nothing: the second begins anew
   fade.jump(Source::kDamping);
   rate.rest();
+  unsolved = {};
   safety.reset();
   log.set(FaultId::kHanging, false);  // seen on the way up, which is over: it must not bar the next
   reason = why;
@@ -153,7 +155,10 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     drive.tau = (1.0 - w) * before.tau + w * drive.tau;
     drive.kd = (1.0 - w) * before.kd + w * drive.kd;
   }
-  if (fade.needs(Source::kProgram) && stand.status() == Status::kDamping) {
+  // One that has not solved once since it was begun bridges nothing, and latches nothing.
+  const bool program = fade.needs(Source::kProgram);
+  const bool idle = unsolved.update(program && stand.rung() == Rung::kDamping, dt, kHoldTime);
+  if (idle || (program && stand.status() == Status::kDamping)) {
     const FaultId why = stand.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
     log.set(why, true);
     latch(why);
@@ -162,8 +167,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   // Springs of a leg that slips off what it leant on change as fast as it does, and a blow takes a
   // tick or two to answer: that is no fault.
   const bool limited = rate.limit(drive.tau, clock.period());
-  const bool asked = limited && fade.needs(Source::kProgram);
-  log.set(FaultId::kTorqueRate, held_back.update(asked, clock.period(), kHeldBack));
+  log.set(FaultId::kTorqueRate, held_back.update(limited && program, clock.period(), kHeldBack));
   return keeper.accept(torque_low_cmd(drive.tau, drive.kd));
 }
 

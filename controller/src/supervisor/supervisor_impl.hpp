@@ -64,7 +64,7 @@ struct Supervisor::Impl {
   /// How far a rise is. All but the last: the body lies on the ground.
   enum class Stage { kHoldLegs, kFold, kWeigh, kPress, kUp };
 
-  bool read(const LowState& state, double step) noexcept;
+  bool read(const LowState& state, double step, double dt) noexcept;
   FaultId find_bad(const LowState& state, double step) noexcept;
   void judge(const LowState& state, double dt) noexcept;
   void judge_tilt(const LowState& state) noexcept;
@@ -85,6 +85,7 @@ struct Supervisor::Impl {
   void refuse(FaultId why, int motor) noexcept;
   void sit(double dt) noexcept;
   void lie() noexcept;
+  void forget() noexcept;
   void latch(FaultId why) noexcept;
   Drive drive(Source source, const LowState& state) noexcept;
   const LowCmd& command(const LowState& state, double dt) noexcept;
@@ -106,11 +107,13 @@ struct Supervisor::Impl {
   TorqueRate rate;
   RepeatedReport repeated;
   std::uint32_t last_tick = 0;
+  bool known = false;    // has it ever been heard, since it was lost?
+  double unheard = 0.0;  // [s] in which every report was bad
   ImuWatch imu;
   JointWatch joints;
   EncoderWatch encoders;
   ClockWatch pace;
-  Lasting battery, held_back;
+  Lasting battery, held_back, unsolved;
   FaultId bad = FaultId::kNone;  // what is wrong with the report itself
   unsigned heard = 0;            // heartbeats
   double silence = 0.0;          // [s] since the last of them

@@ -10,12 +10,20 @@ const LowCmd& Supervisor::Impl::bridge(double age) noexcept {
     latch(FaultId::kStop);
   }
   fresh = false;
-  if (age > kStaleTime) now.seen = false;
+  if (age > kStaleTime) forget();
   publish();
   const bool moving = active() || fade.moving();
-  if (moving && age <= kHoldTime) return keeper.last();
+  // Reports that were bad have not made the last command any younger.
+  if (moving && age + keeper.age() <= kHoldTime) return keeper.last();
   motors.interrupted();
-  return keeper.accept(damping_low_cmd(damping_kd));
+  rate.rest();  // torques come back from nothing
+  return keeper.damp(damping_kd);
+}
+
+// Nothing valid has come for a while: what was asked of another moment is void.
+void Supervisor::Impl::forget() noexcept {
+  now.seen = false;
+  requests.take();
 }
 
 void Supervisor::Impl::lose() noexcept {
@@ -23,7 +31,7 @@ void Supervisor::Impl::lose() noexcept {
     log.set(FaultId::kLink, true);
     latch(FaultId::kLink);
   }
-  requests.take();
+  forget();
   arming.distrust();
   // What was before says nothing of what comes.
   clock.reset();
@@ -32,7 +40,7 @@ void Supervisor::Impl::lose() noexcept {
   pace = {};
   imu = {};
   repeated = {};
-  now.seen = now.ready = fresh = false;
+  known = now.ready = fresh = false;
   publish();
 }
 

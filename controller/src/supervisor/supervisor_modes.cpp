@@ -17,10 +17,12 @@ void Supervisor::Impl::enter(Mode mode) noexcept {
     motors.reset();
     fade.to(Source::kSprings);
   } else if (mode == Mode::kSit && now.mode == Mode::kStand) {
-    motion.start(1.0, springs.q());
+    // From where it is: who was armed again as it lay, collapsed, is not to come up first.
+    motion.start(plan.nearest(springs.q()), springs.q());
     motion.go_to(0.0);
     fade.to(Source::kSprings);
   } else {
+    if (mode == Mode::kStand) gave_up = false;
     motion.go_to(mode == Mode::kSit ? 0.0 : 1.0);
   }
   // Standing is asked for on the way down: that is a rise from where it is.

@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
+bool Supervisor::Impl::read(const LowState& state, double step, double dt) noexcept {
   const FaultId before = bad;
   bad = step < 0.0 ? FaultId::kStaleTick : find_bad(state, step);
   if (bad != before) log.set(before, false);
@@ -16,9 +16,10 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
   arming.keep_down(down);
   // Who lies and was not heard for long, or began anew, may be another one than was armed.
   const double since = 1e-3 * std::abs(static_cast<std::int32_t>(state.tick - last_tick));
-  if (now.seen && !active() && !now.trusted && !arming.told() && since > kStaleTime) {
+  if (known && !active() && !now.trusted && !arming.told() && since > kStaleTime) {
     now.armed = false;
     arming.distrust();
+    fade.jump(Source::kDamping);  // springs that were fading out belong to another moment
   }
   last_tick = state.tick;
   if (step < 0.0) {
@@ -31,7 +32,12 @@ bool Supervisor::Impl::read(const LowState& state, double step) noexcept {
   }
   if (bad == FaultId::kNone) {
     if (has_quaternion(state.imu)) springs.read(state);
-    now.seen = true;
+    now.seen = known = true;
+  }
+  unheard = bad == FaultId::kNone ? 0.0 : unheard + dt;
+  if (unheard > kStaleTime) {
+    requests.take();
+    if (now.trusted) now.seen = false;  // no arming check would refuse it
   }
   // Who lies down without a leg does not rise again before it is armed anew.
   const bool without_leg = active() && stand.lost_leg() >= 0;
