@@ -127,3 +127,30 @@ def test_a_supervisor_tells_of_it_and_goes_on_until_it_lasts() -> None:
     plant.step(supervisor.update(report))
     assert (supervisor.mode, supervisor.reason) == (Mode.DAMPING, FaultId.CONTROLLER)
     assert FaultId.PROGRAM not in supervisor.faults.active
+
+
+@pytest.mark.parametrize("start", [surefoot.Start.STANDING, surefoot.Start.LYING])
+def test_a_program_that_never_solves_is_given_up_within_twenty_milliseconds(
+    start: surefoot.Start,
+) -> None:
+    plant, task = Plant("go1"), Spoiler()
+    supervisor = surefoot.Supervisor(
+        plant.robot, options=surefoot.SupervisorOptions(start=start, power_level=1)
+    )
+    supervisor.stand.add_task(task)
+    task.spoils = True
+    standing = start == surefoot.Start.STANDING
+    report = plant.reset() if standing else plant.reset_lying(np.random.default_rng(3))
+    ticks = 0
+    for _ in range(10_000):
+        if supervisor.mode == Mode.PASSIVE and not standing:
+            if supervisor.armed:
+                supervisor.request(Mode.RISE)
+            else:
+                supervisor.arm()
+        report = plant.step(supervisor.update(report))
+        ticks += supervisor.mode == Mode.STAND
+        if supervisor.mode == Mode.DAMPING:
+            break
+    assert (supervisor.mode, supervisor.reason) == (Mode.DAMPING, FaultId.CONTROLLER)
+    assert 0 < ticks <= 10

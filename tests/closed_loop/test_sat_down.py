@@ -91,3 +91,22 @@ def test_it_is_armed_behind_checks_like_any_that_lies() -> None:
     assert scene.run(0.2)[-1] == Mode.PASSIVE and supervisor.armed
     assert supervisor.request(Mode.RISE) == RequestStatus.ACCEPTED
     assert scene.run(15.0, until=Mode.STAND)[-1] == Mode.STAND
+
+
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+def test_one_that_was_armed_again_where_it_sank_does_not_come_up_to_sit_down(robot: str) -> None:
+    scene = Scene(robot)
+    scene.run(1.0)
+    scene.supervisor.stop()
+    scene.run(4.0)
+    assert scene.supervisor.arm() == RequestStatus.ACCEPTED
+    scene.run(2.0)
+    assert scene.supervisor.mode == Mode.STAND
+    before = scene.plant.truth.q[2]
+    asked(scene)
+    highest = before
+    for _ in range(20):
+        scene.run(0.2)
+        highest = max(highest, scene.plant.truth.q[2])
+    assert scene.supervisor.mode == Mode.PASSIVE
+    assert highest < before + 0.01
