@@ -8,6 +8,7 @@ namespace surefoot {
 
 namespace {
 constexpr double kComeToRest = 0.03;  // [s]
+constexpr double kUpright = 0.35;     // [rad] that joints may be off the end of the way up
 }  // namespace
 
 void Supervisor::Impl::enter(Mode mode) noexcept {
@@ -17,8 +18,10 @@ void Supervisor::Impl::enter(Mode mode) noexcept {
     motors.reset();
     fade.to(Source::kSprings);
   } else if (mode == Mode::kSit && now.mode == Mode::kStand) {
-    // From where it is: who was armed again as it lay, collapsed, is not to come up first.
-    motion.start(plan.nearest(springs.q()), springs.q());
+    // Who was armed again where it had sunk is not to come up first.
+    const Vector12& q = springs.q();
+    const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUpright;
+    motion.start(upright ? 1.0 : plan.nearest(q), q);
     motion.go_to(0.0);
     fade.to(Source::kSprings);
   } else {
