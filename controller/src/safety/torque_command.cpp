@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "safety/holding_torques.hpp"
-#include "safety/motor_limits.hpp"
 #include "wbc/limits.hpp"
 
 namespace surefoot {
@@ -31,21 +30,23 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   lost_damping_ = gains.damping_kd;
   Vector12 dq;
   for (int i = 0; i < kMotors; ++i) dq[i] = state.v[robot_.motor_to_v()[i]];
-  const auto limit = [&](const Eigen::Vector4d& contact, double most) {
+  const auto limit_to = [&](const Eigen::Vector4d& contact, double watts) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
-    // Less power is nearer to it, and must not be more torque than the motors have.
+    // Less power is nearer to it, and must not be more torque than the motors have. Not by speed:
+    // a report that lies about that lets go of nothing.
     for (int i = 0; i < kMotors; ++i) {
-      hold[i] = within_motor_limits(robot_.config(), i, hold[i], dq[i], torque_share_[i]);
+      const double limit = torque_share_[i] * robot_.config().tau_max[i];
+      hold[i] = std::clamp(hold[i], -limit, limit);  // what is no number stays none
     }
-    limited_ = limit_power(tau, hold, dq, most, damping_);
+    limited_ = limit_power(tau, hold, dq, watts, damping_);
   };
-  limit(state.contact, options_.power_limit);
+  limit_to(state.contact, options_.power_limit);
   // A foot that is light for a moment bears its share again when the others yield.
-  if (limited_.exceeds) limit(Eigen::Vector4d::Ones(), options_.power_limit);
+  if (limited_.exceeds) limit_to(Eigen::Vector4d::Ones(), options_.power_limit);
   // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
   // the power on its way. The command goes as it is; the protection is there for the rest.
-  if (limited_.exceeds) limit(state.contact, kUnlimited);
+  if (limited_.exceeds) limit_to(state.contact, kUnlimited);
   return limited_.scale < 1.0;
 }
 

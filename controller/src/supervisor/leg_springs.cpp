@@ -77,14 +77,13 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
     pull[i] *= std::clamp(1.0 - (ahead - kRuns) / kLetGo, 0.0, 1.0);
   }
   Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
-  const auto clip = [this](Vector12& torques) {
-    for (int i = 0; i < kMotors; ++i) {
-      const double share = kTorqueShare * share_[i];
-      torques[i] = within_motor_limits(robot_.config(), i, torques[i], dq_[i], share);
-    }
-  };
-  clip(tau);
-  clip(hold);  // less power is nearer to it: both within the limits, all between them is
+  const RobotConfig& config = robot_.config();
+  for (int i = 0; i < kMotors; ++i) {
+    const double share = kTorqueShare * share_[i], most = share * config.tau_max[i];
+    tau[i] = within_motor_limits(config, i, tau[i], dq_[i], share);
+    // Less power is nearer to it. Not by speed: a report that lies about that lets go of nothing.
+    hold[i] = std::clamp(hold[i], -most, most);
+  }
   const LimitedTorques out = limit_power(tau, hold, dq_, watts_, damping_);
   if (!out.exceeds || !hold.allFinite() || !dq_.allFinite()) return out.torques;
   const double braking = limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale;
