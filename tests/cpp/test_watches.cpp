@@ -119,6 +119,13 @@ BOOST_FIXTURE_TEST_CASE(a_clock_that_is_right_or_slow_and_speeds_that_lie_are_le
   expect_quiet([](int) {}, 0.5 * kTick);
   expect_quiet([&](int k) { report.motorState[5].dq = k % 25 == 0 ? 25.0F : 0.0F; }, kTick);
   expect_quiet([&](int) { keep(LowState{}, 3); }, kTick);
+  expect_quiet(  // four that turn faster than they do, in two reports of ten
+      [&](int k) {
+        for (const int i : {2, 5, 8, 11}) {
+          if (k % 10 < 2) report.motorState[i].dq = std::copysign(5.0F, report.motorState[i].dq);
+        }
+      },
+      kTick);
   speed = 0.0;
   expect_quiet([](int) {}, 2.0 * kTick);  // at rest there is nothing to see
   expect_quiet(

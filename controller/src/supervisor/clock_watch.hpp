@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "supervisor/fault_log.hpp"
 #include "surefoot/low_level.hpp"
 #include "surefoot/math.hpp"
@@ -20,6 +23,9 @@ class ClockWatch {
   static constexpr double kAgainst = 0.2;  ///< and above which the two have nothing in common
   static constexpr int kJoints = 4;        ///< that must move
   static constexpr double kMost = 0.75;    ///< share of them that must say so
+  /// [rad/s] from one report to the next: such a speed is a blow, or lies, and its joint says
+  /// nothing
+  static constexpr double kJolt = 2.0;
 
   /// Judge a report. @param step [s] since the report before, by the tick
   void update(const LowState& state, double step) noexcept {
@@ -27,12 +33,16 @@ class ClockWatch {
     Vector12 q;
     for (int i = 0; i < kMotors; ++i) {
       q[i] = state.motorState[i].q;
-      way_[i] += state.motorState[i].dq * step;
+      const double dq = state.motorState[i].dq;
+      way_[i] += dq * step;
+      jolted_[i] = jolted_[i] || std::abs(dq - dq_[i]) > kJolt;
+      dq_[i] = dq;
     }
     if (started_ && time_ < kWindow) return;
     if (started_) judge((q - q_).eval());
     q_ = q;
     way_.setZero();
+    jolted_ = {};
     time_ = 0.0;
     started_ = true;
   }
@@ -43,7 +53,7 @@ class ClockWatch {
   void judge(const Vector12& gone) noexcept {
     int moving = 0, late = 0;
     for (int i = 0; i < kMotors; ++i) {
-      if (std::abs(way_[i]) < kWay) continue;
+      if (std::abs(way_[i]) < kWay || jolted_[i]) continue;
       const double share = gone[i] / way_[i];
       ++moving;
       late += share > kAgainst && share < kFast;
@@ -54,6 +64,8 @@ class ClockWatch {
   }
 
   Vector12 q_ = Vector12::Zero(), way_ = Vector12::Zero();  // [rad] at the window's begin; by dq
+  Vector12 dq_ = Vector12::Zero();                          // [rad/s] of the last report
+  std::array<bool, kMotors> jolted_ = {};                   // in the window
   double time_ = 0.0;                                       // [s] of the window
   int windows_ = 0;                                         // in a row that say so
   bool started_ = false;
