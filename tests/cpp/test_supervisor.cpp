@@ -113,6 +113,10 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   expect("quaternion");
   std::swap(report.motorState[FR_1].q, report.motorState[FR_2].q);
   expect("motor_order: FR_1 and FR_2 seem swapped");
+  const auto stop = static_cast<float>(quadruped().config().q_lower[FR_2]);
+  report.motorState[FR_2].q = report.motorState[FR_1].q;
+  report.motorState[FR_1].q = stop - 0.1F;  // a knee that rests on its stop
+  expect("motor_order: FR_1 and FR_2 seem swapped");
   report.imu.accelerometer = {6.0F, 0.0F, 7.8F};
   expect("tilt");
 }

@@ -140,6 +140,7 @@ void Arming::check_joints(const LowState& state) noexcept {
 
 // An angle that is far outside its own motor's range and inside another's of the same leg, while
 // that one's fits here: the two are swapped. Only what the ranges tell apart can be seen: calves.
+// Inside, or outside by no more than joints that rest on their stops.
 void Arming::check_order(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   const auto outside = [&](int angle_of, int motor) {
@@ -156,8 +157,12 @@ void Arming::check_order(const LowState& state) noexcept {
     check.motor = i;
     check.value = outside(i, i);
     const int leg = i - i % kLegJoints;
+    double best = -limits_.joint_margin;
     for (int k = leg; k < leg + kLegJoints; ++k) {
-      if (k != i && outside(i, k) < 0.0 && outside(k, i) < 0.0) check.other = k;
+      const double fit = std::max(outside(i, k), outside(k, i));
+      if (k == i || fit >= best) continue;
+      best = fit;
+      check.other = k;
     }
     return;
   }

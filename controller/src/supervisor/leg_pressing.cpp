@@ -45,7 +45,8 @@ void LegPressing::watch(const Quaternion& R_world_base, double borne, double dt)
   const Eigen::AngleAxisd turned(R_before_.conjugate() * R_world_base);
   const Vector3 turn = turned.angle() * turned.axis();
   seen_ = turn.y() > kSeen;
-  const bool elsewhere = std::abs(turn.x()) > kRoll || turn.y() < -kRoll;
+  const bool diagonal = std::abs(turn.x()) > kRoll && borne > kBothBear;
+  const bool elsewhere = diagonal || turn.y() < -kNoseUp;
   if (elsewhere) seen_ = false;
   if (!seen_ && !elsewhere && waited_ < kPatience) return;
   if (!seen_ && !elsewhere && borne < kBorne) seen_ = true;

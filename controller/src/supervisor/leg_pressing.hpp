@@ -10,16 +10,20 @@ namespace surefoot {
 /// Legs that are swapped whole along one side differ in nothing but what they do to the body.
 /// So, before the body leaves the ground, the rear pair alone is extended along the way that the
 /// rise will take, at most by kMost of it, until the nose is down by kSeen. A pair on the diagonal
-/// lifts the body as well and may well pitch it, but rolls it, sooner or later: kRoll on the way,
-/// or as much nose up, ends the press. What did not come is tried once more, for a body may lie
-/// unevenly; then the check has failed. Legs that find nothing to press on say nothing: it hangs,
-/// and may go on. Real-time: yes.
+/// may well pitch the body too, but rolls it, sooner or later, and has all of its weight between
+/// its feet, where a rear pair shares it with the nose: kRoll at kBothBear ends the press, as
+/// kNoseUp does. Neither alone tells: a load beside the middle rolls a body that lies on a narrow
+/// nose, and some bodies are heavy at the rear. What did not come is tried once more, for a body
+/// may lie unevenly; then the check has failed. Legs that find nothing to press on say nothing: it
+/// hangs, and may go on. Real-time: yes.
 class LegPressing {
  public:
-  static constexpr double kSeen = 0.06;   ///< [rad] nose down
-  static constexpr double kRoll = 0.012;  ///< [rad] any other way
-  static constexpr double kBorne = 0.1;   ///< of the weight: below it there is nothing to press on
-  static constexpr double kMost = 0.35;   ///< of the way from lying to standing
+  static constexpr double kSeen = 0.06;      ///< [rad] nose down
+  static constexpr double kNoseUp = 0.012;   ///< [rad]
+  static constexpr double kRoll = 0.004;     ///< [rad] either way
+  static constexpr double kBothBear = 0.24;  ///< of what legs bear standing on all four
+  static constexpr double kBorne = 0.1;      ///< of it: below there is nothing to press on
+  static constexpr double kMost = 0.35;      ///< of the way from lying to standing
 
   explicit LegPressing(const RisePlan& plan) : plan_(plan) {}
 
