@@ -89,6 +89,21 @@ BOOST_FIXTURE_TEST_CASE(legs_that_a_body_rolls_over_are_let_go_of_and_stretched,
   BOOST_TEST(q[2] > -1.55);
   run(8.0);  // it leans still, but is let go of once
   BOOST_TEST(legs.done());
+  BOOST_TEST(!legs.rolls_on());
+}
+
+BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_over_its_legs_again_and_further_rolls_on, Folding) {
+  const Vector12 lying = q;
+  legs.start(q, lean);
+  run(0.1);
+  lean = 0.7;
+  run(0.9);
+  BOOST_TEST(!legs.rolls_on());  // let go of, it may fall back yet
+  run(0.2);
+  BOOST_TEST(legs.rolls_on());
+  legs.start(q = lying, lean = 0.0);
+  run(0.1);
+  BOOST_TEST(!legs.rolls_on());
 }
 
 BOOST_FIXTURE_TEST_CASE(a_body_that_leans_from_the_first_has_not_rolled, Folding) {

@@ -117,6 +117,9 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   report.motorState[FR_2].q = report.motorState[FR_1].q;
   report.motorState[FR_1].q = stop - 0.1F;  // a knee that rests on its stop
   expect("motor_order: FR_1 and FR_2 seem swapped");
+  report.motorState[FR_2].q = report.motorState[FR_1].q;
+  report.motorState[FR_1].q = stop + 0.01F;  // or a little before, outside FR_1's range by less
+  expect("motor_order: FR_1 and FR_2 seem swapped");
   report.imu.accelerometer = {6.0F, 0.0F, 7.8F};
   expect("tilt");
 }

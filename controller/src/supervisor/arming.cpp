@@ -151,19 +151,23 @@ void Arming::check_order(const LowState& state) noexcept {
   check = {};
   check.passed = true;
   check.limit = kSwapMargin;
+  const double slack = -limits_.joint_margin;
   for (int i = 0; i < kMotors; ++i) {
-    if (outside(i, i) < kSwapMargin) continue;
-    check.passed = false;
-    check.motor = i;
-    check.value = outside(i, i);
+    if (outside(i, i) < slack) continue;
     const int leg = i - i % kLegJoints;
-    double best = -limits_.joint_margin;
+    double best = slack;
+    int other = -1;
     for (int k = leg; k < leg + kLegJoints; ++k) {
       const double fit = std::max(outside(i, k), outside(k, i));
-      if (k == i || fit >= best) continue;
+      if (k == i || !(fit < best)) continue;  // nor what is no number
       best = fit;
-      check.other = k;
+      other = k;
     }
+    if (other < 0 && outside(i, i) < kSwapMargin) continue;
+    check.passed = false;
+    check.motor = i;
+    check.other = other;
+    check.value = outside(i, i);
     return;
   }
 }

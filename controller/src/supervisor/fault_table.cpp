@@ -65,9 +65,9 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
     {FaultId::kWiring, kDamp, 4.0, kArm,
-     "lying, legs folded: a leg does not hang on its hip as it must, or the rear legs press and "
-     "the nose does not go down: legs are swapped, a motor turns the other way, or it does not lie "
-     "free on the ground"},
+     "lying: the body rolls over the legs that fold, twice; or, folded, a leg does not hang on its "
+     "hip as it must, or the rear legs press and the nose does not go down: legs are swapped, a "
+     "motor turns the other way, or it does not lie free on the ground"},
     {FaultId::kWrongRobot, kDamp, 4.0, kArm,
      "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says"},
     {FaultId::kTemperature, kSit, 2.0, kGone,

@@ -16,6 +16,8 @@ constexpr double kPull = 4.0;           // [1/s] how the reference ends
 constexpr double kLead = 0.4;           // [rad] that it may run ahead of its joint
 constexpr double kWedgedLead = 0.3;     // [rad] of legs that hold each other: none is to fly
 constexpr double kGently = 4.0;         // [s] that ways round are taken
+constexpr double kFirstReach = 0.2;     // [rad] of springs: legs under the body do not lift it ...
+constexpr double kMoreReach = 0.08;     // [rad] ... but where they stay caught, from try to try
 constexpr double kLetGo = 0.03;         // [s] not at once: no step of torque
 constexpr double kThere = 0.005;        // [rad] of the reference
 constexpr double kNear = 0.25;          // [rad] of the joints: friction and the ground hold them
@@ -26,30 +28,38 @@ constexpr double kBackStep = 0.6;       // [rad] thigh: how far, on the first tr
 constexpr int kOtherEnd = 2;            // FR RR, FL RL: the legs of a side
 constexpr int kOtherSide = 1;           // FR FL, RR RL: the legs of an end
 
+double lean(const Vector3& up) noexcept { return std::acos(std::clamp(up.z(), -1.0, 1.0)); }
+
 }  // namespace
 
-void LegFolding::start(const Vector12& measured, double lean) noexcept {
+void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   reference_.q = measured;
   reference_.dq.setZero();
-  roll_.start(lean);
-  begin(measured);
+  roll_.start(lean(up));
+  begin(measured, up);
 }
 
-void LegFolding::begin(const Vector12& measured) noexcept {
+double LegFolding::inward(int leg, const Vector12& measured) const noexcept {
+  const int hip = kLegJoints * leg;
+  return -std::copysign(1.0, plan_.widest[hip]) * measured[hip];
+}
+
+void LegFolding::begin(const Vector12& measured, const Vector3& up) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     legs_[leg] = {};
     legs_[leg].q = measured.segment<kLegJoints>(kLegJoints * leg);
   }
   time_ = 0.0;
   done_ = false;
+  turns_.start(up, {inward(FR_, measured), inward(FL_, measured)}, roll_.rolls() > 0);
 }
 
 // Springs that follow their joints: what they trail by damps as the motors do, and that lays the
 // body down.
-void LegFolding::let_go(const Vector12& measured, double dt) noexcept {
+void LegFolding::let_go(const Vector12& measured, const Vector3& up, double dt) noexcept {
   reference_.q += dt / (dt + kLetGo) * (measured - reference_.q);
   reference_.dq.setZero();
-  begin(measured);
+  begin(measured, up);
 }
 
 int LegFolding::most_tries() const noexcept {
@@ -126,7 +136,7 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
     return target;
   }
   return folding_target(plan_, leg, measured.segment<kLegJoints>(hip), reference_.q[thigh],
-                        {time_ < kGently, roll_.rolled()});
+                        {time_ < kGently, roll_.rolls() > 0});
 }
 
 void LegFolding::follow(int joint, double wanted, double measured, double dt) noexcept {
@@ -140,24 +150,34 @@ void LegFolding::follow(int joint, double wanted, double measured, double dt) no
   q += dq * dt;
 }
 
-const JointReference& LegFolding::step(const Vector12& measured, double lean, double dt) noexcept {
-  roll_.update(lean, dt);
+const JointReference& LegFolding::step(const Vector12& measured, const Vector3& up,
+                                       double dt) noexcept {
+  roll_.update(lean(up), dt);
   if (roll_.lets_go()) {
-    let_go(measured, dt);
+    let_go(measured, up, dt);
     return reference_;
   }
   time_ += dt;
-  for (int leg = 0; leg < kLegs; ++leg) {
-    watch(leg, measured, dt);
-    const Vector3 wanted = target(leg, measured);
-    for (int i = 0; i < kLegJoints; ++i) {
-      const int joint = kLegJoints * leg + i;
-      follow(joint, wanted[i], measured[joint], dt);
-    }
-  }
+  reference_.reach = std::min(JointReference::kReach, kFirstReach + kMoreReach * most_tries());
+  bool others = true;
   done_ = true;
-  for (int leg = 0; leg < kLegs; ++leg) done_ = done_ && folded(leg, measured);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!turns_.waits(leg)) move(leg, measured, dt);
+    const bool folded = this->folded(leg, measured);
+    others = others && (folded || turns_.waits(leg));
+    done_ = done_ && folded;
+  }
+  turns_.update(others, dt);
   return reference_;
+}
+
+void LegFolding::move(int leg, const Vector12& measured, double dt) noexcept {
+  watch(leg, measured, dt);
+  const Vector3 wanted = target(leg, measured);
+  for (int i = 0; i < kLegJoints; ++i) {
+    const int joint = kLegJoints * leg + i;
+    follow(joint, wanted[i], measured[joint], dt);
+  }
 }
 
 }  // namespace surefoot

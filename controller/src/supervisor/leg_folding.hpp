@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "supervisor/folding_turns.hpp"
 #include "supervisor/rise_plan.hpp"
 #include "supervisor/roll_watch.hpp"
 
@@ -10,29 +11,35 @@ namespace surefoot {
 
 /// Where the joints are to be, and how fast they go there; SDK motor order.
 struct JointReference {
+  static constexpr double kReach = 0.45;
   Vector12 q = Vector12::Zero();   ///< [rad]
   Vector12 dq = Vector12::Zero();  ///< [rad/s]
+  double reach = kReach;           ///< [rad] beyond which springs pull no harder
 };
 
 /// Folds the legs of a lying robot, from wherever they were measured to RisePlan::folded.
 ///
-/// All joints go at once, by folding_target. A joint that is held up makes its reference wait. A
-/// leg that has caught on something backs out the way it came, hip outward and calf open, further
-/// from try to try; every other time it lies still while the leg beside it does so, which may have
-/// folded onto it. Where the body rolls over them it lets go of all legs for a second, and begins
-/// again with those stretched that are drawn in. Real-time: yes.
+/// All joints go at once, by folding_target, or one diagonal pair after the other where the body
+/// leans or has rolled. Springs are weak at first: legs under the body are not to lift it and let
+/// it fall. A joint that is held up makes its reference wait. A leg that has caught on something
+/// backs out the way it came, hip outward and calf open, further and harder from try to try; every
+/// other time it lies still while the leg beside it does so, which may have folded onto it. Where
+/// the body rolls over them it lets go of all legs for a second, and begins again with those
+/// stretched that are drawn in; twice, then it rolls on. Real-time: yes.
 class LegFolding {
  public:
   explicit LegFolding(const RisePlan& plan) : plan_(plan) {}
 
-  /// @param measured joints, SDK motor order @param lean of the body's vertical [rad]
-  void start(const Vector12& measured, double lean) noexcept;
-  const JointReference& step(const Vector12& measured, double lean, double dt) noexcept;
+  /// @param measured joints, SDK motor order @param up the world's vertical, in base axes
+  void start(const Vector12& measured, const Vector3& up) noexcept;
+  const JointReference& step(const Vector12& measured, const Vector3& up, double dt) noexcept;
   /// Is the reference there, and the legs with it?
   bool done() const noexcept { return done_; }
   /// Legs of a side that is folded while a leg of the other has caught again and again: they weigh
   /// what all four would, were folding to end.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
+  /// Does the body roll over the legs although they were let go of twice?
+  bool rolls_on() const noexcept { return roll_.rolls_on(); }
   /// Has a leg caught more often than makes sense to try?
   bool stuck() const noexcept { return !done_ && (time_ > kPatience || most_tries() > kTries); }
 
@@ -50,8 +57,10 @@ class LegFolding {
     bool wedged = false;  // by the leg beside it, as it seems
   };
 
-  void begin(const Vector12& measured) noexcept;
-  void let_go(const Vector12& measured, double dt) noexcept;
+  void begin(const Vector12& measured, const Vector3& up) noexcept;
+  void let_go(const Vector12& measured, const Vector3& up, double dt) noexcept;
+  void move(int leg, const Vector12& measured, double dt) noexcept;
+  double inward(int leg, const Vector12& measured) const noexcept;
   int most_tries() const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;
   void watch(int leg, const Vector12& measured, double dt) noexcept;
@@ -62,6 +71,7 @@ class LegFolding {
   JointReference reference_;
   std::array<Leg, kLegs> legs_;
   RollWatch roll_;
+  FoldingTurns turns_;
   double time_ = 0.0;  // [s]
   bool done_ = false;
 };

@@ -14,8 +14,9 @@ namespace surefoot {
 /// because a leg that slips off the ground is let go of by a taut spring: what comes two or three
 /// ticks later is too late for the power protection. Where braking alone takes more than the power
 /// allows, torques take some of it back: a leg that comes free from under the body is flung,
-/// whatever the springs do.
-/// Feet and body are weighed by joint angles and the IMU's attitude alone. Real-time: yes.
+/// whatever the springs do. A body that falls onto its legs, as it rolls off one, drives them
+/// faster than torques can change: while it turns they brake less beforehand. Feet and body are
+/// weighed by joint angles and the IMU's attitude alone. Real-time: yes.
 class LegSprings {
  public:
   /// @param watts most that sum |tau dq| may be [W]
@@ -24,9 +25,12 @@ class LegSprings {
   /// Read joints and attitude out of a report.
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
+  /// Brake less while the body turns. @param turning how fast [rad/s] @param dt [s]
+  void give_way(double turning, double dt) noexcept;
   double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
-  double lean() const noexcept;  ///< of the body's vertical [rad]
+  /// The world's vertical, in base axes.
+  Vector3 up() const noexcept { return R_world_base_.conjugate() * Vector3::UnitZ(); }
   const Quaternion& R_base_imu() const noexcept { return R_base_imu_; }
   /// Share of each motor's torque that may be used, SDK order.
   void set_torque_share(const Vector12& share) noexcept { share_ = share; }
@@ -48,7 +52,7 @@ class LegSprings {
   Dynamics dynamics_;
   RobotState state_;
   Vector12 q_ = Vector12::Zero(), dq_ = Vector12::Zero();
-  double stiffness_, damping_, watts_;
+  double stiffness_, full_damping_, damping_, watts_;
   Vector12 share_ = Vector12::Ones();
   Quaternion R_world_base_ = Quaternion::Identity(), R_base_imu_ = Quaternion::Identity();
 };

@@ -11,7 +11,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kWay = 0.4;    // [s] that the hips take outward, and back
+constexpr double kWay = 0.6;    // [s] that the hips take outward, and back
 constexpr double kRest = 0.15;  // [s] before torques count
 constexpr double kLook = 0.2;   // [s] that they are averaged over
 constexpr double kBack = kWay + kRest + kLook;

@@ -17,7 +17,7 @@ namespace surefoot {
 /// then the hips go back. Real-time: yes.
 class LegWeighing {
  public:
-  static constexpr double kOut = 0.2;    ///< [rad]
+  static constexpr double kOut = 0.35;   ///< [rad]
   static constexpr double kLeast = 0.4;  ///< times the model's weight: a leg that hangs free ...
   static constexpr double kMost = 2.5;   ///< ... is between these, however its hip rubs
   static constexpr double kAlike = 2.0;  ///< times the lightest leg: so much may the heaviest weigh

@@ -3,8 +3,9 @@
 
 namespace surefoot {
 
-/// Does a lying body roll over the legs that fold under it? It is let go of then, once in a rise,
-/// while it may still fall back: what rolls on is the fault `tilt`. Real-time: yes.
+/// Does a lying body roll over the legs that fold under it? It is let go of then, while it may
+/// still fall back. One that rolls over them again and again rolls on: they are not where they are
+/// thought to be, or something else is in the way. Real-time: yes.
 class RollWatch {
  public:
   void start(double lean) noexcept {
@@ -13,21 +14,30 @@ class RollWatch {
   }
   /// @param lean of the body's vertical [rad] @param dt [s]
   void update(double lean, double dt) noexcept {
-    left_ -= dt;
-    if (rolled_ || !(lean > kFar && lean > first_ + kMore)) return;
-    rolled_ = true;
+    if (lets_go()) {
+      left_ -= dt;
+      if (!lets_go()) first_ = lean;  // as it lies now
+      return;
+    }
+    rolls_on_ = rolls_on_ || (rolls_ == kTries && lean > kTooFar);
+    if (rolls_ == kTries || !(lean > kFar && lean > first_ + kMore)) return;
+    ++rolls_;
     left_ = kRest;
   }
-  bool rolled() const noexcept { return rolled_; }
+  int rolls() const noexcept { return rolls_; }          ///< so far
   bool lets_go() const noexcept { return left_ > 0.0; }  ///< of the legs, for now
+  bool rolls_on() const noexcept { return rolls_on_; }
 
  private:
-  static constexpr double kFar = 0.44;   // [rad] 25 degrees: most that a robot is armed at ...
-  static constexpr double kMore = 0.12;  // [rad] ... and no lean that was there before
-  static constexpr double kRest = 1.0;   // [s] until it lies again
+  static constexpr double kFar = 0.44;     // [rad] 25 degrees: most that a robot is armed at ...
+  static constexpr double kMore = 0.12;    // [rad] ... and no lean that was there before
+  static constexpr double kRest = 1.0;     // [s] until it lies again
+  static constexpr double kTooFar = 0.66;  // [rad] nobody who lies gets up from there
+  static constexpr int kTries = 2;
 
   double first_ = 0.0;  // [rad]
-  bool rolled_ = false;
+  int rolls_ = 0;
+  bool rolls_on_ = false;
   double left_ = 0.0;  // [s]
 };
 

@@ -35,6 +35,8 @@ void Supervisor::Impl::start_rise() noexcept {
 }
 
 void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
+  const std::array<float, 3> w = state.imu.gyroscope;  // packed: copied
+  springs.give_way(upward() ? 0.0 : Vector3(w[0], w[1], w[2]).norm(), dt);
   switch (stage) {
     case Stage::kHoldLegs:
       return hold_legs(state, dt);
@@ -57,11 +59,11 @@ void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   if (lift.too_light()) return refuse(FaultId::kWrongRobot, -1);
   stage = Stage::kFold;
   side_weighed = false;
-  folding.start(springs.q(), springs.lean());
+  folding.start(springs.q(), springs.up());
 }
 
 void Supervisor::Impl::fold(double dt) noexcept {
-  reference = folding.step(springs.q(), springs.lean(), dt);
+  reference = folding.step(springs.q(), springs.up(), dt);
   if (folding.done()) {
     stage = Stage::kWeigh;
     weighing.start(reference.q, {true, true, true, true});
@@ -69,6 +71,8 @@ void Supervisor::Impl::fold(double dt) noexcept {
     side_weighed = true;
     stage = Stage::kWeigh;
     weighing.start(reference.q, side);
+  } else if (folding.rolls_on()) {
+    refuse(FaultId::kWiring, -1);
   } else if (folding.stuck()) {
     gave_up = true;
     lie();

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "surefoot/low_level.hpp"
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Who folds first of a lying robot's legs. A body that leans is propped up, and its legs keep it
+/// from rolling over: a diagonal pair stays where it is until the other is folded and does so. It
+/// is the pair with the front leg that props the lower side: the one of that side, or, where that
+/// one is drawn in under the body, the other. Only for a while, for legs may interlace.
+/// Real-time: yes.
+class FoldingTurns {
+ public:
+  /// @param up the world's vertical, in base axes
+  /// @param inward of the front hips, FR and FL [rad]
+  /// @param always take turns, even where it is level
+  void start(const Vector3& up, const std::array<double, 2>& inward, bool always) noexcept {
+    left_ = always || std::hypot(up.x(), up.y()) > kLeans ? kMost : 0.0;
+    const int lower = up.y() > 0.0 ? FR_ : FL_;
+    front_ = inward[lower] > kDrawnIn ? 1 - lower : lower;
+  }
+  /// @param others are those that do not wait folded?
+  void update(bool others, double dt) noexcept { left_ = others ? 0.0 : left_ - dt; }
+  bool waits(int leg) const noexcept {
+    return left_ > 0.0 && (leg == front_ || leg == kLegs - 1 - front_);
+  }
+
+ private:
+  static constexpr double kLeans = 0.2;    // sine of 11.5 degrees: something is under the body
+  static constexpr double kDrawnIn = 0.5;  // [rad]
+  static constexpr double kMost = 2.0;     // [s]
+
+  double left_ = 0.0;  // [s] that a pair may still wait
+  int front_ = FR_;    // leg that waits, and the one across from it
+};
+
+}  // namespace surefoot
