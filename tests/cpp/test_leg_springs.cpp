@@ -68,4 +68,17 @@ BOOST_FIXTURE_TEST_CASE(within_the_power_the_damping_is_whole, Flung) {
   BOOST_TEST(springs.damping() == plan.damping);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_body_that_turns_is_braked_less, Flung) {
+  const auto after = [&](double turning) {
+    for (int tick = 0; tick < 100; ++tick) springs.give_way(turning, 0.002);
+    return springs.damping() / plan.damping;
+  };
+  BOOST_TEST(after(0.5) == 1.0);
+  springs.give_way(3.0, 0.002);
+  BOOST_TEST(springs.damping() > 0.9 * plan.damping);  // not at once: no step of torque
+  BOOST_TEST(std::abs(after(3.0) - 0.25) < 0.01);
+  BOOST_TEST(std::abs(after(1.1) - 0.625) < 0.01);
+  BOOST_TEST(std::abs(after(0.0) - 1.0) < 0.01);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

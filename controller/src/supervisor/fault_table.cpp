@@ -65,7 +65,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
     {FaultId::kWiring, kDamp, 4.0, kArm,
-     "lying: the body rolls over the legs that fold, twice; or, folded, a leg does not hang on its "
+     "lying: the body rolls over the legs that fold, again and again; or, folded, a leg does not "
+     "hang on its "
      "hip as it must, or the rear legs press and the nose does not go down: legs are swapped, a "
      "motor turns the other way, or it does not lie free on the ground"},
     {FaultId::kWrongRobot, kDamp, 4.0, kArm,

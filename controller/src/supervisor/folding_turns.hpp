@@ -12,17 +12,22 @@ namespace surefoot {
 /// Who folds first of a lying robot's legs. A body that leans is propped up, and its legs keep it
 /// from rolling over: a diagonal pair stays where it is until the other is folded and does so. It
 /// is the pair with the front leg that props the lower side: the one of that side, or, where that
-/// one is drawn in under the body, the other. Only for a while, for legs may interlace.
-/// Real-time: yes.
+/// one is drawn in under the body, the other, unless its knee is up. Only for a while, for legs may
+/// interlace. Real-time: yes.
 class FoldingTurns {
  public:
+  struct FrontLeg {
+    double inward = 0.0;  ///< of its hip [rad]
+    double thigh = 0.0;   ///< [rad] the way that it folds
+  };
   /// @param up the world's vertical, in base axes
-  /// @param inward of the front hips, FR and FL [rad]
+  /// @param legs FR and FL
   /// @param always take turns, even where it is level
-  void start(const Vector3& up, const std::array<double, 2>& inward, bool always) noexcept {
+  void start(const Vector3& up, const std::array<FrontLeg, 2>& legs, bool always) noexcept {
     left_ = always || std::hypot(up.x(), up.y()) > kLeans ? kMost : 0.0;
     const int lower = up.y() > 0.0 ? FR_ : FL_;
-    front_ = inward[lower] > kDrawnIn ? 1 - lower : lower;
+    const bool crossed = legs[lower].inward > kDrawnIn && legs[1 - lower].thigh < kKneeUp;
+    front_ = crossed ? 1 - lower : lower;
   }
   /// @param others are those that do not wait folded?
   void update(bool others, double dt) noexcept { left_ = others ? 0.0 : left_ - dt; }
@@ -33,6 +38,7 @@ class FoldingTurns {
  private:
   static constexpr double kLeans = 0.2;    // sine of 11.5 degrees: something is under the body
   static constexpr double kDrawnIn = 0.5;  // [rad]
+  static constexpr double kKneeUp = 2.2;   // [rad]
   static constexpr double kMost = 2.0;     // [s]
 
   double left_ = 0.0;  // [s] that a pair may still wait

@@ -16,8 +16,6 @@ constexpr double kPull = 4.0;           // [1/s] how the reference ends
 constexpr double kLead = 0.4;           // [rad] that it may run ahead of its joint
 constexpr double kWedgedLead = 0.3;     // [rad] of legs that hold each other: none is to fly
 constexpr double kGently = 4.0;         // [s] that ways round are taken
-constexpr double kFirstReach = 0.2;     // [rad] of springs: legs under the body do not lift it ...
-constexpr double kMoreReach = 0.08;     // [rad] ... but where they stay caught, from try to try
 constexpr double kLetGo = 0.03;         // [s] not at once: no step of torque
 constexpr double kThere = 0.005;        // [rad] of the reference
 constexpr double kNear = 0.25;          // [rad] of the joints: friction and the ground hold them
@@ -39,9 +37,10 @@ void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   begin(measured, up);
 }
 
-double LegFolding::inward(int leg, const Vector12& measured) const noexcept {
-  const int hip = kLegJoints * leg;
-  return -std::copysign(1.0, plan_.widest[hip]) * measured[hip];
+FoldingTurns::FrontLeg LegFolding::front_leg(int leg, const Vector12& measured) const noexcept {
+  const int hip = kLegJoints * leg, thigh = hip + 1;
+  return {-std::copysign(1.0, plan_.widest[hip]) * measured[hip],
+          std::copysign(1.0, plan_.folded[thigh]) * measured[thigh]};
 }
 
 void LegFolding::begin(const Vector12& measured, const Vector3& up) noexcept {
@@ -51,7 +50,7 @@ void LegFolding::begin(const Vector12& measured, const Vector3& up) noexcept {
   }
   time_ = 0.0;
   done_ = false;
-  turns_.start(up, {inward(FR_, measured), inward(FL_, measured)}, roll_.rolls() > 0);
+  turns_.start(up, {front_leg(FR_, measured), front_leg(FL_, measured)}, roll_.rolls() > 0);
 }
 
 // Springs that follow their joints: what they trail by damps as the motors do, and that lays the
@@ -158,7 +157,6 @@ const JointReference& LegFolding::step(const Vector12& measured, const Vector3& 
     return reference_;
   }
   time_ += dt;
-  reference_.reach = std::min(JointReference::kReach, kFirstReach + kMoreReach * most_tries());
   bool others = true;
   done_ = true;
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -11,18 +11,15 @@ namespace surefoot {
 
 /// Where the joints are to be, and how fast they go there; SDK motor order.
 struct JointReference {
-  static constexpr double kReach = 0.45;
   Vector12 q = Vector12::Zero();   ///< [rad]
   Vector12 dq = Vector12::Zero();  ///< [rad/s]
-  double reach = kReach;           ///< [rad] beyond which springs pull no harder
 };
 
 /// Folds the legs of a lying robot, from wherever they were measured to RisePlan::folded.
 ///
 /// All joints go at once, by folding_target, or one diagonal pair after the other where the body
-/// leans or has rolled. Springs are weak at first: legs under the body are not to lift it and let
-/// it fall. A joint that is held up makes its reference wait. A leg that has caught on something
-/// backs out the way it came, hip outward and calf open, further and harder from try to try; every
+/// leans or has rolled. A joint that is held up makes its reference wait. A leg that has caught on
+/// something backs out the way it came, hip outward and calf open, further from try to try; every
 /// other time it lies still while the leg beside it does so, which may have folded onto it. Where
 /// the body rolls over them it lets go of all legs for a second, and begins again with those
 /// stretched that are drawn in; twice, then it rolls on. Real-time: yes.
@@ -60,7 +57,7 @@ class LegFolding {
   void begin(const Vector12& measured, const Vector3& up) noexcept;
   void let_go(const Vector12& measured, const Vector3& up, double dt) noexcept;
   void move(int leg, const Vector12& measured, double dt) noexcept;
-  double inward(int leg, const Vector12& measured) const noexcept;
+  FoldingTurns::FrontLeg front_leg(int leg, const Vector12& measured) const noexcept;
   int most_tries() const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;
   void watch(int leg, const Vector12& measured, double dt) noexcept;

@@ -11,13 +11,14 @@
 namespace surefoot {
 
 namespace {
+constexpr double kReach = 0.45;       // [rad] beyond which a spring pulls no harder
 constexpr double kTorqueShare = 0.9;  // of what the motor can do
 constexpr double kLiftShare = 0.75;   // of it for holding, where there is to be some for lifting
 constexpr double kRuns = 2.0;         // [rad/s] faster than its reference: a joint lets go of ...
 constexpr double kLetGo = 2.0;        // ... its spring within this much more
 constexpr double kTurns = 0.6;        // [rad/s] faster: the body falls, and legs brake less ...
 constexpr double kFalls = 1.6;        // [rad/s] ... until here ...
-constexpr double kGivesWay = 0.4;     // ... they brake this much of what they would
+constexpr double kGivesWay = 0.25;    // ... they brake this much of what they would
 constexpr double kSmoothing = 0.02;   // [s] of that: no step of torque
 }  // namespace
 
@@ -76,7 +77,7 @@ double LegSprings::borne(const Vector12& measured) noexcept {
 Vector12 LegSprings::torques(const JointReference& reference, double load) noexcept {
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = this->hold(load);
-  Vector12 pull = (reference.q - q_).cwiseMax(-reference.reach).cwiseMin(reference.reach);
+  Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
   // What slips off an obstacle must not be flung: that alone takes more power than the rise.
   for (int i = 0; i < kMotors; ++i) {
     const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
