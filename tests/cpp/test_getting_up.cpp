@@ -18,7 +18,7 @@ constexpr int kThigh = 1;        // of FR
 /// Legs without mass that go where they are wanted, FR's thigh no further than it can.
 struct Folding {
   RisePlan plan = plan_rise(quadruped(), 50.0);
-  LegFolding legs{plan};
+  LegFolding legs{plan, 2.0};
   Vector12 q = plan.standing;
   double lean = 0.0;  // [rad] of the body, right side down
   double most = 1e9;  // [rad] that the thigh can turn back

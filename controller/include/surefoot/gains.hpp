@@ -89,6 +89,7 @@ struct Gains {
   // Command.
   double fall_tilt = 1.0;
   double damping_kd = 3.0;
+  double fold_wait = 0.0;
 
   /// Throw surefoot::Error naming the first gain that is not finite or outside its range.
   void validate() const;

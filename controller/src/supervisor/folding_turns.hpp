@@ -13,7 +13,7 @@ namespace surefoot {
 /// from rolling over: a diagonal pair stays where it is until the other is folded and does so. It
 /// is the pair with the front leg that props the lower side: the one of that side, or, where that
 /// one is drawn in under the body, the other, unless its knee is up. Only for a while, for legs may
-/// interlace. Real-time: yes.
+/// interlace; and bodies with a wide belly need it not. Real-time: yes.
 class FoldingTurns {
  public:
   struct FrontLeg {
@@ -22,9 +22,10 @@ class FoldingTurns {
   };
   /// @param up the world's vertical, in base axes
   /// @param legs FR and FL
-  /// @param always take turns, even where it is level
-  void start(const Vector3& up, const std::array<FrontLeg, 2>& legs, bool always) noexcept {
-    left_ = always || std::hypot(up.x(), up.y()) > kLeans ? kMost : 0.0;
+  /// @param always take turns, even where it is level @param wait [s]; 0: nobody waits
+  void start(const Vector3& up, const std::array<FrontLeg, 2>& legs, bool always,
+             double wait) noexcept {
+    left_ = always || std::hypot(up.x(), up.y()) > kLeans ? wait : 0.0;
     const int lower = up.y() > 0.0 ? FR_ : FL_;
     const bool crossed = legs[lower].inward > kDrawnIn && legs[1 - lower].thigh < kKneeUp;
     front_ = crossed ? 1 - lower : lower;
@@ -39,7 +40,6 @@ class FoldingTurns {
   static constexpr double kLeans = 0.2;    // sine of 11.5 degrees: something is under the body
   static constexpr double kDrawnIn = 0.5;  // [rad]
   static constexpr double kKneeUp = 2.2;   // [rad]
-  static constexpr double kMost = 2.0;     // [s]
 
   double left_ = 0.0;  // [s] that a pair may still wait
   int front_ = FR_;    // leg that waits, and the one across from it

@@ -50,7 +50,7 @@ void LegFolding::begin(const Vector12& measured, const Vector3& up) noexcept {
   }
   time_ = 0.0;
   done_ = false;
-  turns_.start(up, {front_leg(FR_, measured), front_leg(FL_, measured)}, roll_.rolls() > 0);
+  turns_.start(up, {front_leg(FR_, measured), front_leg(FL_, measured)}, roll_.rolls() > 0, wait_);
 }
 
 // Springs that follow their joints: what they trail by damps as the motors do, and that lays the

@@ -18,14 +18,16 @@ struct JointReference {
 /// Folds the legs of a lying robot, from wherever they were measured to RisePlan::folded.
 ///
 /// All joints go at once, by folding_target, or one diagonal pair after the other where the body
-/// leans or has rolled. A joint that is held up makes its reference wait. A leg that has caught on
-/// something backs out the way it came, hip outward and calf open, further from try to try; every
-/// other time it lies still while the leg beside it does so, which may have folded onto it. Where
-/// the body rolls over them it lets go of all legs for a second, and begins again with those
-/// stretched that are drawn in; twice, then it rolls on. Real-time: yes.
+/// leans or has rolled (gain fold_wait). A joint that is held up makes its reference wait. A leg
+/// that has caught on something backs out the way it came, hip outward and calf open, further from
+/// try to try; every other time it lies still while the leg beside it does so, which may have
+/// folded onto it. Where the body rolls over them it lets go of all legs for a second, and begins
+/// again with those stretched that are drawn in; twice, then it rolls on. Real-time: yes.
 class LegFolding {
  public:
-  explicit LegFolding(const RisePlan& plan) : plan_(plan) {}
+  /// @param wait gain fold_wait [s]
+  LegFolding(const RisePlan& plan, double wait) : plan_(plan), wait_(wait) {}
+  void set_wait(double wait) noexcept { wait_ = wait; }
 
   /// @param measured joints, SDK motor order @param up the world's vertical, in base axes
   void start(const Vector12& measured, const Vector3& up) noexcept;
@@ -69,6 +71,7 @@ class LegFolding {
   std::array<Leg, kLegs> legs_;
   RollWatch roll_;
   FoldingTurns turns_;
+  double wait_;        // [s]
   double time_ = 0.0;  // [s]
   bool done_ = false;
 };

@@ -27,7 +27,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       options(o),
       plan(plan_rise(r, kPlannedShare * watts(o))),
       arming(r, {o.arming_time, o.temperature_warning, o.joint_margin, plan.torque_share}),
-      folding(plan),
+      folding(plan, gains.fold_wait),
       weighing(plan),
       pressing(plan),
       motion(plan),

@@ -47,6 +47,7 @@ void Supervisor::Impl::lose() noexcept {
 void Supervisor::Impl::set_gains(const Gains& gains) {
   stand.set_gains(gains);
   damping_kd = gains.damping_kd;
+  folding.set_wait(gains.fold_wait);
 }
 
 }  // namespace surefoot
