@@ -162,6 +162,32 @@ BOOST_FIXTURE_TEST_CASE(legs_of_a_leaning_body_take_turns, Folding) {
   BOOST_TEST((waits(0.3, in, 2.3) == right));  // FL's foot is in the air
 }
 
+// The way round takes its time from when the leg begins.
+BOOST_FIXTURE_TEST_CASE(a_leg_that_waited_is_stretched_all_the_same, Folding) {
+  const double in = -plan.widest[RR_0];
+  q.segment<kLegJoints>(RR_0) << in, -0.4, plan.lower[RR_2];
+  lean = -0.3;
+  legs.set_wait(3.0);
+  most = plan.standing[kThigh] + 0.3;  // FR catches: the others wait for all of it
+  legs.start(q, up());
+  run(2.9);
+  BOOST_TEST(q[RR_0] == in);
+  while (std::abs(q[RR_0] - in) < 0.05 && run(kTick) > 0.0) {
+  }
+  BOOST_TEST(q[RR_1] < plan.lower[RR_1] + 0.35);
+}
+
+BOOST_FIXTURE_TEST_CASE(without_a_wait_all_legs_fold_at_once, Folding) {
+  const Vector12 standing = q;
+  legs.set_wait(0.0);
+  lean = 0.3;
+  legs.start(q, up());
+  run(0.2);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    BOOST_TEST((q - standing).segment<kLegJoints>(kLegJoints * leg).norm() > 0.0);
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(a_leg_that_catches_backs_out_and_tries_again, Folding) {
   legs.start(q, up());
   most = plan.standing[kThigh] + 0.3;

@@ -117,8 +117,9 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   report.motorState[FR_2].q = report.motorState[FR_1].q;
   report.motorState[FR_1].q = stop - 0.1F;  // a knee that rests on its stop
   expect("motor_order: FR_1 and FR_2 seem swapped");
-  report.motorState[FR_2].q = report.motorState[FR_1].q;
-  report.motorState[FR_1].q = stop + 0.01F;  // or a little before, outside FR_1's range by less
+  report.motorState[FR_2].q = 0.8F;
+  const auto end = static_cast<float>(quadruped().config().q_lower[FR_1]);
+  report.motorState[FR_1].q = end - 0.17F;  // a little outside its range is enough, and in FR_2's
   expect("motor_order: FR_1 and FR_2 seem swapped");
   report.imu.accelerometer = {6.0F, 0.0F, 7.8F};
   expect("tilt");

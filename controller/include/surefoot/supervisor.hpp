@@ -72,7 +72,7 @@ struct SupervisorOptions {
 /// Rising folds the legs from wherever they are, feet beside the body and knees up, then goes over
 /// a crouch to the standing pose, all legs alike, so that feet stay where they are while the body
 /// comes over them and up. A leg that catches on something backs out and tries again, up to eight
-/// times. A robot that crouches or stands already, joints within 0.35 rad of that way, does not
+/// times. A body that rolls over its legs is let go of, twice. A robot that crouches or stands already, joints within 0.35 rad of that way, does not
 /// fold but goes on from there. Before the body leaves the ground the folded legs are weighed and
 /// the rear ones press: faults kWiring and kWrongRobot. The pace is what half of the power level
 /// allows by the torques that hold the robot. Sitting is the same way backwards. Torques fade from
@@ -135,7 +135,8 @@ class Supervisor {
   bool stuck() const noexcept;
 
   void set_body_reference(const BodyReference& target) noexcept;  ///< in force while standing
-  void set_gains(const Gains& gains);  ///< as StandController's; throws surefoot::Error
+  /// As StandController's; fold_wait is in force when legs begin to fold. Throws surefoot::Error.
+  void set_gains(const Gains& gains);
   const StandController& stand() const noexcept;
   bool fresh() const noexcept;    ///< was the last command made from its own LowState?
   double power() const noexcept;  ///< [W] that the power protection judged last

@@ -151,7 +151,7 @@ constexpr GainInfo kRows[] = {
      "tilt of the base at which the motors damp"},
     {kCommand, "damping_kd", "N.m.s/rad", 0.0625, 50, &G::damping_kd,
      "motor-side damping when something is wrong"},
-    {kCommand, "fold_wait", "s", 0, 10, &G::fold_wait,
+    {kCommand, "fold_wait", "s", 0, 3, &G::fold_wait,
      "how long a pair of legs of a lying body that leans waits while the other folds"},
 };
 

@@ -138,9 +138,9 @@ void Arming::check_joints(const LowState& state) noexcept {
   at(ArmingCheckId::kJoints) = worst;
 }
 
-// An angle that is far outside its own motor's range and inside another's of the same leg, while
-// that one's fits here: the two are swapped. Only what the ranges tell apart can be seen: calves.
-// Inside, or outside by no more than joints that rest on their stops.
+// An angle that is outside its own motor's range, by more than joints that rest on their stops, and
+// inside another's of the same leg, or no further outside, while that one's fits here: the two are
+// swapped. Only what the ranges tell apart can be seen: calves. Without another, far outside.
 void Arming::check_order(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   const auto outside = [&](int angle_of, int motor) {
@@ -153,7 +153,7 @@ void Arming::check_order(const LowState& state) noexcept {
   check.limit = kSwapMargin;
   const double slack = -limits_.joint_margin;
   for (int i = 0; i < kMotors; ++i) {
-    if (outside(i, i) < slack) continue;
+    if (outside(i, i) < std::min(slack, kSwapMargin)) continue;
     const int leg = i - i % kLegJoints;
     double best = slack;
     int other = -1;

@@ -59,16 +59,14 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "a motor's torque is far off what it is told, or none, for 50 ms"},
     {FaultId::kLegLost, kDegrade, 0.15, kArm,
      "motor_mode or motor_weak in one leg of a robot that stands, its centre of mass over the "
-     "other "
-     "three feet: that leg is given up; a second is not"},
+     "other three feet: that leg is given up; a second is not"},
     {FaultId::kOverridden, kDamp, 0.2, kArm,
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
     {FaultId::kWiring, kDamp, 4.0, kArm,
      "lying: the body rolls over the legs that fold, again and again; or, folded, a leg does not "
-     "hang on its "
-     "hip as it must, or the rear legs press and the nose does not go down: legs are swapped, a "
-     "motor turns the other way, or it does not lie free on the ground"},
+     "hang on its hip as it must, or the rear legs press and the nose does not go down: legs are "
+     "swapped, a motor turns the other way, or it does not lie free on the ground"},
     {FaultId::kWrongRobot, kDamp, 4.0, kArm,
      "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says"},
     {FaultId::kTemperature, kSit, 2.0, kGone,

@@ -135,7 +135,7 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
     return target;
   }
   return folding_target(plan_, leg, measured.segment<kLegJoints>(hip), reference_.q[thigh],
-                        {time_ < kGently, roll_.rolls() > 0});
+                        {one.time < kGently, roll_.rolls() > 0});
 }
 
 void LegFolding::follow(int joint, double wanted, double measured, double dt) noexcept {
@@ -170,6 +170,7 @@ const JointReference& LegFolding::step(const Vector12& measured, const Vector3& 
 }
 
 void LegFolding::move(int leg, const Vector12& measured, double dt) noexcept {
+  legs_[leg].time += dt;
   watch(leg, measured, dt);
   const Vector3 wanted = target(leg, measured);
   for (int i = 0; i < kLegJoints; ++i) {

@@ -49,7 +49,8 @@ class LegFolding {
 
   struct Leg {
     Vector3 q = Vector3::Zero();  // [rad] where it moved last, or caught
-    double still = 0.0;           // [s] since
+    double time = 0.0;            // [s] that it has been folding
+    double still = 0.0;           // [s] since it moved last
     double back = 0.0;            // [s] that it still backs out for
     double rest = 0.0;            // [s] that it lies still for, while the leg beside it backs out
     int tries = 0;

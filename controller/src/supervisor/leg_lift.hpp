@@ -13,6 +13,13 @@ inline Vector12 measured_torques(const LowState& state) noexcept {
   return tau;
 }
 
+/// Joint velocities, SDK order [rad/s]. Real-time: yes.
+inline Vector12 measured_speeds(const LowState& state) noexcept {
+  Vector12 dq;
+  for (int i = 0; i < kMotors; ++i) dq[i] = state.motorState[i].dq;
+  return dq;
+}
+
 /// Whether lying legs that are told what bears them float: springs hold them where they are, and
 /// have nothing to do as long as the legs weigh what the model says, or rest on something. Those of
 /// a much smaller robot come up against their springs, all of them. Real-time: yes.

@@ -166,7 +166,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   }
   // Springs of a leg that slips off what it leant on change as fast as it does, and a blow takes a
   // tick or two to answer: that is no fault.
-  const bool limited = rate.limit(drive.tau, clock.period());
+  const bool limited = rate.limit(drive.tau, drive.kd, measured_speeds(state), clock.period());
   log.set(FaultId::kTorqueRate, held_back.update(limited && program, clock.period(), kHeldBack));
   return keeper.accept(torque_low_cmd(drive.tau, drive.kd));
 }

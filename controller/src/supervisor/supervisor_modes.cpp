@@ -33,6 +33,9 @@ void Supervisor::Impl::enter(Mode mode) noexcept {
 }
 
 void Supervisor::Impl::move(const LowState& state, double dt) noexcept {
+  const std::array<float, 3> w = state.imu.gyroscope;  // packed: copied
+  const bool lies = now.mode == Mode::kRise && !upward();
+  springs.give_way(lies ? Vector3(w[0], w[1], w[2]).norm() : 0.0, dt);
   if (now.mode == Mode::kRise) rise(state, dt);
   if (now.mode == Mode::kSit) sit(dt);
   // Springs that only fade out come to rest.

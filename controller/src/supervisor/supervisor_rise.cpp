@@ -35,8 +35,6 @@ void Supervisor::Impl::start_rise() noexcept {
 }
 
 void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
-  const std::array<float, 3> w = state.imu.gyroscope;  // packed: copied
-  springs.give_way(upward() ? 0.0 : Vector3(w[0], w[1], w[2]).norm(), dt);
   switch (stage) {
     case Stage::kHoldLegs:
       return hold_legs(state, dt);

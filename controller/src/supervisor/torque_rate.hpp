@@ -8,7 +8,8 @@
 namespace surefoot {
 
 /// Keeps torques from jumping: all motors' change is scaled down together, so that its direction
-/// stays, until no motor changes faster than kRate of its limit. Real-time: yes.
+/// stays, until no motor changes faster than kRate of its limit. What a motor brakes less or more,
+/// because its damping changes, is a change of torque, too. Real-time: yes.
 class TorqueRate {
  public:
   /// [1/s] of tau_max: 0.095 in 2 ms, 1100 N.m/s on a go1's hips. Pushes of four fifths of what it
@@ -20,29 +21,33 @@ class TorqueRate {
   /// [s] A longer period allows no more: motors see steps, however long they were let alone.
   static constexpr double kPeriod = 0.002;
 
-  /// @param tau wanted, is what may be sent afterwards [N.m] @param period of commands [s]
+  /// @param tau wanted, is what may be sent afterwards [N.m] @param kd sent with it [N.m.s/rad]
+  /// @param dq joint velocities [rad/s] @param period of commands [s]
   /// @return was it too much?
-  bool limit(Vector12& tau, double period) noexcept {
+  bool limit(Vector12& tau, const Vector12& kd, const Vector12& dq, double period) noexcept {
     const double dt = std::min(period, kPeriod);
-    const Vector12 change = tau - last_;
+    const Vector12 braking = braked_ ? Vector12((kd - kd_).cwiseProduct(dq)) : Vector12::Zero();
+    const Vector12 change = tau - last_ - braking;
     const double most = change.cwiseQuotient(tau_max_).cwiseAbs().maxCoeff() / (kRate * dt);
     const bool jumps = known_ && most > 1.0;
-    if (jumps) tau = last_ + change / most;
+    if (jumps) tau = last_ + braking + change / most;
     last_ = tau;
-    known_ = true;
+    kd_ = kd;
+    known_ = braked_ = true;
     return jumps;
   }
   /// What was sent last is not known: the next torques go as they are.
-  void forget() noexcept { known_ = false; }
-  /// The motors were told no torque.
+  void forget() noexcept { known_ = braked_ = false; }
+  /// The motors were told no torque: they damped by themselves.
   void rest() noexcept {
     last_.setZero();
     known_ = true;
+    braked_ = false;
   }
 
  private:
-  Vector12 tau_max_, last_ = Vector12::Zero();
-  bool known_ = false;
+  Vector12 tau_max_, last_ = Vector12::Zero(), kd_ = Vector12::Zero();
+  bool known_ = false, braked_ = false;  // are last_ and kd_ what was sent?
 };
 
 }  // namespace surefoot

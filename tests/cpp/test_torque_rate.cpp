@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "supervisor/torque_rate.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+constexpr double kTick = 0.002, kLimit = 20.0;
+constexpr double kStep = TorqueRate::kRate * kTick * kLimit;  // [N.m] most in a period
+
+struct Rate {
+  TorqueRate rate{Vector12::Constant(kLimit)};
+  Vector12 tau = Vector12::Zero(), kd = Vector12::Constant(2.0), dq = Vector12::Zero();
+
+  Rate() { rate.rest(); }
+  // What motor 0 makes at this speed, its own damping included [N.m].
+  double made() const { return tau[0] - kd[0] * dq[0]; }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(torque_rate)
+
+BOOST_FIXTURE_TEST_CASE(torques_change_by_a_step_at_most_and_keep_their_direction, Rate) {
+  tau[0] = 10.0;
+  tau[1] = -5.0;
+  BOOST_TEST(rate.limit(tau, kd, dq, kTick));
+  BOOST_TEST(std::abs(tau[0] - kStep) < 1e-12);
+  BOOST_TEST(std::abs(tau[1] + 0.5 * kStep) < 1e-12);
+  BOOST_TEST(!rate.limit(tau, kd, dq, kTick));
+}
+
+BOOST_FIXTURE_TEST_CASE(braking_less_is_a_change_of_torque_too, Rate) {
+  dq[0] = 6.0;
+  rate.limit(tau, kd, dq, kTick);
+  const double before = made();
+  kd.setConstant(1.0);  // 6 N.m less of braking at once
+  BOOST_TEST(rate.limit(tau, kd, dq, kTick));
+  BOOST_TEST(std::abs(made() - before) < kStep + 1e-12);
+  BOOST_TEST(made() > before);
+  tau.setZero();
+  for (int k = 0; k < 3; ++k) {
+    rate.limit(tau, kd, dq, kTick);
+    tau.setZero();
+  }
+  BOOST_TEST(!rate.limit(tau, kd, dq, kTick));  // there in the end
+}
+
+// Their own damping takes over at once, and is left by the fades of a Supervisor.
+BOOST_FIXTURE_TEST_CASE(damping_before_the_first_torques_does_not_count, Rate) {
+  dq[0] = 6.0;
+  kd.setConstant(15.0);
+  BOOST_TEST(!rate.limit(tau, kd, dq, kTick));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
