@@ -175,6 +175,7 @@ BOOST_FIXTURE_TEST_CASE(a_leg_that_waited_is_stretched_all_the_same, Folding) {
   while (std::abs(q[RR_0] - in) < 0.05 && run(kTick) > 0.0) {
   }
   BOOST_TEST(q[RR_1] < plan.lower[RR_1] + 0.35);
+  BOOST_TEST(q[RR_2] > -1.55);
 }
 
 BOOST_FIXTURE_TEST_CASE(without_a_wait_all_legs_fold_at_once, Folding) {

@@ -72,12 +72,12 @@ struct SupervisorOptions {
 /// Rising folds the legs from wherever they are, feet beside the body and knees up, then goes over
 /// a crouch to the standing pose, all legs alike, so that feet stay where they are while the body
 /// comes over them and up. A leg that catches on something backs out and tries again, up to eight
-/// times. A body that rolls over its legs is let go of, twice. A robot that crouches or stands already, joints within 0.35 rad of that way, does not
-/// fold but goes on from there. Before the body leaves the ground the folded legs are weighed and
-/// the rear ones press: faults kWiring and kWrongRobot. The pace is what half of the power level
-/// allows by the torques that hold the robot. Sitting is the same way backwards. Torques fade from
-/// mode to mode in 0.25 s; only damping for a stop or a fault is at once. What is wrong and what is
-/// done about it: fault_table().
+/// times. A body that rolls over its legs is let go of, twice. A robot that crouches or stands
+/// already, joints within 0.35 rad of that way, does not fold but goes on from there. Before the
+/// body leaves the ground the folded legs are weighed and the rear ones press: faults kWiring and
+/// kWrongRobot. The pace is what half of the power level allows by the torques that hold the robot.
+/// Sitting is the same way backwards. Torques fade from mode to mode in 0.25 s; only damping for a
+/// stop or a fault is at once. What is wrong and what is done about it: fault_table().
 ///
 /// update(), bridge(), lose(), count_reports(), set_gains(), set_body_reference(), stand(), fresh()
 /// and power() belong to one thread. All others may be called from any; none of them waits.
