@@ -99,7 +99,7 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_over_its_legs_again_and_again_rolls_on
   for (int roll = 0; roll < 2; ++roll) {
     run(0.1);
     BOOST_TEST((legs.step(q, up(), kTick).dq.norm() > 0.0));
-    lean = 0.7;
+    lean = 0.65;
     run(0.9);
     BOOST_TEST(legs.step(q, up(), kTick).dq.norm() == 0.0);  // let go of: it may fall back yet
     lean = 0.0;
@@ -116,6 +116,54 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_over_its_legs_again_and_again_rolls_on
   legs.start(q = lying, up());
   run(0.1);
   BOOST_TEST(!legs.rolls_on());
+}
+
+BOOST_FIXTURE_TEST_CASE(a_body_that_goes_over_at_once_rolls_on, Folding) {
+  legs.start(q, up());
+  run(0.1);
+  lean = 0.6;
+  run(0.1);
+  BOOST_TEST(!legs.rolls_on());
+  lean = 0.7;
+  run(0.1);
+  BOOST_TEST(legs.rolls_on());
+}
+
+BOOST_FIXTURE_TEST_CASE(a_side_that_folds_after_a_roll_is_known_at_once, Folding) {
+  const std::array<bool, kLegs> none = {}, left = {false, true, false, true};
+  most = 1.0;
+  legs.set_wait(0.0);
+  legs.start(q, up());
+  run(0.1);
+  lean = 0.5;
+  run(0.1);
+  lean = 0.0;
+  run(1.0);  // let go of
+  BOOST_TEST((legs.folded_side(q) == none));
+  run(4.0);
+  BOOST_TEST(legs.most_tries() < 2);
+  BOOST_TEST((legs.folded_side(q) == left));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_body_too_heavy_for_its_springs_is_pinned, Folding) {
+  const Vector12 lying = q;
+  const auto pinned = [&](int free, double leans) {
+    q = lying;
+    lean = 0.0;
+    legs.start(q, up());
+    lean = leans;
+    for (double time = 0.0; time < 3.0; time += kTick) {
+      const JointReference& reference = legs.step(q, up(), kTick);
+      if (free >= 0) q.segment<3>(3 * free) = reference.q.segment<3>(3 * free);
+    }
+    return legs.pinned(q, up());
+  };
+  BOOST_TEST(pinned(-1, 0.0));
+  BOOST_TEST(!pinned(2, 0.0));   // one leg folds
+  BOOST_TEST(!pinned(-1, 0.2));  // the body gives way
+  q[3] += 0.5;                   // as lies a leg that was moved, and caught elsewhere
+  lean = 0.0;
+  BOOST_TEST(!legs.pinned(q, up()));
 }
 
 // It takes turns, but is not let go of: that would take a second more.

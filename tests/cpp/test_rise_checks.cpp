@@ -102,6 +102,14 @@ BOOST_FIXTURE_TEST_CASE(the_folded_legs_of_one_side_tell_while_the_others_are_le
   BOOST_TEST((weigh(wedged, left) == Verdict::kFits));
   BOOST_TEST((weigh(wedged) != Verdict::kFits));
   BOOST_TEST((weigh(bearing(4.0), left) == Verdict::kWrongWeight));
+  Vector12 leant_on = bearing();  // the body takes of what they weigh, or turns it round
+  leant_on[3] *= 0.15, leant_on[9] *= -3.0;
+  BOOST_TEST((weigh(leant_on, left) == Verdict::kFits));
+  leant_on[9] *= -0.05;  // both alike
+  BOOST_TEST((weigh(leant_on, left) == Verdict::kFits));
+  leant_on[9] = 4.0 * bearing()[9];  // and makes nothing so heavy
+  BOOST_TEST((weigh(leant_on, left) == Verdict::kWrongSide));
+  BOOST_TEST(weighing.motor() == 9);
   weighing.start(plan.folded, left);
   double moved = 0.0;
   for (double time = 0.0; time < 0.6; time += kTick) {
@@ -171,6 +179,15 @@ BOOST_AUTO_TEST_CASE(legs_far_too_light_come_up_against_their_springs) {
   BOOST_TEST(!light(bearing(5.0, 3.0)));
   BOOST_TEST(!light(bearing(5.0, 0.3)));    // thighs that the ground holds up
   BOOST_TEST(!light(bearing(-9.0, -9.0)));  // the body lies on its legs
+  Vector12 some = bearing(0.7, 0.3);        // two legs: the others rest on something
+  some.head<6>() = bearing(5.0, 3.0).head<6>();
+  BOOST_TEST(light(some));
+  some[9] = 5.0;  // one leg and a half
+  BOOST_TEST(!light(some));
+  BOOST_TEST(!light(0.5 * bearing(5.0, -3.0)));  // hips alone: thighs are pushed
+  Vector12 apart = bearing(5.0, 3.0);
+  for (int i = 0; i < kMotors; ++i) apart[i] *= 0.55 - 0.04 * i;
+  BOOST_TEST(!light(apart));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

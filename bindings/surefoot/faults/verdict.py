@@ -9,7 +9,7 @@ from surefoot.faults.observe import Observed
 from surefoot.faults.reaction import Expectation, Reaction
 
 GRAVITY = 9.81  # [m/s^2]
-LYING_SHARE = 0.25  # of its standing height: folding legs prop healthy bodies up by 0.15
+LYING_SHARE = 0.4  # of its standing height: legs that fold prop healthy bodies up by 0.36 at most
 SLACK = 1e-9  # [s] of rounding
 
 

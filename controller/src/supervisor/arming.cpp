@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "supervisor/lean.hpp"
+
 namespace surefoot {
 
 namespace {
@@ -118,8 +120,7 @@ void Arming::check_imu(const LowState& state, double step) noexcept {
   const Eigen::Vector4d mount = robot_.config().quat_base_imu;
   const Quaternion R_base_imu(mount[0], mount[1], mount[2], mount[3]);
   const Vector3 up = R_base_imu * accelerometer_;
-  expect_below(at(ArmingCheckId::kTilt), std::acos(std::clamp(up.z() / up.norm(), -1.0, 1.0)),
-               kLevel);
+  expect_below(at(ArmingCheckId::kTilt), lean(up.normalized()), kLevel);
 }
 
 void Arming::check_joints(const LowState& state) noexcept {

@@ -64,11 +64,12 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
     {FaultId::kWiring, kDamp, 4.0, kArm,
-     "lying: the body rolls over the legs that fold, again and again; or, folded, a leg does not "
+     "lying: the body rolls over the legs that fold, though they were let go of; or a leg does not "
      "hang on its hip as it must, or the rear legs press and the nose does not go down: legs are "
      "swapped, a motor turns the other way, or it does not lie free on the ground"},
     {FaultId::kWrongRobot, kDamp, 4.0, kArm,
-     "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says"},
+     "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says; or none can "
+     "be moved, held or too heavy for its springs"},
     {FaultId::kTemperature, kSit, 2.0, kGone,
      "torque limits fall from temperature_warning on; the robot sits down at temperature_stop"},
     {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},

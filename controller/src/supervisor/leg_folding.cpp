@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "supervisor/folding_path.hpp"
+#include "supervisor/lean.hpp"
 
 namespace surefoot {
 
@@ -23,10 +24,6 @@ constexpr double kMoved = 0.1;          // [rad] by which a leg that has not cau
 constexpr double kWait = 1.0;           // [s] ... in this time
 constexpr double kBackTime = 1.5;       // [s] that a leg backs out for
 constexpr double kBackStep = 0.6;       // [rad] thigh: how far, on the first try
-constexpr int kOtherEnd = 2;            // FR RR, FL RL: the legs of a side
-constexpr int kOtherSide = 1;           // FR FL, RR RL: the legs of an end
-
-double lean(const Vector3& up) noexcept { return std::acos(std::clamp(up.z(), -1.0, 1.0)); }
 
 }  // namespace
 
@@ -34,6 +31,8 @@ void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   reference_.q = measured;
   reference_.dq.setZero();
   roll_.start(lean(up));
+  lean_ = lean(up);
+  first_ = measured;
   begin(measured, up);
 }
 
@@ -61,12 +60,6 @@ void LegFolding::let_go(const Vector12& measured, const Vector3& up, double dt) 
   begin(measured, up);
 }
 
-int LegFolding::most_tries() const noexcept {
-  int most = 0;
-  for (const Leg& leg : legs_) most = std::max(most, leg.tries);
-  return most;
-}
-
 bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
   const int hip = kLegJoints * leg;
   const auto wanted = plan_.folded.segment<kLegJoints>(hip);
@@ -74,16 +67,6 @@ bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
     return (wanted - q.segment<kLegJoints>(hip)).cwiseAbs().maxCoeff();
   };
   return off(reference_.q) < kThere && off(measured) < kNear;
-}
-
-std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const noexcept {
-  std::array<bool, kLegs> side = {};
-  for (int leg = 0; leg < kLegs; ++leg) {
-    const int across = leg ^ kOtherSide;
-    const int caught = std::max(legs_[across].tries, legs_[across ^ kOtherEnd].tries);
-    side[leg] = caught >= kCaught && folded(leg, measured) && folded(leg ^ kOtherEnd, measured);
-  }
-  return side;
 }
 
 // A leg has caught that neither moves nor is where it is to be.

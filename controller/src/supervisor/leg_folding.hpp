@@ -34,10 +34,14 @@ class LegFolding {
   const JointReference& step(const Vector12& measured, const Vector3& up, double dt) noexcept;
   /// Is the reference there, and the legs with it?
   bool done() const noexcept { return done_; }
-  /// Legs of a side that is folded while a leg of the other has caught again and again: they weigh
-  /// what all four would, were folding to end.
+  /// Legs of a side that is folded while a leg of the other has caught again and again, or is not,
+  /// and the body has rolled: they weigh what all four would, were folding to end.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
-  /// Does the body roll over the legs although they were let go of twice?
+  /// How often the leg has caught that has most often.
+  int most_tries() const noexcept;
+  /// Has every leg caught, and stirred neither hip nor body? All is too heavy for its springs.
+  bool pinned(const Vector12& measured, const Vector3& up) const noexcept;
+  /// Does the body roll over the legs although they were let go of?
   bool rolls_on() const noexcept { return roll_.rolls_on(); }
   /// Has a leg caught more often than makes sense to try?
   bool stuck() const noexcept { return !done_ && (time_ > kPatience || most_tries() > kTries); }
@@ -46,6 +50,8 @@ class LegFolding {
   static constexpr double kPatience = 40.0;  // [s]
   static constexpr int kTries = 8;           // of one leg
   static constexpr int kCaught = 2;          // tries that a leg seldom needs
+  static constexpr int kOtherEnd = 2;        // FR RR, FL RL: the legs of a side
+  static constexpr int kOtherSide = 1;       // FR FL, RR RL: the legs of an end
 
   struct Leg {
     Vector3 q = Vector3::Zero();  // [rad] where it moved last, or caught
@@ -61,7 +67,6 @@ class LegFolding {
   void let_go(const Vector12& measured, const Vector3& up, double dt) noexcept;
   void move(int leg, const Vector12& measured, double dt) noexcept;
   FoldingTurns::FrontLeg front_leg(int leg, const Vector12& measured) const noexcept;
-  int most_tries() const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;
   void watch(int leg, const Vector12& measured, double dt) noexcept;
   Vector3 target(int leg, const Vector12& measured) const noexcept;
@@ -72,8 +77,10 @@ class LegFolding {
   std::array<Leg, kLegs> legs_;
   RollWatch roll_;
   FoldingTurns turns_;
-  double wait_;        // [s]
-  double time_ = 0.0;  // [s]
+  double wait_;                        // [s]
+  Vector12 first_ = Vector12::Zero();  // [rad] as it began ...
+  double lean_ = 0.0;                  // [rad] ... and the body
+  double time_ = 0.0;                  // [s]
   bool done_ = false;
 };
 

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "surefoot/low_level.hpp"
 #include "surefoot/math.hpp"
 
 namespace surefoot {
 
-/// Torques that the motors say they make, SDK order [N.m]. Real-time: yes.
-inline Vector12 measured_torques(const LowState& state) noexcept {
-  Vector12 tau;
-  for (int i = 0; i < kMotors; ++i) tau[i] = state.motorState[i].tauEst;
-  return tau;
-}
-
-/// Joint velocities, SDK order [rad/s]. Real-time: yes.
-inline Vector12 measured_speeds(const LowState& state) noexcept {
-  Vector12 dq;
-  for (int i = 0; i < kMotors; ++i) dq[i] = state.motorState[i].dq;
-  return dq;
-}
-
 /// Whether lying legs that are told what bears them float: springs hold them where they are, and
 /// have nothing to do as long as the legs weigh what the model says, or rest on something. Those of
-/// a much smaller robot come up against their springs, all of them. Real-time: yes.
+/// a much smaller robot come up against their springs, by what they weigh less: all that hang free
+/// by the same share. (What rests on the ground does not: it stays where it is.) Real-time: yes.
 class LegLift {
  public:
   static constexpr double kTime = 0.5;    ///< [s] in all: torques fade in for half of it
@@ -30,7 +20,9 @@ class LegLift {
   static constexpr double kShare = 0.4;   ///< of what bears a leg that its spring takes back ...
   static constexpr double kMost = 1.3;    ///< ... no more: then something else pushes it
   static constexpr double kCounts = 0.3;  ///< of the greatest such torque: below it a joint is none
-  static constexpr double kJoints = 0.8;  ///< share of the joints that must say so
+  static constexpr double kAlike = 0.06;  ///< that these shares may differ from one of them ...
+  static constexpr double kJoints = 0.5;  ///< ... in so many of the joints, hips and others ...
+  static constexpr int kFew = 3;          ///< ... and no fewer than these
 
   /// @param measured, model torques of all motors that bear the legs [N.m] @param dt [s]
   void update(const Vector12& measured, const Vector12& model, double dt) noexcept {
@@ -42,14 +34,22 @@ class LegLift {
   bool done() const noexcept { return time_ >= kTime; }
   bool too_light() const noexcept {
     const double counts = kCounts * model_.cwiseAbs().maxCoeff();
-    int joints = 0, light = 0;
+    Vector12 back = Vector12::Zero();
+    int joints = 0, most = 0;
     for (int i = 0; i < kMotors; ++i) {
       if (std::abs(model_[i]) < counts) continue;
-      const double back = 1.0 - measured_[i] / model_[i];
       ++joints;
-      light += back > kShare && back < kMost;
+      back[i] = 1.0 - measured_[i] / model_[i];
     }
-    return light >= kJoints * joints;
+    for (int i = 0; i < kMotors; ++i) {
+      if (!(back[i] > kShare && back[i] < kMost)) continue;
+      const Eigen::Array<bool, kMotors, 1> alike = (back.array() - back[i]).abs() < kAlike;
+      int hips = 0;
+      for (int leg = 0; leg < kLegs; ++leg) hips += alike[kLegJoints * leg];
+      const int all = static_cast<int>(alike.count());
+      if (hips > 0 && hips < all) most = std::max(most, all);
+    }
+    return most >= kFew && most >= kJoints * joints;
   }
 
  private:

@@ -56,7 +56,7 @@ const JointReference& LegWeighing::step(const Vector12& measured, const Vector12
 
 // All legs alike are another robot's; one that is not like the others is in the wrong place.
 void LegWeighing::judge() noexcept {
-  int worst = 0, count = 0;
+  int worst = 0, heaviest = 0, count = 0;
   double off = -1.0, all = 0.0;
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -65,13 +65,15 @@ void LegWeighing::judge() noexcept {
     const double size = std::log(std::max(share, 1e-3));
     if (std::abs(size) > off) worst = leg, off = std::abs(size);
     least = std::min(least, share);
-    most = std::max(most, share);
+    if (share > most) heaviest = leg, most = share;
     all += share;
     ++count;
   }
   all /= count;
-  const bool fits = least > kLeast && most < kMost && all > kLight && all < kHeavy;
-  if (fits) return;
+  const bool whole = count == kLegs;
+  const bool in_air = least > kLeast && most < kMost && all > kLight && all < kHeavy;
+  if (whole ? in_air : most < kAdded) return;
+  if (!whole) worst = heaviest;
   const bool alike = least > 0.0 && most < kAlike * least;
   motor_ = alike ? -1 : kLegJoints * worst;
   verdict_ = alike ? Verdict::kWrongWeight : Verdict::kWrongSide;

@@ -14,7 +14,11 @@ namespace surefoot {
 /// robot's size. Reports and commands of two legs that are swapped whole agree with each other in
 /// all else. The hips go outward by kOut, for a body may rest on them when they are straight; one
 /// on the wrong side goes inward, and soon lies on the ground. After a rest torques are averaged;
-/// then the hips go back. Real-time: yes.
+/// then the hips go back.
+///
+/// Where some legs are stuck the others are weighed alone, and the body may lean on them: it bears
+/// a part of what they weigh, or turns it round, but makes none of them several times too heavy.
+/// Real-time: yes.
 class LegWeighing {
  public:
   static constexpr double kOut = 0.35;   ///< [rad]
@@ -23,6 +27,7 @@ class LegWeighing {
   static constexpr double kAlike = 2.0;  ///< times the lightest leg: so much may the heaviest weigh
   static constexpr double kLight = 0.6;  ///< the same of all legs together ...
   static constexpr double kHeavy = 1.5;  ///< ... and whatever they are dressed in
+  static constexpr double kAdded = 3.0;  ///< times the weight of one weighed without all others
 
   enum class Verdict { kNone = 0, kFits, kWrongSide, kWrongWeight };
 

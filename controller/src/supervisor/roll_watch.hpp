@@ -4,7 +4,7 @@
 namespace surefoot {
 
 /// Does a lying body roll over the legs that fold under it? It is let go of then, while it may
-/// still fall back. One that rolls over them again and again rolls on: they are not where they are
+/// still fall back, twice. One that goes over all the same rolls on: they are not where they are
 /// thought to be, or something else is in the way. Real-time: yes.
 class RollWatch {
  public:
@@ -14,12 +14,12 @@ class RollWatch {
   }
   /// @param lean of the body's vertical [rad] @param dt [s]
   void update(double lean, double dt) noexcept {
+    rolls_on_ = rolls_on_ || (rolls_ > 0 && lean > kTooFar);
     if (lets_go()) {
       left_ -= dt;
       if (!lets_go()) first_ = lean;  // as it lies now
       return;
     }
-    rolls_on_ = rolls_on_ || (rolls_ == kTries && lean > kTooFar);
     if (rolls_ == kTries || !(lean > kFar && lean > first_ + kMore)) return;
     ++rolls_;
     left_ = kRest;
@@ -32,7 +32,7 @@ class RollWatch {
   static constexpr double kFar = 0.44;     // [rad] 25 degrees: most that a robot is armed at ...
   static constexpr double kMore = 0.12;    // [rad] ... and no lean that was there before
   static constexpr double kRest = 1.0;     // [s] until it lies again
-  static constexpr double kTooFar = 0.66;  // [rad] nobody who lies gets up from there
+  static constexpr double kTooFar = 0.69;  // [rad] nobody who lies gets up from there
   static constexpr int kTries = 2;
 
   double first_ = 0.0;  // [rad]

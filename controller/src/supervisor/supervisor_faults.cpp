@@ -2,6 +2,7 @@
 // What is found wrong in a good report, and what is done about it.
 #include <cmath>
 
+#include "supervisor/lean.hpp"
 #include "supervisor/supervisor_impl.hpp"
 
 namespace surefoot {
@@ -93,7 +94,7 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   const std::array<float, 3> gyroscope = state.imu.gyroscope;  // packed: copied
   const Vector3 w = springs.R_base_imu() * Vector3(gyroscope[0], gyroscope[1], gyroscope[2]);
   const Vector3 up = R.conjugate() * Vector3::UnitZ();  // in base axes
-  const double tilt = std::acos(std::clamp(up.z(), -1.0, 1.0));
+  const double tilt = lean(up);
   const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);
   // d(up)/dt = up x w; the tilt grows as its z falls.
   const double rate = -up.cross(w).z() / sine;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "safety/torque_command.hpp"
+#include "supervisor/motor_values.hpp"
 #include "surefoot/wireless_remote.hpp"
 
 namespace surefoot {

@@ -52,7 +52,7 @@ struct Supervisor::Impl {
   Published<FaultReport> faults;
   std::atomic<FaultId> reason{FaultId::kNone};
   std::atomic<unsigned> heartbeats{0};
-  bool side_weighed = false;  // one side alone, in this rise
+  int next_weighing = 0;  // of one side: tries of a leg that is stuck
   std::atomic<bool> gave_up{false};
   std::atomic<double> height{0.0};
   bool fresh = false;

@@ -2,6 +2,7 @@
 // The stages of a rise: what is looked at before the body leaves the ground, and the way up.
 #include <algorithm>
 
+#include "supervisor/motor_values.hpp"
 #include "supervisor/supervisor_impl.hpp"
 
 namespace surefoot {
@@ -10,6 +11,7 @@ namespace {
 constexpr double kOffGround = 0.2;  // of the way: feet below the body, on level ground
 constexpr double kOnTheWay = 0.35;  // [rad] that each joint may be off it
 constexpr double kBorne = 0.35;     // of the weight that legs bear which stand on something
+constexpr int kTriesBetween = 2;  // of a leg that is stuck, from one weighing of a side to the next
 
 bool any(const std::array<bool, kLegs>& legs) noexcept {
   return std::any_of(legs.begin(), legs.end(), [](bool leg) { return leg; });
@@ -56,7 +58,7 @@ void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   if (!lift.done()) return;
   if (lift.too_light()) return refuse(FaultId::kWrongRobot, -1);
   stage = Stage::kFold;
-  side_weighed = false;
+  next_weighing = 0;
   folding.start(springs.q(), springs.up());
 }
 
@@ -65,12 +67,15 @@ void Supervisor::Impl::fold(double dt) noexcept {
   if (folding.done()) {
     stage = Stage::kWeigh;
     weighing.start(reference.q, {true, true, true, true});
-  } else if (const auto side = folding.folded_side(springs.q()); !side_weighed && any(side)) {
-    side_weighed = true;
+  } else if (const auto side = folding.folded_side(springs.q());
+             folding.most_tries() >= next_weighing && any(side)) {
+    next_weighing = folding.most_tries() + kTriesBetween;
     stage = Stage::kWeigh;
     weighing.start(reference.q, side);
   } else if (folding.rolls_on()) {
     refuse(FaultId::kWiring, -1);
+  } else if (folding.pinned(springs.q(), springs.up())) {
+    refuse(FaultId::kWrongRobot, -1);
   } else if (folding.stuck()) {
     gave_up = true;
     lie();
@@ -83,10 +88,7 @@ void Supervisor::Impl::weigh(const LowState& state, double dt) noexcept {
     case LegWeighing::Verdict::kNone:
       return;
     case LegWeighing::Verdict::kWrongSide:
-      if (folding.done()) return refuse(FaultId::kWiring, weighing.motor());
-      // Of one side alone, beside legs that are stuck: the other may lean on it. Fold on.
-      stage = Stage::kFold;
-      return;
+      return refuse(FaultId::kWiring, weighing.motor());
     case LegWeighing::Verdict::kWrongWeight:
       return refuse(FaultId::kWrongRobot, -1);
     case LegWeighing::Verdict::kFits:

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Angle between a body's own vertical and the world's [rad]. Real-time: yes.
+/// @param up the world's vertical, in base axes, of unit length
+inline double lean(const Vector3& up) noexcept { return std::acos(std::clamp(up.z(), -1.0, 1.0)); }
+
+}  // namespace surefoot
