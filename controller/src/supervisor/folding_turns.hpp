@@ -12,31 +12,40 @@ namespace surefoot {
 /// Who folds first of a lying robot's legs. A body that leans is propped up, and its legs keep it
 /// from rolling over: a diagonal pair stays where it is until the other is folded and does so. It
 /// is the pair with the front leg that props the lower side: the one of that side, or, where that
-/// one is drawn in under the body, the other, unless its knee is up. Only for a while, for legs may
-/// interlace; and bodies with a wide belly need it not. Real-time: yes.
+/// one is drawn in under the body, the other, unless its knee is up. A rear leg that is drawn in,
+/// its knee down, turns the body over once the others are folded: its pair does not wait, unless
+/// that holds for both. Only for a while, for legs may interlace; and bodies with a wide belly need
+/// it not. Real-time: yes.
 class FoldingTurns {
  public:
-  struct FrontLeg {
+  struct Leg {
     double inward = 0.0;  ///< of its hip [rad]
     double thigh = 0.0;   ///< [rad] the way that it folds
   };
   /// @param up the world's vertical, in base axes
-  /// @param legs FR and FL
+  /// @param legs FR, FL, RR, RL
   /// @param always take turns, even where it is level @param wait [s]; 0: nobody waits
-  void start(const Vector3& up, const std::array<FrontLeg, 2>& legs, bool always,
+  void start(const Vector3& up, const std::array<Leg, kLegs>& legs, bool always,
              double wait) noexcept {
     left_ = always || std::hypot(up.x(), up.y()) > kLeans ? wait : 0.0;
     const int lower = up.y() > 0.0 ? FR_ : FL_;
     const bool crossed = legs[lower].inward > kDrawnIn && legs[1 - lower].thigh < kKneeUp;
     front_ = crossed ? 1 - lower : lower;
+    const auto turns_over = [&](int front) {
+      const Leg& rear = legs[across(front)];
+      return rear.inward > kDrawnIn && rear.thigh < kKneeUp;
+    };
+    if (turns_over(front_) && !turns_over(1 - front_)) front_ = 1 - front_;
   }
   /// @param others are those that do not wait folded?
   void update(bool others, double dt) noexcept { left_ = others ? 0.0 : left_ - dt; }
   bool waits(int leg) const noexcept {
-    return left_ > 0.0 && (leg == front_ || leg == kLegs - 1 - front_);
+    return left_ > 0.0 && (leg == front_ || leg == across(front_));
   }
 
  private:
+  static constexpr int across(int leg) noexcept { return kLegs - 1 - leg; }
+
   static constexpr double kLeans = 0.2;    // sine of 11.5 degrees: something is under the body
   static constexpr double kDrawnIn = 0.5;  // [rad]
   static constexpr double kKneeUp = 2.2;   // [rad]

@@ -36,7 +36,7 @@ void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   begin(measured, up);
 }
 
-FoldingTurns::FrontLeg LegFolding::front_leg(int leg, const Vector12& measured) const noexcept {
+FoldingTurns::Leg LegFolding::turn_of(int leg, const Vector12& measured) const noexcept {
   const int hip = kLegJoints * leg, thigh = hip + 1;
   return {-std::copysign(1.0, plan_.widest[hip]) * measured[hip],
           std::copysign(1.0, plan_.folded[thigh]) * measured[thigh]};
@@ -49,7 +49,10 @@ void LegFolding::begin(const Vector12& measured, const Vector3& up) noexcept {
   }
   time_ = 0.0;
   done_ = false;
-  turns_.start(up, {front_leg(FR_, measured), front_leg(FL_, measured)}, roll_.rolls() > 0, wait_);
+  turns_.start(up,
+               {turn_of(FR_, measured), turn_of(FL_, measured), turn_of(RR_, measured),
+                turn_of(RL_, measured)},
+               roll_.rolls() > 0, wait_);
 }
 
 // Springs that follow their joints: what they trail by damps as the motors do, and that lays the

@@ -66,7 +66,7 @@ class LegFolding {
   void begin(const Vector12& measured, const Vector3& up) noexcept;
   void let_go(const Vector12& measured, const Vector3& up, double dt) noexcept;
   void move(int leg, const Vector12& measured, double dt) noexcept;
-  FoldingTurns::FrontLeg front_leg(int leg, const Vector12& measured) const noexcept;
+  FoldingTurns::Leg turn_of(int leg, const Vector12& measured) const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;
   void watch(int leg, const Vector12& measured, double dt) noexcept;
   Vector3 target(int leg, const Vector12& measured) const noexcept;

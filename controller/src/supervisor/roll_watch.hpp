@@ -32,7 +32,7 @@ class RollWatch {
   static constexpr double kFar = 0.44;     // [rad] 25 degrees: most that a robot is armed at ...
   static constexpr double kMore = 0.12;    // [rad] ... and no lean that was there before
   static constexpr double kRest = 1.0;     // [s] until it lies again
-  static constexpr double kTooFar = 0.69;  // [rad] nobody who lies gets up from there
+  static constexpr double kTooFar = 0.74;  // [rad] healthy ones fall back from 0.69
   static constexpr int kTries = 2;
 
   double first_ = 0.0;  // [rad]

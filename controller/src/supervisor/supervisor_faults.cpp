@@ -9,7 +9,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFallTilt = 0.7;     // [rad] while rising and sitting
+constexpr double kFallTilt = 0.7;     // [rad] while rising and sitting ...
+constexpr double kRollTilt = 0.8;     // [rad] ... but for who lies yet: see RollWatch
 constexpr double kForesight = 0.1;    // [s] that the tilt is foreseen
 constexpr double kBatteryTime = 1.0;  // [s]
 // Of the height of the centre of mass: how far the capture point may be outside three feet. What is
@@ -86,7 +87,7 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   }
   // A controller that stands knows better than the IMU, and judges by its own gain.
   Quaternion R = springs.R_world_base();
-  double most = kFallTilt;
+  double most = now.mode == Mode::kRise && stage == Stage::kFold ? kRollTilt : kFallTilt;
   if (standing()) {
     R = Quaternion(stand.state().q.segment<4>(3).data());
     most = stand.gains().fall_tilt;
