@@ -109,7 +109,7 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_over_its_legs_again_and_again_rolls_on
   lean = 0.6;  // it leans only
   run(0.1);
   BOOST_TEST(!legs.rolls_on());
-  lean = 0.7;
+  lean = 0.76;
   run(0.1);
   BOOST_TEST(legs.rolls_on());
   lean = 0.0;
@@ -124,7 +124,7 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_goes_over_at_once_rolls_on, Folding) {
   lean = 0.6;
   run(0.1);
   BOOST_TEST(!legs.rolls_on());
-  lean = 0.7;
+  lean = 0.76;
   run(0.1);
   BOOST_TEST(legs.rolls_on());
 }
@@ -210,10 +210,30 @@ BOOST_FIXTURE_TEST_CASE(legs_of_a_leaning_body_take_turns, Folding) {
   BOOST_TEST((waits(0.3, in, 2.3) == right));  // FL's foot is in the air
 }
 
+// It would turn the body over, were the others folded.
+BOOST_FIXTURE_TEST_CASE(a_rear_leg_drawn_in_under_a_leaning_body_goes_first, Folding) {
+  const Vector12 standing = q;
+  const auto right_rear_waits = [&](double rr_hip, double rr_thigh, double rl_hip) {
+    q = standing;
+    q[RR_0] = rr_hip, q[RR_1] = rr_thigh, q[RL_0] = rl_hip;
+    lean = -0.3;  // FL props it, and RR would wait with it
+    const Vector3 before = q.segment<kLegJoints>(RR_0);
+    legs.start(q, up());
+    run(0.2);
+    return q.segment<kLegJoints>(RR_0) == before;
+  };
+  const double right_in = -plan.widest[RR_0], left_in = -plan.widest[RL_0];
+  BOOST_TEST(right_rear_waits(0.0, 0.7, 0.0));
+  BOOST_TEST(!right_rear_waits(right_in, 0.7, 0.0));
+  BOOST_TEST(right_rear_waits(right_in, 2.3, 0.0));      // its knee is up
+  BOOST_TEST(right_rear_waits(right_in, 0.7, left_in));  // both are
+}
+
 // The way round takes its time from when the leg begins.
 BOOST_FIXTURE_TEST_CASE(a_leg_that_waited_is_stretched_all_the_same, Folding) {
   const double in = -plan.widest[RR_0];
   q.segment<kLegJoints>(RR_0) << in, -0.4, plan.lower[RR_2];
+  q[RL_0] = -plan.widest[RL_0];  // so is RL, or RR would go first
   lean = -0.3;
   legs.set_wait(3.0);
   most = plan.standing[kThigh] + 0.3;  // FR catches: the others wait for all of it
