@@ -14,7 +14,8 @@ class RollWatch {
   }
   /// @param lean of the body's vertical [rad] @param dt [s]
   void update(double lean, double dt) noexcept {
-    rolls_on_ = rolls_on_ || (rolls_ > 0 && lean > kTooFar);
+    const double most = rolls_ == kTries && !lets_go() ? kAgain : kTooFar;
+    rolls_on_ = rolls_on_ || (rolls_ > 0 && lean > most);
     if (lets_go()) {
       left_ -= dt;
       if (!lets_go()) first_ = lean;  // as it lies now
@@ -32,7 +33,8 @@ class RollWatch {
   static constexpr double kFar = 0.44;     // [rad] 25 degrees: most that a robot is armed at ...
   static constexpr double kMore = 0.12;    // [rad] ... and no lean that was there before
   static constexpr double kRest = 1.0;     // [s] until it lies again
-  static constexpr double kTooFar = 0.74;  // [rad] healthy ones fall back from 0.69
+  static constexpr double kTooFar = 0.74;  // [rad] healthy ones fall back from 0.7, let go of ...
+  static constexpr double kAgain = 0.69;   // [rad] ... and are not this far again after two rolls
   static constexpr int kTries = 2;
 
   double first_ = 0.0;  // [rad]
