@@ -199,6 +199,8 @@ BOOST_FIXTURE_TEST_CASE(a_rise_that_no_leg_follows_is_another_robots, AtRest) {
   supervisor.arm();
   run(0.002);
   BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
+  run(0.002);
+  BOOST_TEST((supervisor.mode() == Mode::kRise));
   run(6.0);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
   BOOST_TEST((supervisor.reason() == FaultId::kWrongRobot));

@@ -30,8 +30,8 @@ constexpr double kBackStep = 0.6;       // [rad] thigh: how far, on the first tr
 void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   reference_.q = measured;
   reference_.dq.setZero();
-  roll_.start(lean(up));
   lean_ = lean(up);
+  roll_.start(lean_);
   first_ = measured;
   begin(measured, up);
 }

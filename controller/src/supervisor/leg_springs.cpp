@@ -7,6 +7,7 @@
 #include "safety/holding_torques.hpp"
 #include "safety/motor_limits.hpp"
 #include "safety/power_limiter.hpp"
+#include "supervisor/motor_values.hpp"
 
 namespace surefoot {
 
@@ -35,9 +36,9 @@ LegSprings::LegSprings(const Robot& robot, const RisePlan& plan, double watts)
 }
 
 void LegSprings::read(const LowState& state) noexcept {
+  dq_ = measured_speeds(state);
   for (int i = 0; i < kMotors; ++i) {
     q_[i] = state.motorState[i].q;
-    dq_[i] = state.motorState[i].dq;
     state_.q[robot_.motor_to_q()[i]] = q_[i];
   }
   const std::array<float, 4> imu = state.imu.quaternion;  // packed: copied
