@@ -22,6 +22,7 @@ struct AtRest {
   Supervisor supervisor;
   LowState report = resting_report(robot, 0);
   LowCmd last = init_low_cmd();
+  float sideways = 0.0F;  ///< [m/s^2] what y feels of gravity
   explicit AtRest(const SupervisorOptions& options = {})
       : supervisor(robot, robot.config().gains, options) {
     for (int i = 0; i < kMotors; ++i) {
@@ -44,7 +45,7 @@ struct AtRest {
   void step() {
     report.tick += 2;
     report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
-    report.imu.accelerometer[1] = report.imu.gyroscope[2];
+    report.imu.accelerometer[1] = sideways + report.imu.gyroscope[2];
     report.motorState[3].dq = report.tick % 4 == 0 ? 1e-3F : -1e-3F;
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);
@@ -58,6 +59,19 @@ struct AtRest {
       step();
     }
     report.motorState[0].dq = 0.0F;
+  }
+  /// The body turns over its right side by an angle [rad], at 1.5 rad/s, as all sensors say.
+  void roll(float angle) {
+    constexpr float kRate = 1.5F, kStep = 0.002F * kRate, kG = static_cast<float>(kGravity);
+    report.imu.gyroscope[0] = kRate;
+    for (float turned = 0.0F; turned < angle; turned += kStep) {
+      const float x = 2.0F * std::asin(report.imu.quaternion[1]) + kStep;
+      report.imu.quaternion = {std::cos(0.5F * x), std::sin(0.5F * x), 0.0F, 0.0F};
+      sideways = kG * std::sin(x);
+      report.imu.accelerometer[2] = kG * std::cos(x);
+      step();
+    }
+    report.imu.gyroscope[0] = 0.0F;
   }
   std::string failures() const { return describe_failures(supervisor.arming(), robot.config()); }
 };
@@ -218,6 +232,21 @@ BOOST_FIXTURE_TEST_CASE(a_rise_that_legs_do_not_follow_gives_up_and_damps, AtRes
   run(30.0);
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
   BOOST_TEST(supervisor.stuck());
+  BOOST_TEST(motors_brake(last));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_on_is_miswired, AtRest) {
+  run(1.1);
+  supervisor.arm();
+  step();
+  BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
+  stir();
+  roll(0.6F);
+  run(0.1);
+  BOOST_TEST((supervisor.mode() == Mode::kRise));  // let go of: it may fall back yet
+  roll(0.17F);
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.reason() == FaultId::kWiring));
   BOOST_TEST(motors_brake(last));
 }
 
