@@ -250,6 +250,24 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_on_is_miswired, AtRest) {
   BOOST_TEST(motors_brake(last));
 }
 
+// The springs that a rise had pulled with fade out: what is wrong meanwhile damps at once.
+BOOST_FIXTURE_TEST_CASE(springs_that_fade_out_are_let_go_of_for_a_fault, AtRest) {
+  run(1.1);
+  supervisor.arm();
+  step();
+  supervisor.request(Mode::kRise);
+  stir();
+  supervisor.request(Mode::kSit);
+  step();
+  BOOST_TEST((supervisor.mode() == Mode::kPassive));
+  BOOST_TEST(!motors_brake(last));
+  report.motorState[5].mode = 0;
+  run(0.01);
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.reason() == FaultId::kMotorMode));
+  BOOST_TEST(motors_brake(last));
+}
+
 BOOST_FIXTURE_TEST_CASE(who_stands_does_not_fold, AtRest) {
   turn_hips(-0.5F);
   run(1.1);

@@ -14,7 +14,7 @@ struct Rate {
   TorqueRate rate{Vector12::Constant(kLimit)};
   Vector12 tau = Vector12::Zero(), kd = Vector12::Constant(2.0), dq = Vector12::Zero();
 
-  Rate() { rate.rest(); }
+  Rate() { rate.rest(kd[0]); }
   // What motor 0 makes at this speed, its own damping included [N.m].
   double made() const { return tau[0] - kd[0] * dq[0]; }
 };
@@ -48,10 +48,22 @@ BOOST_FIXTURE_TEST_CASE(braking_less_is_a_change_of_torque_too, Rate) {
   BOOST_TEST(!rate.limit(tau, kd, dq, kTick));  // there in the end
 }
 
-// Their own damping takes over at once, and is left by the fades of a Supervisor.
-BOOST_FIXTURE_TEST_CASE(damping_before_the_first_torques_does_not_count, Rate) {
+// As after reports that were missing for longer than the last command lives.
+BOOST_FIXTURE_TEST_CASE(damping_between_torques_ends_no_faster, Rate) {
+  dq[0] = 6.0;
+  tau[0] = -3.0;
+  rate.limit(tau, kd, dq, kTick);
+  rate.rest(3.0);
+  const double before = -3.0 * dq[0];
+  kd.setZero();
+  BOOST_TEST(rate.limit(tau, kd, dq, kTick));
+  BOOST_TEST(std::abs(made() - before) < kStep + 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(what_nobody_knows_does_not_count, Rate) {
   dq[0] = 6.0;
   kd.setConstant(15.0);
+  rate.forget();
   BOOST_TEST(!rate.limit(tau, kd, dq, kTick));
 }
 

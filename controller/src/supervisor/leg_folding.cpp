@@ -33,6 +33,7 @@ void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   lean_ = lean(up);
   roll_.start(lean_);
   first_ = measured;
+  stirred_ = false;
   begin(measured, up);
 }
 
@@ -48,6 +49,7 @@ void LegFolding::begin(const Vector12& measured, const Vector3& up) noexcept {
     legs_[leg].q = measured.segment<kLegJoints>(kLegJoints * leg);
   }
   time_ = 0.0;
+  next_weighing_ = 0;
   done_ = false;
   turns_.start(up,
                {turn_of(FR_, measured), turn_of(FL_, measured), turn_of(RR_, measured),
@@ -61,6 +63,13 @@ void LegFolding::let_go(const Vector12& measured, const Vector3& up, double dt) 
   reference_.q += dt / (dt + kLetGo) * (measured - reference_.q);
   reference_.dq.setZero();
   begin(measured, up);
+}
+
+bool LegFolding::rolls(const JointReference& at, const Vector3& up, double dt) noexcept {
+  roll_.update(lean(up), dt);
+  if (!roll_.lets_go() && !roll_.rolls_on()) return false;
+  reference_ = at;
+  return true;
 }
 
 bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
@@ -143,6 +152,7 @@ const JointReference& LegFolding::step(const Vector12& measured, const Vector3& 
     return reference_;
   }
   time_ += dt;
+  stirred_ = stirred_ || stirs(measured, up);
   bool others = true;
   done_ = true;
   for (int leg = 0; leg < kLegs; ++leg) {

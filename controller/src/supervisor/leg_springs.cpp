@@ -96,7 +96,8 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
   if (!out.exceeds || !hold.allFinite() || !dq_.allFinite()) return out.torques;
   const double braking = limit_power(hold - damping_ * dq_, hold, dq_, watts_).scale;
   // Against what the motors add by themselves: what they make is nearer to holding.
-  return hold + (1.0 - braking) * damping_ * dq_;
+  const Vector12 against = hold + (1.0 - braking) * damping_ * dq_;
+  return against.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);
 }
 
 }  // namespace surefoot

@@ -81,13 +81,13 @@ void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
 
 // With the rate at which it goes on: a body that falls fast is let go of early.
 void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
-  if (!active()) {
+  if (!drives()) {
     log.set(FaultId::kTilt, false);
     return;
   }
   // A controller that stands knows better than the IMU, and judges by its own gain.
   Quaternion R = springs.R_world_base();
-  double most = now.mode == Mode::kRise && stage == Stage::kFold ? kRollTilt : kFallTilt;
+  double most = upward() ? kFallTilt : kRollTilt;
   if (standing()) {
     R = Quaternion(stand.state().q.segment<4>(3).data());
     most = stand.gains().fall_tilt;
@@ -99,7 +99,7 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);
   // d(up)/dt = up x w; the tilt grows as its z falls.
   const double rate = -up.cross(w).z() / sine;
-  // While legs fold the body lies, and may roll off one.
+  // While the body lies it may roll off a leg.
   const double ahead = standing() || upward() ? kForesight : 0.0;
   log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
@@ -108,7 +108,7 @@ void Supervisor::Impl::react() noexcept {
   for (const FaultId asked : {FaultId::kStop, FaultId::kButton}) {
     if (log.report().has(asked)) latch(asked);
   }
-  if (!active()) return;
+  if (!drives()) return;
   // What is wrong with the report alone is bridged first: see tick().
   const FaultId worst = log.first(FaultReaction::kDamp, bad);
   if (worst != FaultId::kNone) latch(worst);

@@ -60,8 +60,8 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     move(state, dt);
   }
   const LowCmd* out = nullptr;
-  if (!active() && !fade.moving()) {
-    rate.rest();
+  if (!drives()) {
+    rate.rest(damping_kd);
     out = &keeper.accept(damping_low_cmd(damping_kd));
   } else if (good) {
     out = &command(state, dt);
@@ -124,8 +124,9 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   now.armed = now.ready = false;
   arming.distrust();  // what it was before it was let go of says nothing: the second begins anew
   fade.jump(Source::kDamping);
-  rate.rest();
-  unsolved = {};
+  rate.rest(damping_kd);
+  unsolved = held_back = {};
+  log.set(FaultId::kTorqueRate, false);
   safety.reset();
   log.set(FaultId::kHanging, false);  // seen on the way up, which is over: it must not bar the next
   reason = why;

@@ -52,7 +52,6 @@ struct Supervisor::Impl {
   Published<FaultReport> faults;
   std::atomic<FaultId> reason{FaultId::kNone};
   std::atomic<unsigned> heartbeats{0};
-  int next_weighing = 0;  // of one side: tries of a leg that is stuck
   std::atomic<bool> gave_up{false};
   std::atomic<double> height{0.0};
   bool fresh = false;
@@ -91,6 +90,9 @@ struct Supervisor::Impl {
   const LowCmd& command(const LowState& state, double dt) noexcept;
   void publish() noexcept;
   bool active() const noexcept { return now.mode != Mode::kPassive && now.mode != Mode::kDamping; }
+  bool drives() const noexcept {
+    return active() || fade.moving();
+  }  ///< torques, not damping alone
   bool upward() const noexcept { return stage == Stage::kUp; }
   bool standing() const noexcept { return now.mode == Mode::kStand && !fade.moving(); }
 

@@ -12,11 +12,10 @@ const LowCmd& Supervisor::Impl::bridge(double age) noexcept {
   fresh = false;
   if (age > kStaleTime) forget();
   publish();
-  const bool moving = active() || fade.moving();
   // Reports that were bad have not made the last command any younger.
-  if (moving && age + keeper.age() <= kHoldTime) return keeper.last();
+  if (drives() && age + keeper.age() <= kHoldTime) return keeper.last();
   motors.interrupted();
-  rate.rest();  // torques come back from nothing
+  rate.rest(damping_kd);  // torques come back from nothing
   return keeper.damp(damping_kd);
 }
 

@@ -54,7 +54,7 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   if (status != Status::kOk) return FaultId::kStateImplausible;
   // The torque protections' last word, for every report whose numbers can be: a blow that the IMU
   // is not believed about takes power all the same. The command is not read.
-  const bool protect = active() && options.power_level > 0;
+  const bool protect = drives() && options.power_level > 0;
   log.set(FaultId::kPower,
           protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
   const bool joints_fit = joints.update(state, step);

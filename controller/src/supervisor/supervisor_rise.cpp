@@ -11,7 +11,6 @@ namespace {
 constexpr double kOffGround = 0.2;  // of the way: feet below the body, on level ground
 constexpr double kOnTheWay = 0.35;  // [rad] that each joint may be off it
 constexpr double kBorne = 0.35;     // of the weight that legs bear which stand on something
-constexpr int kTriesBetween = 2;  // of a leg that is stuck, from one weighing of a side to the next
 
 bool any(const std::array<bool, kLegs>& legs) noexcept {
   return std::any_of(legs.begin(), legs.end(), [](bool leg) { return leg; });
@@ -37,6 +36,8 @@ void Supervisor::Impl::start_rise() noexcept {
 }
 
 void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
+  const bool folded = stage == Stage::kWeigh || stage == Stage::kPress;
+  if (folded && folding.rolls(reference, springs.up(), dt)) stage = Stage::kFold;
   switch (stage) {
     case Stage::kHoldLegs:
       return hold_legs(state, dt);
@@ -58,23 +59,21 @@ void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   if (!lift.done()) return;
   if (lift.too_light()) return refuse(FaultId::kWrongRobot, -1);
   stage = Stage::kFold;
-  next_weighing = 0;
   folding.start(springs.q(), springs.up());
 }
 
 void Supervisor::Impl::fold(double dt) noexcept {
   reference = folding.step(springs.q(), springs.up(), dt);
-  if (folding.done()) {
+  if (folding.rolls_on()) {
+    refuse(FaultId::kWiring, -1);
+  } else if (folding.done()) {
     stage = Stage::kWeigh;
     weighing.start(reference.q, {true, true, true, true});
-  } else if (const auto side = folding.folded_side(springs.q());
-             folding.most_tries() >= next_weighing && any(side)) {
-    next_weighing = folding.most_tries() + kTriesBetween;
+  } else if (const auto side = folding.folded_side(springs.q()); any(side)) {
+    folding.side_weighed();
     stage = Stage::kWeigh;
     weighing.start(reference.q, side);
-  } else if (folding.rolls_on()) {
-    refuse(FaultId::kWiring, -1);
-  } else if (folding.pinned(springs.q(), springs.up())) {
+  } else if (folding.pinned()) {
     refuse(FaultId::kWrongRobot, -1);
   } else if (folding.stuck()) {
     gave_up = true;

@@ -26,28 +26,28 @@ class TorqueRate {
   /// @return was it too much?
   bool limit(Vector12& tau, const Vector12& kd, const Vector12& dq, double period) noexcept {
     const double dt = std::min(period, kPeriod);
-    const Vector12 braking = braked_ ? Vector12((kd - kd_).cwiseProduct(dq)) : Vector12::Zero();
+    const Vector12 braking = known_ ? Vector12((kd - kd_).cwiseProduct(dq)) : Vector12::Zero();
     const Vector12 change = tau - last_ - braking;
     const double most = change.cwiseQuotient(tau_max_).cwiseAbs().maxCoeff() / (kRate * dt);
     const bool jumps = known_ && most > 1.0;
     if (jumps) tau = last_ + braking + change / most;
     last_ = tau;
     kd_ = kd;
-    known_ = braked_ = true;
+    known_ = true;
     return jumps;
   }
   /// What was sent last is not known: the next torques go as they are.
-  void forget() noexcept { known_ = braked_ = false; }
-  /// The motors were told no torque: they damped by themselves.
-  void rest() noexcept {
+  void forget() noexcept { known_ = false; }
+  /// The motors were told no torque: they damped by themselves, with kd [N.m.s/rad].
+  void rest(double kd) noexcept {
     last_.setZero();
+    kd_.setConstant(kd);
     known_ = true;
-    braked_ = false;
   }
 
  private:
   Vector12 tau_max_, last_ = Vector12::Zero(), kd_ = Vector12::Zero();
-  bool known_ = false, braked_ = false;  // are last_ and kd_ what was sent?
+  bool known_ = false;  // are last_ and kd_ what was sent?
 };
 
 }  // namespace surefoot
