@@ -53,9 +53,9 @@ def refuse(within: float) -> Expectation:
     return Expectation(Reaction.REFUSE, within)
 
 
-def stays(fault: str, later: float = 0.0) -> Expectation:
+def stays(fault: str) -> Expectation:
     """Return that a rise is refused for a fault: latched before the body leaves the ground."""
-    return replace(as_table(fault, later), reaction=Reaction.STAY)
+    return replace(as_table(fault), reaction=Reaction.STAY)
 
 
 def unless(fault: str) -> Expectation:

@@ -32,18 +32,14 @@ std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const 
 }
 
 // Calves and thighs of a lying robot may have some room where nothing else moves.
-bool LegFolding::stirs(const Vector12& measured, const Vector3& up) const noexcept {
-  bool any = roll_.rolls() > 0 || std::abs(lean(up) - lean_) > kStirred;
+bool LegFolding::pinned(const Vector12& measured, const Vector3& up) const noexcept {
+  bool all = roll_.rolls() == 0 && std::abs(lean(up) - lean_) < kStirred;
   for (int leg = 0; leg < kLegs; ++leg) {
     const int hip = kLegJoints * leg;
-    any = any || folded(leg, measured) || std::abs(measured[hip] - first_[hip]) > kHipStirred;
+    const bool caught = legs_[leg].tries > 0 && !folded(leg, measured);
+    all = all && caught && std::abs(measured[hip] - first_[hip]) < kHipStirred;
   }
-  return any;
-}
-
-bool LegFolding::pinned() const noexcept {
-  return !stirred_ &&
-         std::all_of(legs_.begin(), legs_.end(), [](const Leg& leg) { return leg.tries > 0; });
+  return all;
 }
 
 }  // namespace surefoot

@@ -33,7 +33,7 @@ void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   lean_ = lean(up);
   roll_.start(lean_);
   first_ = measured;
-  stirred_ = false;
+  next_weighing_ = 0;
   begin(measured, up);
 }
 
@@ -49,7 +49,6 @@ void LegFolding::begin(const Vector12& measured, const Vector3& up) noexcept {
     legs_[leg].q = measured.segment<kLegJoints>(kLegJoints * leg);
   }
   time_ = 0.0;
-  next_weighing_ = 0;
   done_ = false;
   turns_.start(up,
                {turn_of(FR_, measured), turn_of(FL_, measured), turn_of(RR_, measured),
@@ -152,7 +151,6 @@ const JointReference& LegFolding::step(const Vector12& measured, const Vector3& 
     return reference_;
   }
   time_ += dt;
-  stirred_ = stirred_ || stirs(measured, up);
   bool others = true;
   done_ = true;
   for (int leg = 0; leg < kLegs; ++leg) {

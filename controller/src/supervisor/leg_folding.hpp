@@ -35,16 +35,16 @@ class LegFolding {
   /// Is the reference there, and the legs with it?
   bool done() const noexcept { return done_; }
   /// Legs of a side that is folded while a leg of the other has caught again and again, or is not,
-  /// and the body has rolled: they weigh what all four would, were folding to end. None for some
-  /// tries after side_weighed().
+  /// and the body has rolled: they weigh what all four would, were folding to end. None for two
+  /// tries after side_weighed(), rolled or not.
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
   void side_weighed() noexcept { next_weighing_ = most_tries() + kTriesBetween; }
   /// While folded legs are weighed, or press, in the place of step(): does the body roll over them?
   /// Then all are let go of, from where they are, and fold again. @param at reference of all legs
   bool rolls(const JointReference& at, const Vector3& up, double dt) noexcept;
-  /// Has every leg caught, and none folded, nor stirred hip or body? All is too heavy for its
-  /// springs.
-  bool pinned() const noexcept;
+  /// Has every leg caught, is none folded, are hips and body where they were, and has it never
+  /// rolled? All is too heavy for its springs.
+  bool pinned(const Vector12& measured, const Vector3& up) const noexcept;
   /// Does the body roll over the legs although they were let go of?
   bool rolls_on() const noexcept { return roll_.rolls_on(); }
   /// Has a leg caught more often than makes sense to try?
@@ -70,7 +70,6 @@ class LegFolding {
 
   void begin(const Vector12& measured, const Vector3& up) noexcept;
   void let_go(const Vector12& measured, const Vector3& up, double dt) noexcept;
-  bool stirs(const Vector12& measured, const Vector3& up) const noexcept;
   int most_tries() const noexcept;  // of the leg that has caught most often
   void move(int leg, const Vector12& measured, double dt) noexcept;
   FoldingTurns::Leg turn_of(int leg, const Vector12& measured) const noexcept;
@@ -87,9 +86,8 @@ class LegFolding {
   double wait_;                        // [s]
   Vector12 first_ = Vector12::Zero();  // [rad] as it began ...
   double lean_ = 0.0;                  // [rad] ... and the body
-  bool stirred_ = false;               // has anything, since then?
   double time_ = 0.0;                  // [s]
-  int next_weighing_ = 0;              // tries of a leg that is stuck
+  int next_weighing_ = 0;              // tries of a leg from which on a side tells again
   bool done_ = false;
 };
 

@@ -73,7 +73,7 @@ void Supervisor::Impl::fold(double dt) noexcept {
     folding.side_weighed();
     stage = Stage::kWeigh;
     weighing.start(reference.q, side);
-  } else if (folding.pinned()) {
+  } else if (folding.pinned(springs.q(), springs.up())) {
     refuse(FaultId::kWrongRobot, -1);
   } else if (folding.stuck()) {
     gave_up = true;

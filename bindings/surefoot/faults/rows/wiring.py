@@ -8,8 +8,7 @@ from surefoot.faults.reaction import WATCH, refuse, stays, unless
 
 KNEE, HIP = 5, 3  # FL_2, FL_0
 LYING, RISING = ("lying",), ("rising",)
-FOLD = 8.0  # [s] that legs may take to fold; only folded they tell
-MISWIRED, ANOTHER = stays("wiring", FOLD), stays("wrong_robot", FOLD)
+MISWIRED, ANOTHER = stays("wiring"), stays("wrong_robot")
 TYPICAL = refuse(1.5)  # arming begins anew with every robot: a second and a little
 
 ROWS = (
