@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 namespace surefoot {
 
 /// Does a lying body roll over the legs that fold under it? It is let go of then, while it may
@@ -12,10 +14,11 @@ class RollWatch {
     *this = {};
     first_ = lean;
   }
-  /// @param lean of the body's vertical [rad] @param dt [s]
-  void update(double lean, double dt) noexcept {
-    const double most = rolls_ == kTries && !lets_go() ? kAgain : kTooFar;
-    rolls_on_ = rolls_on_ || (rolls_ > 0 && lean > most);
+  /// @param lean of the body's vertical [rad] @param sideways the part of it that is roll [rad],
+  /// either sign @param dt [s]
+  void update(double lean, double sideways, double dt) noexcept {
+    const bool again = rolls_ == kTries && !lets_go() && std::abs(sideways) > kAgain;
+    rolls_on_ = rolls_on_ || again || (rolls_ > 0 && lean > kTooFar);
     if (lets_go()) {
       left_ -= dt;
       if (!lets_go()) first_ = lean;  // as it lies now
@@ -34,7 +37,9 @@ class RollWatch {
   static constexpr double kMore = 0.12;    // [rad] ... and no lean that was there before
   static constexpr double kRest = 1.0;     // [s] until it lies again
   static constexpr double kTooFar = 0.74;  // [rad] healthy ones fall back from 0.7, let go of ...
-  static constexpr double kAgain = 0.69;   // [rad] ... and are not this far again after two rolls
+  // [rad] ... and are not this far on one side again after two rolls. They pitch as far, on the
+  // thighs of one end, and come down when the other's have folded.
+  static constexpr double kAgain = 0.69;
   static constexpr int kTries = 2;
 
   double first_ = 0.0;  // [rad]
