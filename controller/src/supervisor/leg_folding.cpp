@@ -31,7 +31,7 @@ void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
   reference_.q = measured;
   reference_.dq.setZero();
   lean_ = lean(up);
-  roll_.start(lean_);
+  roll_.start(up);
   first_ = measured;
   next_weighing_ = 0;
   begin(measured, up);
@@ -65,7 +65,7 @@ void LegFolding::let_go(const Vector12& measured, const Vector3& up, double dt) 
 }
 
 bool LegFolding::rolls(const JointReference& at, const Vector3& up, double dt) noexcept {
-  roll_.update(lean(up), sideways(up), dt);
+  roll_.update(up, dt);
   if (!roll_.lets_go() && !roll_.rolls_on()) return false;
   reference_ = at;
   return true;
@@ -145,7 +145,7 @@ void LegFolding::follow(int joint, double wanted, double measured, double dt) no
 
 const JointReference& LegFolding::step(const Vector12& measured, const Vector3& up,
                                        double dt) noexcept {
-  roll_.update(lean(up), sideways(up), dt);
+  roll_.update(up, dt);
   if (roll_.lets_go()) {
     let_go(measured, up, dt);
     return reference_;

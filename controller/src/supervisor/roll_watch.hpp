@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "supervisor/lean.hpp"
+
 namespace surefoot {
 
 /// Does a lying body roll over the legs that fold under it? It is let go of then, while it may
@@ -10,21 +12,22 @@ namespace surefoot {
 /// thought to be, or something else is in the way. Real-time: yes.
 class RollWatch {
  public:
-  void start(double lean) noexcept {
+  /// @param up the world's vertical, in base axes
+  void start(const Vector3& up) noexcept {
     *this = {};
-    first_ = lean;
+    first_ = lean(up);
   }
-  /// @param lean of the body's vertical [rad] @param sideways the part of it that is roll [rad],
-  /// either sign @param dt [s]
-  void update(double lean, double sideways, double dt) noexcept {
-    const bool again = rolls_ == kTries && !lets_go() && std::abs(sideways) > kAgain;
-    rolls_on_ = rolls_on_ || again || (rolls_ > 0 && lean > kTooFar);
+  /// @param up the world's vertical, in base axes @param dt [s]
+  void update(const Vector3& up, double dt) noexcept {
+    const double now = lean(up);
+    const bool again = rolls_ == kTries && !lets_go() && std::abs(sideways(up)) > kAgain;
+    rolls_on_ = rolls_on_ || again || (rolls_ > 0 && now > kTooFar);
     if (lets_go()) {
       left_ -= dt;
-      if (!lets_go()) first_ = lean;  // as it lies now
+      if (!lets_go()) first_ = now;  // as it lies now
       return;
     }
-    if (rolls_ == kTries || !(lean > kFar && lean > first_ + kMore)) return;
+    if (rolls_ == kTries || !(now > kFar && now > first_ + kMore)) return;
     ++rolls_;
     left_ = kRest;
   }
@@ -42,7 +45,7 @@ class RollWatch {
   static constexpr double kAgain = 0.69;
   static constexpr int kTries = 2;
 
-  double first_ = 0.0;  // [rad]
+  double first_ = 0.0;  // [rad] lean as it lay
   int rolls_ = 0;
   bool rolls_on_ = false;
   double left_ = 0.0;  // [s]
