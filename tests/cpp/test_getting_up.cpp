@@ -109,7 +109,7 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_over_its_legs_again_and_again_rolls_on
   lean = 0.6;  // it leans only
   run(0.1);
   BOOST_TEST(!legs.rolls_on());
-  legs.step(q, {-std::sin(0.72), 0.0, std::cos(0.72)}, kTick);  // nose up, on the thighs of an end
+  legs.step(q, {-std::sin(0.72), 0.0, std::cos(0.72)}, kTick);  // nose up, on a front leg
   BOOST_TEST(!legs.rolls_on());
   for (const double side : {0.72, -0.72}) {
     LegFolding rolling = legs;

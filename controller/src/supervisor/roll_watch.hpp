@@ -40,8 +40,8 @@ class RollWatch {
   static constexpr double kMore = 0.12;    // [rad] ... and no lean that was there before
   static constexpr double kRest = 1.0;     // [s] until it lies again
   static constexpr double kTooFar = 0.74;  // [rad] healthy ones fall back from 0.7, let go of ...
-  // [rad] ... and are not this far on one side again after two rolls. They pitch as far, on the
-  // thighs of one end, and come down when the other's have folded.
+  // [rad] ... and are not this far on one side again after two rolls. They pitch as far, propped
+  // up by a front leg that is caught below them, and come down when it comes free.
   static constexpr double kAgain = 0.69;
   static constexpr int kTries = 2;
 
