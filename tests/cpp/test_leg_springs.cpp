@@ -81,4 +81,23 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_turns_is_braked_less, Flung) {
   BOOST_TEST(std::abs(after(0.0) - 1.0) < 0.01);
 }
 
+// All joints are driven at once where a tumbling body lands: by taut springs that is too much.
+BOOST_FIXTURE_TEST_CASE(the_legs_of_a_body_that_tumbles_pull_less, Flung) {
+  const auto pull = [&](double turning) {
+    for (int tick = 0; tick < 100; ++tick) springs.give_way(turning, 0.002);
+    springs.read(resting_report(robot, 0));
+    JointReference reference;
+    reference.q = springs.q();
+    const double holds = springs.torques(reference, 0.0)[FL_1];
+    reference.q[FL_1] += 0.1;
+    return springs.torques(reference, 0.0)[FL_1] - holds;
+  };
+  const double all = 0.1 * plan.stiffness;
+  BOOST_TEST(pull(0.0) == all, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(pull(1.6) == all, boost::test_tools::tolerance(1e-9));  // falls, but slowly
+  BOOST_TEST(pull(2.3) == 0.625 * all, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(pull(5.0) == 0.25 * all, boost::test_tools::tolerance(0.01));
+  BOOST_TEST(pull(0.0) == all, boost::test_tools::tolerance(0.01));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -15,8 +15,9 @@ namespace surefoot {
 /// ticks later is too late for the power protection. Where braking alone takes more than the power
 /// allows, torques take some of it back: a leg that comes free from under the body is flung,
 /// whatever the springs do. A body that falls onto its legs, as it rolls off one, drives them
-/// faster than torques can change: while it turns they brake less beforehand. Feet and body are
-/// weighed by joint angles and the IMU's attitude alone. Real-time: yes.
+/// faster than torques can change: while it turns they brake less beforehand, and where it tumbles
+/// they pull less, for its fall's end drives all joints at once. Feet and body are weighed by joint
+/// angles and the IMU's attitude alone. Real-time: yes.
 class LegSprings {
  public:
   /// @param watts most that sum |tau dq| may be [W]
@@ -25,7 +26,8 @@ class LegSprings {
   /// Read joints and attitude out of a report.
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
-  /// Brake less while the body turns. @param turning how fast [rad/s] @param dt [s]
+  /// Brake less while the body turns, and pull less while it tumbles.
+  /// @param turning how fast [rad/s] @param dt [s]
   void give_way(double turning, double dt) noexcept;
   double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
@@ -52,7 +54,7 @@ class LegSprings {
   Dynamics dynamics_;
   RobotState state_;
   Vector12 q_ = Vector12::Zero(), dq_ = Vector12::Zero();
-  double stiffness_, full_damping_, damping_, watts_;
+  double stiffness_, full_damping_, damping_, pull_share_ = 1.0, watts_;
   Vector12 share_ = Vector12::Ones();
   Quaternion R_world_base_ = Quaternion::Identity(), R_base_imu_ = Quaternion::Identity();
 };
