@@ -20,8 +20,8 @@ constexpr double kLetGo = 2.0;        // ... its spring within this much more
 constexpr double kTurns = 0.6;        // [rad/s] faster: the body may fall, and legs brake less ...
 constexpr double kFalls = 1.6;        // [rad/s] ... until here ...
 constexpr double kGivesWay = 0.25;    // ... they brake this much of what they would
-constexpr double kTumbles = 3.0;      // [rad/s] from kFalls until here springs pull that much less
 constexpr double kSmoothing = 0.02;   // [s] of that: no step of torque
+constexpr double kReleased = 0.75;    // of the power: what springs may take that come free at once
 }  // namespace
 
 LegSprings::LegSprings(const Robot& robot, const RisePlan& plan, double watts)
@@ -49,12 +49,16 @@ void LegSprings::read(const LowState& state) noexcept {
 }
 
 void LegSprings::give_way(double turning, double dt) noexcept {
-  const auto share = [&](double from, double until) {
-    return 1.0 - (1.0 - kGivesWay) * std::clamp((turning - from) / (until - from), 0.0, 1.0);
-  };
-  const double step = dt / (dt + kSmoothing);
-  damping_ += step * (share(kTurns, kFalls) * full_damping_ - damping_);
-  pull_share_ += step * (share(kFalls, kTumbles) - pull_share_);
+  const double falls = std::clamp((turning - kTurns) / (kFalls - kTurns), 0.0, 1.0);
+  const double wanted = (1.0 - (1.0 - kGivesWay) * falls) * full_damping_;
+  damping_ += dt / (dt + kSmoothing) * (wanted - damping_);
+}
+
+// A spring that pulls with tau and comes free takes (tau - D dq) dq, which is most at
+// dq = tau / (2 D): tau^2 / (4 D).
+Vector12 LegSprings::released_within_power(const Vector12& pull) const noexcept {
+  const double released = (stiffness_ * pull).squaredNorm() / (4.0 * damping_);
+  return pull * std::sqrt(std::min(1.0, kReleased * watts_ / std::max(released, 1e-9)));
 }
 
 // At the pose that dynamics_ was last updated for.
@@ -83,12 +87,13 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = this->hold(load);
   Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
+  if (load == 0.0) pull = released_within_power(pull);  // they lie about, and may be caught
   // What slips off an obstacle must not be flung: that alone takes more power than the rise.
   for (int i = 0; i < kMotors; ++i) {
     const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
     pull[i] *= std::clamp(1.0 - (ahead - kRuns) / kLetGo, 0.0, 1.0);
   }
-  Vector12 tau = hold + pull_share_ * stiffness_ * pull + damping_ * reference.dq;
+  Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
   const RobotConfig& config = robot_.config();
   for (int i = 0; i < kMotors; ++i) {
     const double share = kTorqueShare * share_[i], most = share * config.tau_max[i];

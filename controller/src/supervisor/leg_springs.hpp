@@ -49,12 +49,14 @@ class LegSprings {
 
  private:
   Vector12 hold(double load) noexcept;
+  /// Less pull [rad], so that all springs that come free at once stay within the power.
+  Vector12 released_within_power(const Vector12& pull) const noexcept;
 
   Robot robot_;
   Dynamics dynamics_;
   RobotState state_;
   Vector12 q_ = Vector12::Zero(), dq_ = Vector12::Zero();
-  double stiffness_, full_damping_, damping_, pull_share_ = 1.0, watts_;
+  double stiffness_, full_damping_, damping_, watts_;
   Vector12 share_ = Vector12::Ones();
   Quaternion R_world_base_ = Quaternion::Identity(), R_base_imu_ = Quaternion::Identity();
 };
