@@ -13,11 +13,13 @@ namespace surefoot {
 double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
 
 /// Keep what is asked of the body within what leaves the feet something to brake with at the
-/// support's edge; away from it anything may be asked. Real-time: yes.
+/// support's edge. Real-time: yes.
 ///
 /// Legs that brake a push with all they have throw the body up, and if it then falls freely nothing
-/// brakes: the feet keep edge_load. They tilt it as well, and turning it back at once takes the
-/// very force that brakes, or more: it comes back slowly until the body is inside again.
+/// brakes: the feet keep edge_load, and half a g less away from the edge, for a body that was asked
+/// to fall there is still falling as it comes near. They tilt it as well, and turning it back at
+/// once takes the very force that brakes, or more: it comes back slowly until the body is inside
+/// again.
 /// @param fade as edge_fade() has it
 /// @param length [m] hips over the ground: angles are asked back by g / length at most
 void bound_at_edge(const Gains& gains, double fade, double length, BodyDemand& demand) noexcept;

@@ -16,6 +16,8 @@ from surefoot.tune.design.timing import Observers, Timing
 
 _STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
 _FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
+# PushObserver: what it believes sooner [m/s^2], and the soonest [s].
+_SURPRISE, _SOONER, _SOONEST = 1.5, 0.5, 0.006
 # MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
 # at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
 _STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
@@ -87,7 +89,10 @@ class Tick:
         period, o = self.timing.period, self.observers
         felt = 0.5 * (s["a1"] + s["a2"])
         seen = self.direction.base_share * felt - s["made2"]
-        push = s["push"] + period / (period + o.push_time) * (seen - s["push"])
+        surprise = self._casadi.fmax(self._casadi.fabs(seen - s["push"]) - _SURPRISE, 0.0)
+        soonest = min(o.push_time, _SOONEST)
+        time = self._casadi.fmax(o.push_time / (1.0 + surprise / _SOONER), soonest)
+        push = s["push"] + period / (period + time) * (seen - s["push"])
         return push, self._believed(push)
 
     def _believed(self, push: Any) -> Any:

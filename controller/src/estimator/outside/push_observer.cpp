@@ -5,8 +5,17 @@
 
 namespace surefoot {
 
+namespace {
+constexpr double kSurprise = 1.5;   // [m/s^2] beyond what was felt: more is no noise, a push began
+constexpr double kSooner = 0.5;     // [m/s^2] more than that: it is believed in half the time
+constexpr double kSoonest = 0.006;  // [s] a single wrong sample is not to be believed whole
+}  // namespace
+
 void PushObserver::update(const Gains& gains, const Vector3& unexplained, double dt) noexcept {
-  smooth_ += dt / (dt + gains.push_time) * (unexplained - smooth_);
+  const double surprise = std::max(0.0, (unexplained - smooth_).norm() - kSurprise);
+  const double soonest = std::min(gains.push_time, kSoonest);
+  const double time = std::max(gains.push_time / (1.0 + surprise / kSooner), soonest);
+  smooth_ += dt / (dt + time) * (unexplained - smooth_);
 }
 
 Vector3 PushObserver::acceleration(const Gains& gains) const noexcept {
