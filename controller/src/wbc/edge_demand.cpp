@@ -8,7 +8,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFreedom = 0.5;   // [g] more that may be asked downwards away from the edge
+constexpr double kFreedom = 0.35;  // [g] more that may be asked downwards away from the edge
 constexpr double kTurning = 30.0;  // [g / length] more of tilting back, growing with its square
 }  // namespace
 

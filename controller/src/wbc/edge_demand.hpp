@@ -16,7 +16,7 @@ double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& 
 /// support's edge. Real-time: yes.
 ///
 /// Legs that brake a push with all they have throw the body up, and if it then falls freely nothing
-/// brakes: the feet keep edge_load, and half a g less away from the edge, for a body that was asked
+/// brakes: the feet keep edge_load, and little less away from the edge, for a body that was asked
 /// to fall there is still falling as it comes near. They tilt it as well, and turning it back at
 /// once takes the very force that brakes, or more: it comes back slowly until the body is inside
 /// again.

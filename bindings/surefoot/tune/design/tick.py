@@ -17,7 +17,7 @@ from surefoot.tune.design.timing import Observers, Timing
 _STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
 _FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
 # PushObserver: what it believes sooner [m/s^2], and the soonest [s].
-_SURPRISE, _SOONER, _SOONEST = 1.5, 0.5, 0.006
+_SURPRISE, _SOONER, _SOONEST = 1.5, 0.5, 0.004
 # MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
 # at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
 _STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9

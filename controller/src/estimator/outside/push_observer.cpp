@@ -8,7 +8,7 @@ namespace surefoot {
 namespace {
 constexpr double kSurprise = 1.5;   // [m/s^2] beyond what was felt: more is no noise, a push began
 constexpr double kSooner = 0.5;     // [m/s^2] more than that: it is believed in half the time
-constexpr double kSoonest = 0.006;  // [s] a single wrong sample is not to be believed whole
+constexpr double kSoonest = 0.004;  // [s] a single wrong sample is not to be believed whole
 }  // namespace
 
 void PushObserver::update(const Gains& gains, const Vector3& unexplained, double dt) noexcept {
