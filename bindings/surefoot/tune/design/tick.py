@@ -17,7 +17,7 @@ from surefoot.tune.design.timing import Observers, Timing
 _STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
 _FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
 # PushObserver: what it believes sooner [m/s^2], and the soonest [s].
-_SURPRISE, _SOONER, _SOONEST = 1.5, 0.5, 0.004
+_SURPRISE, _SOONER, _SOONEST = 1.5, 0.5, 0.006
 # MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
 # at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
 _STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
@@ -86,14 +86,18 @@ class Tick:
         """Return the push observer's state, and the outside acceleration that it believes in."""
         if linear or self.direction.rotates:
             return 0.0, 0.0
-        period, o = self.timing.period, self.observers
+        period = self.timing.period
         felt = 0.5 * (s["a1"] + s["a2"])
         seen = self.direction.base_share * felt - s["made2"]
-        surprise = self._casadi.fmax(self._casadi.fabs(seen - s["push"]) - _SURPRISE, 0.0)
-        soonest = min(o.push_time, _SOONEST)
-        time = self._casadi.fmax(o.push_time / (1.0 + surprise / _SOONER), soonest)
-        push = s["push"] + period / (period + time) * (seen - s["push"])
+        push = s["push"] + period / (period + self._time(seen - s["push"])) * (seen - s["push"])
         return push, self._believed(push)
+
+    def _time(self, more: Any) -> Any:
+        ca, slowly = self._casadi, self.observers.push_time
+        if self.direction.name == "z":
+            return slowly
+        surprise = ca.fmax(ca.fabs(more) - _SURPRISE, 0.0)
+        return ca.fmax(slowly / (1.0 + surprise / _SOONER), min(slowly, _SOONEST))
 
     def _believed(self, push: Any) -> Any:
         ca, o = self._casadi, self.observers

@@ -9,8 +9,9 @@ namespace surefoot {
 /// Sees an outside force on the body by what the accelerometer feels and the commands do not
 /// explain, F = m (a_measured - a_feet), where the feet make a_planned less what the plan counted
 /// with of F itself; smoothed, with a dead band that keeps noise and small
-/// errors of the model out, and bounded. The more it surprises, the sooner it is believed: what a
-/// push gains in the first 10 ms decides whether it is survived. Real-time: update() yes.
+/// errors of the model out, and bounded. The more it surprises along the ground, the sooner it is
+/// believed: what a push gains in the first 10 ms decides whether it is survived. Real-time:
+/// update() yes.
 ///
 /// Without it a push is felt only once it has moved the body, and the legs of unloaded feet, whose
 /// motion is planned for a body at rest, are dragged along.
