@@ -93,8 +93,8 @@ BOOST_FIXTURE_TEST_CASE(taut_springs_that_come_free_stay_within_the_power, Flung
     const Vector12 pull = springs.torques(reference, 0.0) - hold;
     // Each at the speed at which it takes most, braked by its motor alone.
     const double released = pull.squaredNorm() / (4.0 * springs.damping());
-    BOOST_TEST(released < 0.76 * kWatts);
-    BOOST_TEST(released > 0.5 * kWatts);  // it does pull with what there is
+    BOOST_TEST(released < 1.01 * kWatts);
+    BOOST_TEST(released > 0.6 * kWatts);  // it does pull with what there is
     BOOST_TEST(std::abs(pull[RR_0] - pull[FL_1]) < 1e-9);
   }
 }

@@ -21,7 +21,6 @@ constexpr double kTurns = 0.6;        // [rad/s] faster: the body may fall, and 
 constexpr double kFalls = 1.6;        // [rad/s] ... until here ...
 constexpr double kGivesWay = 0.25;    // ... they brake this much of what they would
 constexpr double kSmoothing = 0.02;   // [s] of that: no step of torque
-constexpr double kReleased = 0.75;    // of the power: what springs may take that come free at once
 }  // namespace
 
 LegSprings::LegSprings(const Robot& robot, const RisePlan& plan, double watts)
@@ -58,7 +57,7 @@ void LegSprings::give_way(double turning, double dt) noexcept {
 // dq = tau / (2 D): tau^2 / (4 D).
 Vector12 LegSprings::released_within_power(const Vector12& pull) const noexcept {
   const double released = (stiffness_ * pull).squaredNorm() / (4.0 * damping_);
-  return pull * std::sqrt(std::min(1.0, kReleased * watts_ / std::max(released, 1e-9)));
+  return pull * std::sqrt(std::min(1.0, watts_ / std::max(released, 1e-9)));
 }
 
 // At the pose that dynamics_ was last updated for.

@@ -12,8 +12,8 @@ namespace surefoot {
 /// because its damping changes, is a change of torque, too. Real-time: yes.
 class TorqueRate {
  public:
-  /// [1/s] of tau_max: 0.095 in 2 ms, 1100 N.m/s on a go1's hips. Pushes of four fifths of what it
-  /// survives take up to 0.15, of all of it 0.2, for two or three periods.
+  /// [1/s] of tau_max: 0.095 in 2 ms, 1100 N.m/s on a go1's hips. Pushes of half of what it
+  /// survives take up to 0.13, for two or three periods.
   static constexpr double kRate = 47.5;
 
   explicit TorqueRate(const Vector12& tau_max) : tau_max_(tau_max) {}
