@@ -63,13 +63,13 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kOverridden, kDamp, 0.2, kArm,
      "the same in several legs at once: another program commands the robot, such as the sport "
      "mode"},
-    {FaultId::kWiring, kDamp, 12.0, kArm,
+    {FaultId::kWiring, kDamp, 15.0, kArm,
      "lying: the body rolls over the legs that fold, though they were let go of; or a leg does not "
      "hang on its hip as it must, or the rear legs press and the nose does not go down: legs are "
      "swapped, a motor turns the other way, or it does not lie free on the ground; 4 s once all "
      "legs are "
      "folded, which swapped ones may not be for longer"},
-    {FaultId::kWrongRobot, kDamp, 12.0, kArm,
+    {FaultId::kWrongRobot, kDamp, 15.0, kArm,
      "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says; or none can "
      "be moved, held or too heavy for its springs"},
     {FaultId::kTemperature, kSit, 2.0, kGone,
