@@ -104,6 +104,11 @@ def step_of_program(push: str) -> float:
 
 
 @pytest.mark.parametrize("push", PUSHES)
+def test_torques_step_little_as_a_push_begins(push: str) -> None:
+    assert 0.03 < step_of_program(push) < 0.15
+
+
+@pytest.mark.parametrize("push", PUSHES)
 def test_a_failure_that_lasts_ends_in_damping_within_twenty_milliseconds(push: str) -> None:
     begin = 540  # in the middle of the push
     run = Run(lambda k: k >= begin, push, 2.0)

@@ -94,3 +94,17 @@ def test_with_commands_late_a_push_is_survived_by_prediction_alone() -> None:
     assert still_after_a_push(0.0) > 0.1
     for delay in (0.020, 0.024, 0.028):
         assert still_after_a_push(delay) < 0.02
+
+
+def test_a_push_under_more_delay_than_was_told_of_ends_at_rest() -> None:
+    # All of it surprises, and so would the sway that comes of believing that soon for good.
+    plant = Plant("go1", PlantSettings(extra_delay=0.016, seed=1))
+    controller = StandController(plant.robot)
+    state = plant.reset()
+    plant.add_push(Push("forward", 0.5 * plant.lip_limit("forward"), 0.1, 1.0))
+    speeds = []
+    for _ in range(2500):
+        state = plant.step(controller.update(state))
+        speeds.append(plant.data.qvel[:2].copy())
+    assert not plant.truth.fell
+    assert np.sqrt(np.mean(np.array(speeds[-250:]) ** 2)) < 0.002  # [m/s]

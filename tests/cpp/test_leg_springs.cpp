@@ -110,4 +110,21 @@ BOOST_FIXTURE_TEST_CASE(legs_that_bear_pull_whole, Flung) {
   BOOST_TEST(std::abs(pull[FL_1] + 0.1 * plan.stiffness) < 1e-9);
 }
 
+// As legs take the body's weight their pull grows without a step.
+BOOST_FIXTURE_TEST_CASE(legs_that_begin_to_bear_pull_a_little_more, Flung) {
+  springs.read(resting_report(robot, 0));
+  JointReference still, taut;
+  still.q = taut.q = springs.q();
+  for (int i : {RR_0, RR_1, RR_2, FL_1}) taut.q[i] += 0.4;
+  double before = 0.0, least = 1.0, most = 0.0;
+  for (int k = 0; k <= 100; ++k) {
+    const double load = 0.0015 * k;
+    const double pull = (springs.torques(taut, load) - springs.torques(still, load)).norm();
+    if (k > 0) least = std::min(least, pull - before), most = std::max(most, pull - before);
+    before = pull;
+  }
+  BOOST_TEST(least > -0.02);
+  BOOST_TEST(most < 0.3);  // [N.m]; twelve in all
+}
+
 BOOST_AUTO_TEST_SUITE_END()

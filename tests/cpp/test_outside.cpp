@@ -179,26 +179,57 @@ BOOST_AUTO_TEST_CASE(a_push_is_seen_beyond_the_dead_band_and_up_to_the_bound) {
   BOOST_TEST(std::abs(after(1.0, 100.0 * side).norm() - gains.push_max) < 1e-9);
 }
 
-// Noise and what the model does not know are believed slowly, and drop-outs; a push in three
-// periods.
+// Shares of push_time by size [push_dead_band]; tests/python/test_tune_design.py has the same
+// table.
 BOOST_AUTO_TEST_CASE(what_surprises_is_believed_sooner) {
+  constexpr double kShares[][2] = {
+      {2.9, 1.0}, {3.5, 1.0 / 1.5}, {4.0, 0.5}, {5.0, 0.375}, {20.0, 0.375}};
+  Gains gains;
+  gains.push_max = 100.0;
+  for (const double band : {0.1, 0.5}) {
+    gains.push_dead_band = band;
+    for (const double push_time : {0.003, 0.016, 0.064}) {
+      gains.push_time = push_time;
+      for (const auto& [size, share] : kShares) {
+        PushObserver push;
+        const Vector3 side = size * band * Vector3(0.6, -0.8, 0.0);
+        push.update(gains, side, kPeriod);
+        const double seen = kPeriod / (kPeriod + share * push_time) * size * band;
+        const double believed = std::max(0.0, seen - band);
+        BOOST_TEST(std::abs(push.acceleration(gains).norm() - believed) < 1e-9);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(drop_outs_of_the_accelerometer_are_believed_slowly) {
   Gains gains;
   gains.push_dead_band = 0.0;
-  const auto seen = [&](int periods, const Vector3& unexplained) {
-    PushObserver push;
-    for (int k = 0; k < periods; ++k) push.update(gains, unexplained, kPeriod);
-    return push.acceleration(gains).dot(unexplained) / unexplained.squaredNorm();
-  };
-  const Vector3 noise(0.0, 1.4, 0.0), shove(6.0, -8.0, 0.0), drop_out(0.0, 0.0, -kGravity);
-  const auto tolerance = boost::test_tools::tolerance(1e-9);
+  PushObserver push;
+  const Vector3 drop_out(0.0, 0.0, -kGravity);
+  for (int k = 0; k < 8; ++k) push.update(gains, drop_out, kPeriod);
   const double slowly = 1.0 - std::pow(1.0 + kPeriod / gains.push_time, -8.0);
-  BOOST_TEST(seen(8, noise) == slowly, tolerance);
-  BOOST_TEST(seen(8, drop_out) == slowly, tolerance);
-  BOOST_TEST(seen(1, shove) == 0.25, tolerance);  // it may be one wrong sample
-  BOOST_TEST(seen(8, shove) > 0.75);
-  gains.push_time = 0.003;  // asked for sooner than that: as asked
-  BOOST_TEST(seen(1, noise) == 0.4, tolerance);
-  BOOST_TEST(seen(1, shove) == 0.4, tolerance);
+  BOOST_TEST((push.acceleration(gains) - slowly * drop_out).norm() < 1e-9);
+}
+
+// A body that oscillates at more delay than it was told of surprises for good. A second later what
+// surprises is a push again.
+BOOST_AUTO_TEST_CASE(what_goes_on_surprising_is_believed_slowly) {
+  Gains gains;
+  gains.push_dead_band = 1e-4;
+  PushObserver push;
+  const auto change = [&](double size) {
+    const double before = push.acceleration(gains).x();
+    push.update(gains, Vector3(before + size, 0.0, 0.0), kPeriod);
+    return (push.acceleration(gains).x() - before) / size;
+  };
+  const auto tolerance = boost::test_tools::tolerance(1e-3);
+  double size = 3.0;
+  BOOST_TEST(change(size) == 0.25, tolerance);
+  for (int k = 0; k < 23; ++k) BOOST_TEST(change(size = -size) == 0.25, tolerance);
+  for (int k = 0; k < 200; ++k) BOOST_TEST(change(size = -size) == 1.0 / 9.0, tolerance);
+  for (int k = 0; k < 500; ++k) push.update(gains, Vector3::Zero(), kPeriod);
+  BOOST_TEST(change(size) == 0.25, tolerance);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

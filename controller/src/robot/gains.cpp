@@ -75,7 +75,8 @@ constexpr GainInfo kRows[] = {
     {kProgram, "edge_tilt", "1", 0.01, 1, &G::edge_tilt,
      "share of weight_base_tilt left at the edge, where turning the body helps to stay up"},
     {kProgram, "edge_load", "m g", 0, 0.9, &G::edge_load,
-     "least load planned for all feet at the edge: a body on its way down again brakes no push"},
+     "least load planned for all feet at the edge (0.35 less away from it): a body on its way down "
+     "again brakes no push"},
     {kProgram, "force_max_contact", "m g", 0.3, 10, &G::force_max_contact,
      "greatest normal force of a foot in contact"},
     {kProgram, "force_lost_contact", "m g", 0.05, 1, &G::force_lost_contact,
@@ -140,7 +141,8 @@ constexpr GainInfo kRows[] = {
      "how slowly a wrench is believed that the joint torques do not explain"},
     {kEstimator, "payload_max", "m g", 0, 5, &G::payload_max, "greatest such force believed"},
     {kEstimator, "push_time", "s", 0.001, 10, &G::push_time,
-     "how slowly a force is believed that the commands do not explain"},
+     "how slowly a force is believed that the commands do not explain; up to 8/3 as fast where it "
+     "surprises along the ground"},
     {kEstimator, "push_dead_band", "m/s^2", 0, 100, &G::push_dead_band,
      "unexplained acceleration that is taken for noise"},
     {kEstimator, "push_max", "m/s^2", 0, 100, &G::push_max,

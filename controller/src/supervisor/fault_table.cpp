@@ -77,8 +77,9 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},
     {FaultId::kPower, kDamp, 0.014, kArm, "PowerProtect at the option power_level"},
     {FaultId::kTorqueRate, kWatch, 0.008, kGone,
-     "the StandController's torques change by more than a tenth of their limits in 2 ms, three "
-     "times in a row: they go slower"},
+     "the StandController's torques are held back, to changes of 9.5 % of their limits in 2 ms, "
+     "for "
+     "6 ms"},
     {FaultId::kProgram, kWatch, 0.002, kGone,
      "the StandController has no solution at once: it is sought anew, or bridged for at most 10 "
      "ms"},

@@ -8,6 +8,7 @@
 #include "safety/motor_limits.hpp"
 #include "safety/power_limiter.hpp"
 #include "supervisor/motor_values.hpp"
+#include "supervisor/smooth.hpp"
 
 namespace surefoot {
 
@@ -21,6 +22,7 @@ constexpr double kTurns = 0.6;        // [rad/s] faster: the body may fall, and 
 constexpr double kFalls = 1.6;        // [rad/s] ... until here ...
 constexpr double kGivesWay = 0.25;    // ... they brake this much of what they would
 constexpr double kSmoothing = 0.02;   // [s] of that: no step of torque
+constexpr double kBears = 0.1;        // of the body's weight: legs that bear so much are not caught
 }  // namespace
 
 LegSprings::LegSprings(const Robot& robot, const RisePlan& plan, double watts)
@@ -86,7 +88,9 @@ Vector12 LegSprings::torques(const JointReference& reference, double load) noexc
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = this->hold(load);
   Vector12 pull = (reference.q - q_).cwiseMax(-kReach).cwiseMin(kReach);
-  if (load == 0.0) pull = released_within_power(pull);  // they lie about, and may be caught
+  // Legs of a body that lies may be caught, also where the rear ones press and hold part of it up.
+  const Vector12 freed = released_within_power(pull);
+  pull = freed + smooth(load / kBears) * (pull - freed);
   // What slips off an obstacle must not be flung: that alone takes more power than the rise.
   for (int i = 0; i < kMotors; ++i) {
     const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);

@@ -16,8 +16,9 @@ from surefoot.tune.design.timing import Observers, Timing
 
 _STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
 _FORCE_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
-# PushObserver: what it believes sooner [m/s^2], and the soonest [s].
-_SURPRISE, _SOONER, _SOONEST = 1.5, 0.5, 0.006
+# PushObserver: what surprises slowly, and how much more halves the time [push_dead_band]; the least
+# [push_time]; for how long [s], and how much of that is forgotten in a second without [s].
+_NOISE, _SOONER, _SOONEST, _ALERT, _FORGET = 3.0, 1.0, 3.0 / 8.0, 0.05, 0.05
 # MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
 # at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
 _STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
@@ -26,7 +27,7 @@ _STICK_RATE, _STICK_SHARE = 2.0 / (0.95 * 0.02), 0.9
 # their way, the newest first.
 STATES = (
     *("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2"),
-    *("made", "made1", "made2", "push", "payload", "force"),
+    *("made", "made1", "made2", "push", "payload", "force", "surprised"),
 )
 
 
@@ -64,7 +65,7 @@ class Tick:
         # The gyroscope's rate is the mean over the tick; the velocity has no lag, for the
         # accelerometer carries it.
         speed = 0.5 * (s["v1"] + s["v2"]) if self.direction.rotates else s["v1"]
-        push, believed = self._push(s, linear)
+        push, surprised, believed = self._push(s, linear)
         outside = self.observers.push_resist * believed + s["payload"]
         pulled = -gains[0] * s["x1"] - gains[1] * speed - outside
         ground = pulled if linear else self._given(pulled)
@@ -78,26 +79,32 @@ class Tick:
         moved = (x, v, motor, a, s["x"], s["v"], s["a"], s["v1"], s["a1"])
         # Of the base's origin, which moves further, but for the push that it counted with.
         made = self.direction.base_share * planned - believed
-        observers = (made, s["made"], s["made1"], push, payload, force)
+        observers = (made, s["made"], s["made1"], push, payload, force, surprised)
         after = ca.vertcat(*moved, *observers, command, *sent[:-1])
         return state, gains, after
 
-    def _push(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any]:
-        """Return the push observer's state, and the outside acceleration that it believes in."""
+    def _push(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any, Any]:
+        """Return the push observer's states, and the outside acceleration that it believes in."""
         if linear or self.direction.rotates:
-            return 0.0, 0.0
+            return 0.0, 0.0, 0.0
         period = self.timing.period
         felt = 0.5 * (s["a1"] + s["a2"])
-        seen = self.direction.base_share * felt - s["made2"]
-        push = s["push"] + period / (period + self._time(seen - s["push"])) * (seen - s["push"])
-        return push, self._believed(push)
+        more = self.direction.base_share * felt - s["made2"] - s["push"]
+        share, surprised = self._share_of_time(more, s["surprised"])
+        push = s["push"] + period / (period + self.observers.push_time * share) * more
+        return push, surprised, self._believed(push)
 
-    def _time(self, more: Any) -> Any:
-        ca, slowly = self._casadi, self.observers.push_time
+    def _share_of_time(self, more: Any, surprised: Any) -> tuple[Any, Any]:
+        """Return the share of push_time that a surprise is believed in, and surprised, after it."""
         if self.direction.name == "z":
-            return slowly
-        surprise = ca.fmax(ca.fabs(more) - _SURPRISE, 0.0)
-        return ca.fmax(slowly / (1.0 + surprise / _SOONER), min(slowly, _SOONEST))
+            return 1.0, 0.0
+        ca, period, half = self._casadi, self.timing.period, _SOONER * self.observers.push_dead_band
+        beyond = ca.fabs(more) - _NOISE * self.observers.push_dead_band
+        surprised = surprised + period * ca.if_else(beyond > 0.0, 1.0, -_FORGET)
+        surprised = ca.fmin(ca.fmax(surprised, 0.0), _ALERT)
+        sooner = ca.fmax(half / (half + ca.fmax(beyond, 1e-9)), _SOONEST)
+        slowly = ca.logic_or(beyond <= 0.0, surprised >= _ALERT)
+        return ca.if_else(slowly, 1.0, sooner), surprised
 
     def _believed(self, push: Any) -> Any:
         ca, o = self._casadi, self.observers

@@ -6,20 +6,31 @@
 namespace surefoot {
 
 namespace {
-constexpr double kSurprise = 1.5;   // [m/s^2] beyond what was felt: more is no noise, a push began
-constexpr double kSooner = 0.5;     // [m/s^2] more than that: it is believed in half the time
-constexpr double kSoonest = 0.006;  // [s] a single wrong sample is not to be believed whole
+constexpr double kNoise = 3.0;  // [push_dead_band] that surprise slowly: noise, errors of the model
+constexpr double kSooner = 1.0;  // [push_dead_band] more than that: believed in half the time
+constexpr double kSoonest = 3.0 / 8.0;  // [push_time]: no single wrong sample is believed whole
+constexpr double kAlert =
+    0.05;  // [s] of surprise that are believed sooner: begin and end of a push
+constexpr double kForget = 0.05;  // [s] of them forgotten in every second without
 }  // namespace
 
 // Pushes that a stand may not survive are horizontal. Vertical surprises are accelerometers that
 // drop out, and feet that land.
 void PushObserver::update(const Gains& gains, const Vector3& unexplained, double dt) noexcept {
   const Vector3 more = unexplained - smooth_;
-  const double surprise = std::max(0.0, more.head<2>().norm() - kSurprise);
-  const double soonest = std::min(gains.push_time, kSoonest);
-  const double time = std::max(gains.push_time / (1.0 + surprise / kSooner), soonest);
+  const double time = gains.push_time * share_of_time(gains, more.head<2>().norm(), dt);
   smooth_.head<2>() += dt / (dt + time) * more.head<2>();
   smooth_.z() += dt / (dt + gains.push_time) * more.z();
+}
+
+// What surprises on and on is the body's own sway, at more delay than was told of: believed that
+// soon, it would go on for good.
+double PushObserver::share_of_time(const Gains& gains, double surprise, double dt) noexcept {
+  const double beyond = surprise - kNoise * gains.push_dead_band;
+  surprised_ = std::clamp(surprised_ + (beyond > 0.0 ? dt : -kForget * dt), 0.0, kAlert);
+  if (beyond <= 0.0 || surprised_ >= kAlert) return 1.0;
+  const double half = kSooner * gains.push_dead_band;
+  return std::max(half / (half + beyond), kSoonest);
 }
 
 Vector3 PushObserver::acceleration(const Gains& gains) const noexcept {

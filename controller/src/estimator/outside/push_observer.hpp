@@ -10,8 +10,8 @@ namespace surefoot {
 /// explain, F = m (a_measured - a_feet), where the feet make a_planned less what the plan counted
 /// with of F itself; smoothed, with a dead band that keeps noise and small
 /// errors of the model out, and bounded. The more it surprises along the ground, the sooner it is
-/// believed: what a push gains in the first 10 ms decides whether it is survived. Real-time:
-/// update() yes.
+/// believed, for a twentieth of a second: what a push gains in its first 10 ms decides whether it
+/// is survived. Real-time: update() yes.
 ///
 /// Without it a push is felt only once it has moved the body, and the legs of unloaded feet, whose
 /// motion is planned for a body at rest, are dragged along.
@@ -24,10 +24,13 @@ class PushObserver {
   /// Outside acceleration that is believed, world axes [m/s^2].
   Vector3 acceleration(const Gains& gains) const noexcept;
 
-  void reset() noexcept { smooth_.setZero(); }
+  void reset() noexcept { *this = PushObserver(); }
 
  private:
+  double share_of_time(const Gains& gains, double surprise, double dt) noexcept;
+
   Vector3 smooth_ = Vector3::Zero();
+  double surprised_ = 0.0;  // [s] of late
 };
 
 }  // namespace surefoot
