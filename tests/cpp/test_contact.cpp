@@ -475,12 +475,52 @@ BOOST_AUTO_TEST_CASE(leg_forces_are_those_that_the_torques_were_made_from) {
     const int ticks = moving > 0.0 ? 100 : 1;
     for (int k = 0; k < ticks; ++k) {
       legs.update(dynamics, a.head<3>(), a.segment<3>(3), tau, dq + moving * k * kPeriod * ddq,
-                  kPeriod);
+                  Vector12::Zero(), kPeriod);
     }
     BOOST_TEST((legs.forces() - forces).norm() < 1e-6 * forces.norm());
     legs.reset();
-    legs.update(dynamics, Vector3::Zero(), Vector3::Zero(), tau, dq, kPeriod);
+    legs.update(dynamics, Vector3::Zero(), Vector3::Zero(), tau, dq, Vector12::Zero(), kPeriod);
     BOOST_TEST((legs.forces() - forces).norm() > 0.01 * forces.norm());  // it matters
+  }
+}
+
+BOOST_AUTO_TEST_CASE(joints_near_the_end_of_their_range_may_rest_on_a_stop) {
+  const Robot robot = quadruped();
+  const RobotConfig& config = robot.config();
+  Vector12 q = config.q_standing, expected = Vector12::Zero();
+  q[FR_2] = config.q_upper[FR_2] - 0.01, expected[FR_2] = 1.0;
+  q[FL_2] = config.q_upper[FL_2] + 0.02, expected[FL_2] = 1.0;  // they give
+  q[RR_1] = config.q_lower[RR_1] + 0.01, expected[RR_1] = -1.0;
+  q[RL_2] = config.q_upper[RL_2] - 0.05;
+  BOOST_TEST((stops_at(config, q) - expected).norm() == 0.0);
+}
+
+// A knee that presses on its stop bears nothing on its foot; one that the ground presses off its
+// stop bears as before.
+BOOST_AUTO_TEST_CASE(what_a_joint_presses_on_its_stop_is_not_the_grounds) {
+  const Robot robot = quadruped();
+  RobotState state = standing_state(robot);
+  Dynamics dynamics(robot);
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  const Vector12 resting = [&] {
+    const Eigen::VectorXd all = inverse_dynamics(robot, state, Eigen::VectorXd::Zero(robot.nv()));
+    Vector12 tau;
+    for (int i = 0; i < kMotors; ++i) tau[i] = all[robot.motor_to_v()[i]];
+    return tau;
+  }();
+  const auto force = [&](double tau, double stop) {
+    LegForces legs;
+    Vector12 torques = resting, stops = Vector12::Zero();
+    torques[FR_2] += tau;
+    stops[FR_2] = stop;
+    legs.update(dynamics, Vector3::Zero(), Vector3::Zero(), torques, Vector12::Zero(), stops,
+                kPeriod);
+    return legs.forces().col(FR_).norm();
+  };
+  for (const double stop : {1.0, -1.0}) {
+    BOOST_TEST(force(stop * 6.0, stop) < 1e-9);
+    BOOST_TEST(force(stop * 6.0, 0.0) > 10.0);
+    BOOST_TEST(force(-stop * 6.0, stop) == force(-stop * 6.0, 0.0));
   }
 }
 

@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(a_push_is_seen_beyond_the_dead_band_and_up_to_the_bound) {
   Gains gains;
   PushObserver push;
   const auto after = [&](double seconds, const Vector3& unexplained) {
-    for (int k = 0; k < seconds / kPeriod; ++k) push.update(gains, unexplained, kPeriod);
+    for (int k = 0; k < seconds / kPeriod; ++k) push.update(gains, unexplained, true, kPeriod);
     return push.acceleration(gains);
   };
   BOOST_TEST(push.acceleration(gains).norm() == 0.0);
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(what_surprises_is_believed_sooner) {
       for (const auto& [size, share] : kShares) {
         PushObserver push;
         const Vector3 side = size * band * Vector3(0.6, -0.8, 0.0);
-        push.update(gains, side, kPeriod);
+        push.update(gains, side, true, kPeriod);
         const double seen = kPeriod / (kPeriod + share * push_time) * size * band;
         const double believed = std::max(0.0, seen - band);
         BOOST_TEST(std::abs(push.acceleration(gains).norm() - believed) < 1e-9);
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(drop_outs_of_the_accelerometer_are_believed_slowly) {
   gains.push_dead_band = 0.0;
   PushObserver push;
   const Vector3 drop_out(0.0, 0.0, -kGravity);
-  for (int k = 0; k < 8; ++k) push.update(gains, drop_out, kPeriod);
+  for (int k = 0; k < 8; ++k) push.update(gains, drop_out, true, kPeriod);
   const double slowly = 1.0 - std::pow(1.0 + kPeriod / gains.push_time, -8.0);
   BOOST_TEST((push.acceleration(gains) - slowly * drop_out).norm() < 1e-9);
 }
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(what_goes_on_surprising_is_believed_slowly) {
   PushObserver push;
   const auto change = [&](double size) {
     const double before = push.acceleration(gains).x();
-    push.update(gains, Vector3(before + size, 0.0, 0.0), kPeriod);
+    push.update(gains, Vector3(before + size, 0.0, 0.0), true, kPeriod);
     return (push.acceleration(gains).x() - before) / size;
   };
   const auto tolerance = boost::test_tools::tolerance(1e-3);
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(what_goes_on_surprising_is_believed_slowly) {
   BOOST_TEST(change(size) == 0.25, tolerance);
   for (int k = 0; k < 23; ++k) BOOST_TEST(change(size = -size) == 0.25, tolerance);
   for (int k = 0; k < 200; ++k) BOOST_TEST(change(size = -size) == 1.0 / 9.0, tolerance);
-  for (int k = 0; k < 500; ++k) push.update(gains, Vector3::Zero(), kPeriod);
+  for (int k = 0; k < 500; ++k) push.update(gains, Vector3::Zero(), true, kPeriod);
   BOOST_TEST(change(size) == 0.25, tolerance);
 }
 

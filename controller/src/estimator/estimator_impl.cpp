@@ -59,7 +59,7 @@ Vector3 StateEstimator::Impl::base_acceleration() const noexcept {
 
 void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) noexcept {
   legs.update(dynamics, base_acceleration(), alpha_base, torques_tell() ? tau_est : planned_tau, dq,
-              dt);
+              stops_at(robot.config(), q), dt);
   const Vector3 v_base = filter.v() - dynamics.w_world_base().cross(dynamics.R_world_base() *
                                                                     robot.config().p_base_imu);
   FeetMatrix v_contact;
@@ -130,7 +130,8 @@ bool StateEstimator::Impl::carried() const noexcept {
 // What the accelerometer feels beyond the plan is laid to a push, at once; what the torques bear
 // beyond the model, slowly, to a payload. The plan counts with both already.
 void StateEstimator::Impl::observe_outside(double dt) noexcept {
-  payload.update(gains, dynamics, legs.forces(), carried(), dt);
+  const bool carried = this->carried();
+  payload.update(gains, dynamics, legs.forces(), carried, dt);
   state.f_outside = state.f_lasting = payload.force();
   state.moment_outside = payload.moment();
   if (!has_plan) return;
@@ -138,7 +139,7 @@ void StateEstimator::Impl::observe_outside(double dt) noexcept {
   // believed in when it was made, which is none of the feet's doing.
   const Vector3 a = planned.head<3>() + w_base.cross(Vector3(state.v.head<3>()));
   const Vector3 unplanned = dynamics.R_world_base() * (base_acceleration() - a);
-  push.update(gains, unplanned + planned_push / robot.mass(), dt);
+  push.update(gains, unplanned + planned_push / robot.mass(), carried, dt);
   state.f_outside += robot.mass() * push.acceleration(gains);
 }
 

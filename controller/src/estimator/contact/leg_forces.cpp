@@ -6,11 +6,19 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMost = 1e4;  // [N] beyond this a leg is singular, and says nothing
+constexpr double kMost = 1e4;   // [N] beyond this a leg is singular, and says nothing
+constexpr double kStop = 0.03;  // [rad] nearer to its stop a joint may rest on it: they give, too
+}  // namespace
+
+Vector12 stops_at(const RobotConfig& config, const Vector12& q) noexcept {
+  const auto upper = (q.array() > config.q_upper.array() - kStop).cast<double>();
+  const auto lower = (q.array() < config.q_lower.array() + kStop).cast<double>();
+  return upper - lower;
 }
 
 void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Vector3& alpha_base,
-                       const Vector12& tau_est, const Vector12& dq, double dt) noexcept {
+                       const Vector12& tau_est, const Vector12& dq, const Vector12& stops,
+                       double dt) noexcept {
   Vector6 base;
   base << a_base, alpha_base;
   const double blend = started_ ? dt / (dt + kTime) : 1.0;
@@ -22,7 +30,9 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
     residual += blend * (now - residual);
     smooth += blend * (dq.segment<3>(3 * leg) - smooth);
     const Vector3 ddq = (dq.segment<3>(3 * leg) - smooth) / kTime;
-    const Vector3 force = L.J_leg.transpose().inverse() * (L.M_leg * ddq - residual);
+    Vector3 borne = L.M_leg * ddq - residual;  // J^T f, and what stops bear
+    borne = (stops.segment<3>(3 * leg).array() * borne.array() < 0.0).select(0.0, borne);
+    const Vector3 force = L.J_leg.transpose().inverse() * borne;
     if (force.cwiseAbs().maxCoeff() < kMost) forces_.col(leg) = force;
   }
   started_ = true;

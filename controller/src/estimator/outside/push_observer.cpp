@@ -16,19 +16,22 @@ constexpr double kForget = 0.05;  // [s] of them forgotten in every second witho
 
 // Pushes that a stand may not survive are horizontal. Vertical surprises are accelerometers that
 // drop out, and feet that land.
-void PushObserver::update(const Gains& gains, const Vector3& unexplained, double dt) noexcept {
+void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool carried,
+                          double dt) noexcept {
   const Vector3 more = unexplained - smooth_;
-  const double time = gains.push_time * share_of_time(gains, more.head<2>().norm(), dt);
+  const double time = gains.push_time * share_of_time(gains, more.head<2>().norm(), carried, dt);
   smooth_.head<2>() += dt / (dt + time) * more.head<2>();
   smooth_.z() += dt / (dt + gains.push_time) * more.z();
 }
 
 // What surprises on and on is the body's own sway, at more delay than was told of: believed that
-// soon, it would go on for good.
-double PushObserver::share_of_time(const Gains& gains, double surprise, double dt) noexcept {
+// soon, it would go on for good. So would legs that hang from a hand, which bear nothing of a plan
+// that counts on feet.
+double PushObserver::share_of_time(const Gains& gains, double surprise, bool carried,
+                                   double dt) noexcept {
   const double beyond = surprise - kNoise * gains.push_dead_band;
   surprised_ = std::clamp(surprised_ + (beyond > 0.0 ? dt : -kForget * dt), 0.0, kAlert);
-  if (beyond <= 0.0 || surprised_ >= kAlert) return 1.0;
+  if (beyond <= 0.0 || surprised_ >= kAlert || !carried) return 1.0;
   const double half = kSooner * gains.push_dead_band;
   return std::max(half / (half + beyond), kSoonest);
 }

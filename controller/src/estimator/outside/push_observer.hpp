@@ -10,8 +10,8 @@ namespace surefoot {
 /// explain, F = m (a_measured - a_feet), where the feet make a_planned less what the plan counted
 /// with of F itself; smoothed, with a dead band that keeps noise and small
 /// errors of the model out, and bounded. The more it surprises along the ground, the sooner it is
-/// believed, for a twentieth of a second: what a push gains in its first 10 ms decides whether it
-/// is survived. Real-time: update() yes.
+/// believed, for a twentieth of a second, by a robot on its feet: what a push gains in its first 10
+/// ms decides whether it is survived. Real-time: update() yes.
 ///
 /// Without it a push is felt only once it has moved the body, and the legs of unloaded feet, whose
 /// motion is planned for a body at rest, are dragged along.
@@ -19,7 +19,8 @@ class PushObserver {
  public:
   /// @param unexplained acceleration of the base, measured less what the feet were to make of it,
   /// world axes [m/s^2]
-  void update(const Gains& gains, const Vector3& unexplained, double dt) noexcept;
+  /// @param carried do the feet bear the robot?
+  void update(const Gains& gains, const Vector3& unexplained, bool carried, double dt) noexcept;
 
   /// Outside acceleration that is believed, world axes [m/s^2].
   Vector3 acceleration(const Gains& gains) const noexcept;
@@ -27,7 +28,7 @@ class PushObserver {
   void reset() noexcept { *this = PushObserver(); }
 
  private:
-  double share_of_time(const Gains& gains, double surprise, double dt) noexcept;
+  double share_of_time(const Gains& gains, double surprise, bool carried, double dt) noexcept;
 
   Vector3 smooth_ = Vector3::Zero();
   double surprised_ = 0.0;  // [s] of late
