@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from surefoot import BodyReference, Error, StandController, StandOptions, identify_delay
 from surefoot.sim import Plant, PlantSettings, Push
+from surefoot.sim.truth import Truth
 
 
 def wiggle(settings: PlantSettings, seconds: float = 2.5) -> tuple[np.ndarray, np.ndarray]:
@@ -76,18 +77,26 @@ def test_a_log_that_says_nothing_is_refused(
         identify_delay(sent, reported, 0.002)
 
 
+def pushed(
+    direction: str, share: float, late: float, told: float, seconds: float
+) -> tuple[Truth, ...]:
+    """What a go1 does whose commands are late, pushed by a share of its limit; () if it falls."""
+    plant = Plant("go1", PlantSettings(extra_delay=late, foot_force="dead", seed=1))
+    plant.add_push(Push(direction, share * plant.lip_limit(direction), 0.1, 1.0))
+    controller = StandController(plant.robot, options=StandOptions(delay=told))
+    state, truths = plant.reset(), []
+    for _ in range(round(500 * seconds)):
+        state = plant.step(controller.update(state))
+        truths.append(plant.truth)
+        if truths[-1].fell:
+            return ()
+    return tuple(truths)
+
+
 def still_after_a_push(delay: float) -> float:
     """RMS joint velocity [rad/s] 2.5 .. 3 s after a push, with commands 20 ms late."""
-    plant = Plant("go1", PlantSettings(extra_delay=0.02, foot_force="dead", seed=1))
-    plant.add_push(Push("lateral", 0.6 * plant.lip_limit("lateral"), 0.1, 1.0))
-    controller = StandController(plant.robot, options=StandOptions(delay=delay))
-    state, dq = plant.reset(), []
-    for _ in range(2000):
-        state = plant.step(controller.update(state))
-        dq.append(plant.truth.dq)
-        if plant.truth.fell:
-            return math.inf
-    return float(np.sqrt(np.mean(np.square(dq[-250:]))))
+    truths = pushed("lateral", 0.6, 0.02, delay, 4.0)
+    return float(np.sqrt(np.mean([t.dq**2 for t in truths[-250:]]))) if truths else math.inf
 
 
 def test_with_commands_late_a_push_is_survived_by_prediction_alone() -> None:
@@ -98,13 +107,6 @@ def test_with_commands_late_a_push_is_survived_by_prediction_alone() -> None:
 
 def test_a_push_under_more_delay_than_was_told_of_ends_at_rest() -> None:
     # All of it surprises, and so would the sway that comes of believing that soon for good.
-    plant = Plant("go1", PlantSettings(extra_delay=0.016, seed=1))
-    controller = StandController(plant.robot)
-    state = plant.reset()
-    plant.add_push(Push("forward", 0.5 * plant.lip_limit("forward"), 0.1, 1.0))
-    speeds = []
-    for _ in range(2500):
-        state = plant.step(controller.update(state))
-        speeds.append(plant.data.qvel[:2].copy())
-    assert not plant.truth.fell
-    assert np.sqrt(np.mean(np.array(speeds[-250:]) ** 2)) < 0.002  # [m/s]
+    truths = pushed("forward", 0.5, 0.016, 0.0, 5.0)
+    assert truths
+    assert np.sqrt(np.mean([t.v[:2] ** 2 for t in truths[-250:]])) < 0.002  # [m/s]

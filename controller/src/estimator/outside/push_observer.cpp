@@ -9,8 +9,7 @@ namespace {
 constexpr double kNoise = 3.0;  // [push_dead_band] that surprise slowly: noise, errors of the model
 constexpr double kSooner = 1.0;  // [push_dead_band] more than that: believed in half the time
 constexpr double kSoonest = 3.0 / 8.0;  // [push_time]: no single wrong sample is believed whole
-constexpr double kAlert =
-    0.05;  // [s] of surprise that are believed sooner: begin and end of a push
+constexpr double kAlert = 0.05;   // [s] of surprise that are believed sooner: a push's two ends
 constexpr double kForget = 0.05;  // [s] of them forgotten in every second without
 }  // namespace
 
