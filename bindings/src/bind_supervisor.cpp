@@ -39,7 +39,8 @@ void bind_enums(nb::module_& m) {
       .value("NOT_READY", RequestStatus::kNotReady, "An arming check fails, or passed too briefly.")
       .value("LATCHED", RequestStatus::kLatched, "Damping is latched: arm() first.")
       .value("OUT_OF_ORDER", RequestStatus::kOutOfOrder, "Not from this mode.")
-      .value("BUSY", RequestStatus::kBusy, "Another request waits, or torques are fading.");
+      .value("BUSY", RequestStatus::kBusy,
+             "Another request or a stop waits, or torques are fading.");
 }
 
 void bind_faults(nb::module_& m) {
@@ -47,7 +48,10 @@ void bind_faults(nb::module_& m) {
       .value("NONE", FaultReaction::kNone, "Nothing: there is no fault.")
       .value("WATCH", FaultReaction::kWatch, "It is said and counted.")
       .value("DEGRADE", FaultReaction::kDegrade, "The robot goes on with what is left.")
-      .value("SIT", FaultReaction::kSit, "It sits down, and stays so while the fault lasts.")
+      .value(
+          "SIT", FaultReaction::kSit,
+          "It sits down, and stays so while the fault lasts; where only one that stands can tell,\n"
+          "until arm().")
       .value("DAMP", FaultReaction::kDamp, "The motors brake, latched until arm().");
   nb::enum_<FaultId> id(m, "FaultId", "What can be wrong; fault_table() says more.");
   id.value("NONE", FaultId::kNone, "Nothing.");
@@ -61,7 +65,7 @@ void bind_faults(nb::module_& m) {
       .def_prop_ro("name", [](const FaultInfo& info) { return std::string(to_string(info.id)); })
       .def_prop_ro(
           "clears", [](const FaultInfo& info) { return std::string(info.clears); },
-          "When it counts as gone.")
+          "What ends the reaction, once the fault is no longer seen.")
       .def_prop_ro(
           "meaning", [](const FaultInfo& info) { return std::string(info.meaning); },
           "How it is seen and what is done, in a sentence.");
@@ -146,7 +150,8 @@ void bind_machine(nb::module_& m) {
           "operator_timeout"_a = kUnlimited, "joint_margin"_a = -0.15, "stand"_a = StandOptions(),
           "start"_a = Start::kLying, "remote"_a = true)
       .def_rw("power_level", &SupervisorOptions::power_level,
-              "1 .. 10, of power_protect(); plans keep below it. 0: off, plans keep below 1.")
+              "1 .. 10, of power_protect(), 100 W each. Plans keep below it, stand.power_limit is\n"
+              "0.9 of it or less. 0: off, and that limit with it; plans keep below 1.")
       .def_rw("arming_time", &SupervisorOptions::arming_time, "[s] that all checks must pass.")
       .def_rw("temperature_warning", &SupervisorOptions::temperature_warning,
               "[deg C] torque limits fall from here on ...")
@@ -200,7 +205,8 @@ void bind_machine(nb::module_& m) {
       .def_prop_ro("fading", &Supervisor::fading, "Are torques on their way from mode to mode?")
       .def_prop_ro("stuck", &Supervisor::stuck, "Did the last rise give up?")
       .def_prop_ro("fresh", &Supervisor::fresh, "Was the last command made from its LowState?")
-      .def_prop_ro("power", &Supervisor::power, "[W] that the power protection judged last.")
+      .def_prop_ro("power", &Supervisor::power,
+                   "[W] that the power protection judged last; 0 while it has nothing to judge.")
       .def("set_gains", &Supervisor::set_gains, "gains"_a, "As StandController's; raise Error.")
       .def("set_body_reference", &Supervisor::set_body_reference, "target"_a,
            "Ask for another pose of the body while standing.")

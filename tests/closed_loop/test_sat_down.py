@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import pytest
@@ -18,10 +19,13 @@ SILENCE = 0.5  # [s] of the operator
 class Scene:
     """A robot that stands from the start; its battery may run low, its operator fall silent."""
 
-    def __init__(self, robot: str = "go1") -> None:
-        self.plant = Plant(robot, PlantSettings(seed=3, physics_dt=COARSE_DT))
+    def __init__(self, robot: str = "go1", load: float = 0.0, most: float = math.inf) -> None:
+        self.plant = Plant(robot, PlantSettings(seed=3, physics_dt=COARSE_DT, payload_kg=load))
         options = surefoot.SupervisorOptions(
-            start=Start.STANDING, power_level=power_level(robot), operator_timeout=SILENCE
+            start=Start.STANDING,
+            power_level=power_level(robot),
+            operator_timeout=SILENCE,
+            payload_limit=most,
         )
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self.report = self.plant.reset()
@@ -70,6 +74,22 @@ def test_it_sits_down_slowly(robot: str, why: Callable[[Scene], None]) -> None:
         assert FaultId.OPERATOR in scene.supervisor.faults.active
     if why is battery_low:
         assert FaultId.BATTERY in scene.supervisor.faults.active
+
+
+def test_one_that_bears_too_much_stays_down_until_it_is_armed_anew() -> None:
+    scene = Scene(load=5.0, most=2.0)
+    supervisor = scene.supervisor
+    assert scene.run(4.0, until=Mode.SIT)[-1] == Mode.SIT
+    scene.run(0.5)  # nothing estimates the load any more; it is there all the same
+    assert FaultId.PAYLOAD in supervisor.faults.active
+    assert supervisor.request(Mode.STAND) == RequestStatus.NOT_READY
+    assert scene.run(10.0, until=Mode.PASSIVE)[-1] == Mode.PASSIVE
+    scene.run(2.0)
+    assert supervisor.faults.count(FaultId.PAYLOAD) == 1
+    assert supervisor.request(Mode.RISE) == RequestStatus.NOT_ARMED
+    assert supervisor.arm() == RequestStatus.ACCEPTED  # the operator has seen to it
+    scene.run(0.1)
+    assert supervisor.request(Mode.RISE) == RequestStatus.ACCEPTED
 
 
 def test_it_is_armed_behind_checks_like_any_that_lies() -> None:

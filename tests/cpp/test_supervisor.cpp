@@ -383,6 +383,50 @@ BOOST_FIXTURE_TEST_CASE(a_fault_that_asks_for_it_sits_the_robot_down_and_keeps_i
   });
 }
 
+// Two look at the IMU; what either finds begins once.
+BOOST_FIXTURE_TEST_CASE(a_fault_that_lasts_has_begun_once, AtRest) {
+  run(1.2);
+  const auto stuck = report.imu.gyroscope;
+  for (int k = 0; k < 500; ++k) {
+    report.tick += 2;
+    report.imu.accelerometer[1] = k % 2 == 0 ? 1e-5F : -1e-5F;
+    report.imu.gyroscope = stuck;
+    supervisor.update(report);
+  }
+  BOOST_TEST(supervisor.faults().has(FaultId::kGyroscope));
+  BOOST_TEST(supervisor.faults().count[static_cast<int>(FaultId::kGyroscope)] == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(sensors_that_stopped_are_named_while_it_lies, AtRest) {
+  run(1.2);
+  for (int k = 0; k < 20; ++k) {
+    report.tick += 2;
+    supervisor.update(report);
+  }
+  BOOST_TEST(supervisor.faults().has(FaultId::kFrozen));
+  BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
+  BOOST_TEST(failures() == "fault: frozen keeps the robot down, expected no fault that does");
+  run(1.2);
+  BOOST_TEST(!supervisor.faults().has(FaultId::kFrozen));
+  BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
+}
+
+BOOST_FIXTURE_TEST_CASE(no_arming_is_accepted_that_a_stop_would_void, AtRest) {
+  run(1.2);
+  supervisor.stop();
+  BOOST_TEST((supervisor.arm() == RequestStatus::kBusy));
+  run(1.2);
+  BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
+  step();
+  WirelessRemote remote;
+  remote.buttons = static_cast<std::uint16_t>(Button::kB);
+  report.wirelessRemote = encode_wireless_remote(remote);
+  run(1.2);
+  BOOST_TEST((supervisor.mode() == Mode::kDamping));
+  BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
+  BOOST_TEST(failures() == "fault: button keeps the robot down, expected no fault that does");
+}
+
 BOOST_AUTO_TEST_CASE(a_plan_stays_within_its_power_and_goes_slower_for_less) {
   const Robot robot = quadruped();
   const RisePlan fast = plan_rise(robot, 1000.0), slow = plan_rise(robot, 5.0);
@@ -423,9 +467,11 @@ BOOST_AUTO_TEST_CASE(what_is_published_is_read_whole) {
     std::array<long, 20> values{};
   };
   Published<Pair> published;
+  constexpr int kReads = 20000;  // while it is being written
+  std::atomic<int> reads{0};
   std::atomic<bool> over{false};
   std::thread writer([&] {
-    for (long k = 0; k < 200000; ++k) {
+    for (long k = 0; k < 200000 || reads < kReads; ++k) {
       Pair pair;
       pair.values.fill(k);
       published.write(pair);
@@ -435,6 +481,7 @@ BOOST_AUTO_TEST_CASE(what_is_published_is_read_whole) {
   bool whole = true;
   while (!over) {
     const Pair pair = published.read();
+    ++reads;
     for (const long value : pair.values) whole = whole && value == pair.values[0];
   }
   writer.join();

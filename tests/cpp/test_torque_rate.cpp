@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
+#include "quadruped.hpp"
 #include "supervisor/torque_rate.hpp"
 
 using namespace surefoot;
@@ -10,8 +11,14 @@ namespace {
 constexpr double kTick = 0.002, kLimit = 20.0;
 constexpr double kStep = TorqueRate::kRate * kTick * kLimit;  // [N.m] most in a period
 
+RobotConfig motors() {
+  RobotConfig config = quadruped_config();
+  config.tau_max.setConstant(kLimit);
+  return config;
+}
+
 struct Rate {
-  TorqueRate rate{Vector12::Constant(kLimit)};
+  TorqueRate rate{motors()};
   Vector12 tau = Vector12::Zero(), kd = Vector12::Constant(2.0), dq = Vector12::Zero();
 
   Rate() { rate.rest(kd[0]); }
@@ -58,6 +65,31 @@ BOOST_FIXTURE_TEST_CASE(damping_between_torques_ends_no_faster, Rate) {
   kd.setZero();
   BOOST_TEST(rate.limit(tau, kd, dq, kTick));
   BOOST_TEST(std::abs(made() - before) < kStep + 1e-12);
+}
+
+// A joint that moves fast brakes at its motor's limit: its damping asks for more than that.
+BOOST_FIXTURE_TEST_CASE(what_is_sent_after_damping_is_within_the_motors_limits, Rate) {
+  for (const double speed : {15.0, -15.0}) {
+    dq[0] = speed;
+    rate.rest(3.0);
+    tau.setZero();
+    kd.setZero();
+    BOOST_TEST(rate.limit(tau, kd, dq, kTick));
+    BOOST_TEST(std::abs(tau[0]) <= kLimit);
+    BOOST_TEST(std::abs(tau[0]) > kLimit - 1.01 * kStep);  // and it goes on braking
+  }
+}
+
+// The motors' own damping takes over at once, and goes on from there.
+BOOST_FIXTURE_TEST_CASE(damping_beyond_the_limit_is_no_change, Rate) {
+  dq[0] = 15.0;
+  kd.setConstant(3.0);
+  rate.rest(3.0);
+  for (int k = 0; k < 3; ++k) {
+    tau.setZero();
+    BOOST_TEST(!rate.limit(tau, kd, dq, kTick));
+    BOOST_TEST(tau[0] == 0.0);
+  }
 }
 
 BOOST_FIXTURE_TEST_CASE(what_nobody_knows_does_not_count, Rate) {

@@ -12,7 +12,7 @@ from surefoot.terminal import has_keyboard
 
 KEYS = "a + Enter arms, u goes up, d lies down, x damps"
 _REFUSALS = {
-    RequestStatus.NO_STATE: "no LowState comes",
+    RequestStatus.NO_STATE: "no valid LowState comes",
     RequestStatus.NOT_ARMED: "not armed: a + Enter arms",
     RequestStatus.NOT_READY: "arming checks fail, or have not passed for long enough",
     RequestStatus.LATCHED: "damping is latched: a + Enter arms again",

@@ -54,8 +54,10 @@ enum class FaultReaction : int {
   kNone = 0,
   kWatch,    ///< it is said and counted
   kDegrade,  ///< the robot goes on with what is left
-  kSit,      ///< the robot sits down, and does not get up while the fault lasts
-  kDamp      ///< the motors brake, latched until arm()
+  /// The robot sits down, and does not get up while the fault lasts; where only one that stands can
+  /// tell (payload, an estimator's gyroscope), not before arm().
+  kSit,
+  kDamp  ///< the motors brake, latched until arm()
 };
 const char* to_string(FaultReaction reaction) noexcept;
 
@@ -64,7 +66,7 @@ struct FaultInfo {
   FaultId id = FaultId::kNone;
   FaultReaction reaction = FaultReaction::kNone;
   double detect = 0.0;       ///< [s] from its begin to the reaction, at most
-  std::string_view clears;   ///< when it counts as gone
+  std::string_view clears;   ///< what ends the reaction, once it is no longer seen
   std::string_view meaning;  ///< how it is seen and what is done, in a sentence
 };
 /// Every fault but kNone, in the order of FaultId.

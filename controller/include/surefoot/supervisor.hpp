@@ -38,14 +38,15 @@ enum class RequestStatus : int {
   kNotReady,      ///< an arming check fails, or has not passed for long enough: arming()
   kLatched,       ///< damping is latched: arm() first
   kOutOfOrder,    ///< not from this mode: rise from passive, sit from rise and stand, ...
-  kBusy           ///< another request waits, or torques are on their way from mode to mode
+  kBusy           ///< another request or a stop waits, or torques are on their way to a mode
 };
 const char* to_string(RequestStatus status) noexcept;
 
 /// What is set once.
 struct SupervisorOptions {
-  /// 1 .. 10, of Safety::power_protect(); plans keep below it. 0 switches the protection off; plans
-  /// then keep below level 1.
+  /// 1 .. 10, of Safety::power_protect(), which trips at 100 W times it, whatever pushes the robot.
+  /// Rising and sitting are planned below it; while standing, stand.power_limit is 0.9 of it or
+  /// less. 0 switches the protection off, and with it that limit; plans then keep below level 1.
   int power_level = 1;
   double arming_time = 1.0;           ///< [s] that all checks must have passed
   double temperature_warning = 60.0;  ///< [deg C] torque limits fall from here on ...
@@ -80,7 +81,8 @@ struct SupervisorOptions {
 /// stop or a fault is at once. What is wrong and what is done about it: fault_table().
 ///
 /// update(), bridge(), lose(), count_reports(), set_gains(), set_body_reference(), stand(), fresh()
-/// and power() belong to one thread. All others may be called from any; none of them waits.
+/// and power() belong to one thread. All others may be called from any. None takes a lock; faults()
+/// and arming() read again what was written over while they read it.
 class Supervisor {
  public:
   /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
@@ -138,8 +140,9 @@ class Supervisor {
   /// As StandController's; fold_wait is in force when legs begin to fold. Throws surefoot::Error.
   void set_gains(const Gains& gains);
   const StandController& stand() const noexcept;
-  bool fresh() const noexcept;    ///< was the last command made from its own LowState?
-  double power() const noexcept;  ///< [W] that the power protection judged last
+  bool fresh() const noexcept;  ///< was the last command made from its own LowState?
+  /// [W] that the power protection judged last; 0 while it has nothing to judge.
+  double power() const noexcept;
 
  private:
   struct Impl;

@@ -130,10 +130,10 @@ void Arming::check_joints(const LowState& state) noexcept {
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
     const double outside = std::max(q - config.q_upper[i], config.q_lower[i] - q);
-    if (!(outside <= worst.value)) {
-      worst.value = outside;
-      worst.motor = i;
-    }
+    if (outside <= worst.value) continue;
+    worst.value = outside;
+    worst.motor = i;
+    if (std::isnan(outside)) break;  // no other is worse
   }
   expect_below(worst, worst.value, -limits_.joint_margin);
   at(ArmingCheckId::kJoints) = worst;

@@ -12,6 +12,7 @@ constexpr auto kDamp = FaultReaction::kDamp;
 
 constexpr std::string_view kArm = "arm()";
 constexpr std::string_view kGone = "by itself";
+constexpr std::string_view kGoneOrArm = "by itself, or arm() where legs that stood told it";
 
 constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kStop, kDamp, 0.002, kArm, "stop() from any thread"},
@@ -41,7 +42,7 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kAttitude, kDamp, 0.020, kArm,
      "attitude and gyroscope jump against each other, or it rises or sits without an attitude: "
      "held for 10 ms, then damping"},
-    {FaultId::kGyroscope, kSit, 1.0, kGone,
+    {FaultId::kGyroscope, kSit, 1.0, kGoneOrArm,
      "zero, constant, clipped for 50 ms, or off the attitude's rate by 0.08 rad/s, and a twentieth "
      "of it where the robot does not stand, for half a second"},
     {FaultId::kAccelerometer, kDegrade, 0.5, kGone,
@@ -51,7 +52,7 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "a foot's sensor is stuck, saturated or contradicted: contact from the rest"},
     {FaultId::kSlip, kDegrade, 0.1, kGone, "a standing foot slips: less friction is counted on"},
     {FaultId::kLifted, kDegrade, 0.1, kGone, "no foot bears anything: the pose is held softly"},
-    {FaultId::kPayload, kSit, 2.0, kGone, "more than the option payload_limit"},
+    {FaultId::kPayload, kSit, 2.0, kArm, "more than the option payload_limit"},
     {FaultId::kTilt, kDamp, 0.010, kArm,
      "the body is tilted too far, or will be in a tenth of a second"},
     {FaultId::kMotorMode, kDamp, 0.006, kArm, "a motor reports another mode than servo twice"},

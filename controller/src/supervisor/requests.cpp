@@ -23,7 +23,8 @@ RequestStatus judge_request(const RequestContext& now, Mode mode) noexcept {
 RequestStatus judge_arming(const RequestContext& now) noexcept {
   if (!now.seen) return RequestStatus::kNoState;
   if (now.mode != Mode::kPassive && now.mode != Mode::kDamping) return RequestStatus::kOutOfOrder;
-  return now.ready || now.trusted ? RequestStatus::kAccepted : RequestStatus::kNotReady;
+  const bool may = now.ready || (now.trusted && !now.must_sit);
+  return may ? RequestStatus::kAccepted : RequestStatus::kNotReady;
 }
 
 RequestStatus Requests::ask(Mode mode) noexcept {
@@ -37,6 +38,7 @@ RequestStatus Requests::ask_to_arm() noexcept {
 }
 
 RequestStatus Requests::leave(int what) noexcept {
+  if (stop_.load()) return RequestStatus::kBusy;  // it would void this
   int nothing = kNothing;
   const bool mine = waiting_.compare_exchange_strong(nothing, what);
   return mine ? RequestStatus::kAccepted : RequestStatus::kBusy;

@@ -34,23 +34,25 @@ bool foot_force_bad(const EstimatorReport& report) noexcept {
 
 void SensorFaults::update(const EstimatorReport& report, const RobotState& state, double dt,
                           FaultLog& log) noexcept {
-  log.set(FaultId::kGyroscope, gyroscope_.update(bad(report.gyroscope), dt, kGyroscopeTime));
-  log.set(FaultId::kAccelerometer,
-          accelerometer_.update(bad(report.accelerometer), dt, kSensorTime));
-  log.set(FaultId::kQuaternion, quaternion_.update(bad(report.quaternion), dt, kSensorTime));
+  gyroscope_bad_ = gyroscope_.update(bad(report.gyroscope), dt, kGyroscopeTime);
+  accelerometer_bad_ = accelerometer_.update(bad(report.accelerometer), dt, kSensorTime);
+  quaternion_bad_ = quaternion_.update(bad(report.quaternion), dt, kSensorTime);
+  overloaded_ = payload_.update(report.payload > payload_limit_, dt, kPayloadTime);
   log.set(FaultId::kFootForce, foot_force_bad(report));
   log.set(FaultId::kSlip, slip_.update(report.slip.maxCoeff() > kSlips, dt, kSlipTime));
   log.set(FaultId::kLifted, lifted_.update(state.contact.maxCoeff() < 0.5, dt, kLiftedTime));
-  log.set(FaultId::kPayload, payload_.update(report.payload > payload_limit_, dt, kPayloadTime));
+  log.set(FaultId::kPayload, overloaded_);
 }
 
-void SensorFaults::reset(FaultLog& log) noexcept {
+void SensorFaults::reset(bool sits, FaultLog& log) noexcept {
+  const bool gyroscope_held = sits && gyroscope_bad_, overload_held = sits && overloaded_;
   *this = SensorFaults(payload_limit_);
-  for (const FaultId id :
-       {FaultId::kGyroscope, FaultId::kAccelerometer, FaultId::kQuaternion, FaultId::kFootForce,
-        FaultId::kSlip, FaultId::kLifted, FaultId::kPayload}) {
+  gyroscope_bad_ = gyroscope_held;
+  overloaded_ = overload_held;
+  for (const FaultId id : {FaultId::kFootForce, FaultId::kSlip, FaultId::kLifted}) {
     log.set(id, false);
   }
+  log.set(FaultId::kPayload, overloaded_);
 }
 
 }  // namespace surefoot

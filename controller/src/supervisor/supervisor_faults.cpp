@@ -29,15 +29,15 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   if (standing()) {
     sensors.update(stand.estimator_report(), stand.state(), dt, log);
   } else {
-    sensors.reset(log);
+    sensors.reset(now.mode == Mode::kSit, log);
   }
   encoders.update(state, dt);
   log.set(FaultId::kEncoder, encoders.motor() >= 0, encoders.motor());
   pace.update(state, dt);
   log.set(FaultId::kClock, pace.fast());
-  if (!imu.attitude_fits()) log.set(FaultId::kQuaternion, true);
-  if (imu.accelerometer_bad()) log.set(FaultId::kAccelerometer, true);
-  if (imu.gyroscope_bad()) log.set(FaultId::kGyroscope, true);
+  log.set(FaultId::kQuaternion, sensors.quaternion_bad() || !imu.attitude_fits());
+  log.set(FaultId::kAccelerometer, sensors.accelerometer_bad() || imu.accelerometer_bad());
+  log.set(FaultId::kGyroscope, sensors.gyroscope_bad() || imu.gyroscope_bad());
   judge_tilt(state);
   judge_rest(state, dt);
 }

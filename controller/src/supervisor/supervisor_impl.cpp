@@ -12,13 +12,23 @@ namespace surefoot {
 namespace {
 
 constexpr double kPlannedShare = 0.5;  // of the power level: what the plan takes
-constexpr double kLimitedShare = 0.8;  // of the power level: what the springs may take
+constexpr double kLimitedShare = 0.8;  // of the power level: what the springs may take ...
+constexpr double kStandShare = 0.9;    // ... and a StandController, by the joints' speeds reported
 constexpr double kHeldBack = 0.006;    // [s] that torques lag before it is told
 constexpr Button kStopButton = Button::kB;
 
 double watts(const SupervisorOptions& options) {
   options.validate();
   return Safety::kWattsPerLevel * std::max(options.power_level, 1);
+}
+
+// What leaves is limited first; the protection has the last word.
+StandOptions within_power(const SupervisorOptions& options) {
+  StandOptions stand = options.stand;
+  if (options.power_level > 0) {
+    stand.power_limit = std::min(stand.power_limit, kStandShare * watts(options));
+  }
+  return stand;
 }
 
 }  // namespace
@@ -33,11 +43,11 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       pressing(plan),
       motion(plan),
       springs(r, plan, kLimitedShare * watts(o)),
-      stand(r, gains, o.stand),
+      stand(r, gains, within_power(o)),
       safety(r),
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
       sensors(o.payload_limit),
-      rate(r.config().tau_max),
+      rate(r.config()),
       damping_kd(gains.damping_kd) {
   now.trusted = o.start == Start::kStanding;
   publish();
@@ -107,7 +117,6 @@ void Supervisor::Impl::obey(int request) noexcept {
 // A robot that stands by itself would sink in any fade.
 void Supervisor::Impl::take_over() noexcept {
   stand.reset();
-  safety.reset();
   motors.reset();
   now.mode = Mode::kStand;
   now.armed = true;

@@ -14,7 +14,6 @@ constexpr double kUpright = 0.35;     // [rad] that joints may be off the end of
 void Supervisor::Impl::enter(Mode mode) noexcept {
   if (mode == Mode::kRise) {
     start_rise();
-    safety.reset();
     motors.reset();
     fade.to(Source::kSprings);
   } else if (mode == Mode::kSit && now.mode == Mode::kStand) {
@@ -54,6 +53,8 @@ void Supervisor::Impl::sit(double dt) noexcept {
 void Supervisor::Impl::lie() noexcept {
   now.mode = Mode::kPassive;
   now.trusted = false;  // the one that was taken over as it stood: it lies now, and must be armed
+  // Nothing tells a robot that lies whether what its estimator found is over: the operator must.
+  if (sensors.sits_down()) now.armed = false;
   log.set(FaultId::kHanging, false);
   fade.to(Source::kDamping);
   if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // three legs do not rise

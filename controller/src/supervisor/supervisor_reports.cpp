@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a report is worth.
-#include <cstdlib>
+#include <cmath>
 
 #include "low_state_check.hpp"
 #include "supervisor/supervisor_impl.hpp"
@@ -12,11 +12,12 @@ bool Supervisor::Impl::read(const LowState& state, double step, double dt) noexc
   bad = step < 0.0 ? FaultId::kStaleTick : find_bad(state, step);
   if (bad != before) log.set(before, false);
   if (bad != FaultId::kNone) log.set(bad, true);
-  const FaultId down = log.first(FaultReaction::kSit);
-  arming.keep_down(down);
+  const FaultId sits = log.first(FaultReaction::kSit);
+  const FaultId down = log.report().has(FaultId::kButton) ? FaultId::kButton : sits;
+  arming.keep_down(bad != FaultId::kNone ? bad : down);
   // Who lies and was not heard for long, or began anew, may be another one than was armed.
-  const double since = 1e-3 * std::abs(static_cast<std::int32_t>(state.tick - last_tick));
-  if (known && !active() && !now.trusted && !arming.told() && since > kStaleTime) {
+  const double since = 1e-3 * static_cast<std::int32_t>(state.tick - last_tick);
+  if (known && !active() && !now.trusted && !arming.told() && std::abs(since) > kStaleTime) {
     now.armed = false;
     arming.distrust();
     fade.jump(Source::kDamping);  // springs that were fading out belong to another moment
@@ -28,7 +29,7 @@ bool Supervisor::Impl::read(const LowState& state, double step, double dt) noexc
     if (!active()) clock.reset();
   } else {
     arming.update(state, step);
-    if (bad != FaultId::kNone || repeated.stopped()) arming.distrust();
+    if (bad != FaultId::kNone) arming.distrust();
   }
   if (bad == FaultId::kNone) {
     if (has_quaternion(state.imu)) springs.read(state);
@@ -55,6 +56,7 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   // The torque protections' last word, for every report whose numbers can be: a blow that the IMU
   // is not believed about takes power all the same. The command is not read.
   const bool protect = drives() && options.power_level > 0;
+  if (!protect) safety.reset();
   log.set(FaultId::kPower,
           protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
   const bool joints_fit = joints.update(state, step);
@@ -65,7 +67,9 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   // Between the last report and this one nobody was there to command. Who has a link knows better
   // whether it was the robot that was silent: lose().
   if (active() && !arming.told() && clock.gap() > kAwayTime) return FaultId::kStaleTick;
-  return repeated.too_old() && active() ? FaultId::kFrozen : FaultId::kNone;
+  // Who lies need not act upon it: sensors that have stopped, not those that measure seldom.
+  const bool old = active() ? repeated.too_old() : repeated.stopped();
+  return old ? FaultId::kFrozen : FaultId::kNone;
 }
 
 }  // namespace surefoot

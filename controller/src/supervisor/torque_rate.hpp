@@ -3,34 +3,36 @@
 
 #include <algorithm>
 
-#include "surefoot/math.hpp"
+#include "safety/motor_limits.hpp"
 
 namespace surefoot {
 
 /// Keeps torques from jumping: all motors' change is scaled down together, so that its direction
 /// stays, until no motor changes faster than kRate of its limit. What a motor brakes less or more,
-/// because its damping changes, is a change of torque, too. Real-time: yes.
+/// because its damping changes, is a change of torque, too; but no more than it can make, for one
+/// that brakes at its limit makes no more than that. Real-time: yes.
 class TorqueRate {
  public:
   /// [1/s] of tau_max: 0.095 in 2 ms, 1100 N.m/s on a go1's hips. Pushes of half of what it
   /// survives take up to 0.13, for two or three periods.
   static constexpr double kRate = 47.5;
 
-  explicit TorqueRate(const Vector12& tau_max) : tau_max_(tau_max) {}
+  explicit TorqueRate(const RobotConfig& config) : config_(config) {}
 
   /// [s] A longer period allows no more: motors see steps, however long they were let alone.
   static constexpr double kPeriod = 0.002;
 
-  /// @param tau wanted, is what may be sent afterwards [N.m] @param kd sent with it [N.m.s/rad]
-  /// @param dq joint velocities [rad/s] @param period of commands [s]
+  /// @param tau wanted, is what may be sent afterwards [N.m], within the motors' limits where it
+  /// was too much @param kd sent with it [N.m.s/rad] @param dq joint velocities [rad/s]
+  /// @param period of commands [s]
   /// @return was it too much?
   bool limit(Vector12& tau, const Vector12& kd, const Vector12& dq, double period) noexcept {
-    const double dt = std::min(period, kPeriod);
-    const Vector12 braking = known_ ? Vector12((kd - kd_).cwiseProduct(dq)) : Vector12::Zero();
-    const Vector12 change = tau - last_ - braking;
-    const double most = change.cwiseQuotient(tau_max_).cwiseAbs().maxCoeff() / (kRate * dt);
+    const Vector12 before = made(last_, kd_, dq);
+    const Vector12 change = made(tau, kd, dq) - before;
+    const double allowed = kRate * std::min(period, kPeriod);
+    const double most = change.cwiseQuotient(config_.tau_max).cwiseAbs().maxCoeff() / allowed;
     const bool jumps = known_ && most > 1.0;
-    if (jumps) tau = last_ + braking + change / most;
+    if (jumps) tau = within_limits(before + change / most + kd.cwiseProduct(dq), dq);
     last_ = tau;
     kd_ = kd;
     known_ = true;
@@ -46,7 +48,17 @@ class TorqueRate {
   }
 
  private:
-  Vector12 tau_max_, last_ = Vector12::Zero(), kd_ = Vector12::Zero();
+  Vector12 within_limits(Vector12 tau, const Vector12& dq) const noexcept {
+    for (int i = 0; i < kMotors; ++i) tau[i] = within_motor_limits(config_, i, tau[i], dq[i]);
+    return tau;
+  }
+  /// What the motors make of a command at these speeds, their own damping included [N.m].
+  Vector12 made(const Vector12& tau, const Vector12& kd, const Vector12& dq) const noexcept {
+    return within_limits(tau - kd.cwiseProduct(dq), dq);
+  }
+
+  RobotConfig config_;
+  Vector12 last_ = Vector12::Zero(), kd_ = Vector12::Zero();
   bool known_ = false;  // are last_ and kd_ what was sent?
 };
 
