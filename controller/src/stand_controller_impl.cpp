@@ -40,7 +40,9 @@ void StandController::Impl::adopt(const Gains& gains) noexcept {
 
 const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
   const double step = clock.advance(low_state.tick);
-  const double elapsed = step > 0.0 ? step : clock.period();
+  // Who was away for long commands a robot that has damped by itself, and is elsewhere by now.
+  const bool away = step > 0.0 && clock.gap() > kAwayTime;
+  const double elapsed = away ? clock.gap() : step > 0.0 ? step : clock.period();
   // Time in bad reports is not lost to the estimator; a tick that stands still adds none, for the
   // next good one counts from the last.
   if (step >= 0.0) {
@@ -51,10 +53,12 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
   rung = Rung::kHold;  // all there is, until the tick comes to its program
   if (keeper.latched()) {
     status = Status::kDamping;
-  } else if (step >= 0.0) {
+    if (ramp.moving()) adopt(ramp.step(GainRamp::kTime));
+  } else if (step >= 0.0 && !(away && keeper.controls())) {
     status = think(low_state, std::min(since_estimate, TickClock::kMaxStep));
   }
-  const LowCmd& command = send(status, elapsed);
+  // An estimate that begins anew is no longer the one that the reference was latched by.
+  const LowCmd& command = send(status, status == Status::kDiverged ? kAwayTime : elapsed);
   ++rung_counts[static_cast<int>(rung)];
   return command;
 }
@@ -63,9 +67,9 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
 const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept {
   const double kd = controller.gains().damping_kd;
   if (is_usable(tick)) {
-    keeper.accept(torques.command(reference.lost_leg()));
+    keeper.accept(torques.command(reference.lost_leg(), elapsed));
   } else if (is_fresh(rung)) {
-    keeper.bridge(torques.command(reference.lost_leg()), elapsed, kd);
+    keeper.bridge(torques.command(reference.lost_leg(), elapsed), elapsed, kd);
   } else {
     keeper.refuse(elapsed, kd);
   }

@@ -47,6 +47,8 @@ const char* to_string(Status status) noexcept {
       return "bad_task";
     case Status::kSaturated:
       return "saturated";
+    case Status::kDiverged:
+      return "diverged";
   }
   return "unknown";
 }

@@ -72,6 +72,7 @@ def test_a_sweep_of_a_robot_that_falls_by_itself_is_nothing() -> None:
         ("[[condition]]\nname = 'x'\nfriction = 'ice'", "condition 'x': friction: got 'ice'"),
         ("[[condition]]\nname = 'x'\nstep_foot = 'XX'", "valid names"),
         ("[[condition]]\nname = 'x'\nslope_deg = 5.0\npushes = true", "limits are of level ground"),
+        ("[[condition]]\nname = 'x'\nslope_deg = 5.0", "expected level ground of the first"),
         ("[[condition]]\nname = 'x'\n[[condition]]\nname = 'x'", "each once"),
         ("seeds = 0", "seeds: got 0"),
         ("seeds = true", "seeds: got True"),
@@ -161,6 +162,11 @@ def test_a_controller_that_is_not_there_is_refused_at_once(name: str, words: str
     with pytest.raises(Error) as caught:
         AssessSettings("go1", Contestant(name))
     assert words in str(caught.value)
+
+
+def test_a_module_that_does_not_come_to_its_end_is_refused_in_time() -> None:
+    with pytest.raises(Error, match="its import took longer than 0.2 s"):
+        AssessSettings("go1", Contestant("assess_sleeper:make"), deadline=0.2)
 
 
 def test_a_factory_that_cannot_travel_is_refused_at_once() -> None:

@@ -221,4 +221,38 @@ def test_a_call_that_no_tape_keeps_is_refused() -> None:
     recorder = Recorder(surefoot.load_robot("go1"), SupervisorOptions())
     with pytest.raises(surefoot.Error, match=r"^call: got 'bridge', expected one of arm"):
         recorder.call("bridge", 0.002)
+    with pytest.raises(surefoot.Error, match="call: got 'reset', which Supervisor has not"):
+        recorder.call("reset")
+    with pytest.raises(surefoot.Error, match="call 'request': got 0 arguments, expected one"):
+        recorder.call("request")
     assert recorder.call("arm") == RequestStatus.NO_STATE
+    assert recorder.tape().reports.shape == (0, len(surefoot.LowState().raw))
+
+
+def test_a_call_after_the_last_tick_is_part_of_it() -> None:
+    plant = Plant("go1")
+    recorder = Recorder(plant.robot, SupervisorOptions(start=surefoot.Start.STANDING))
+    state = plant.reset()
+    for _ in range(50):
+        state = plant.step(recorder.update(state))
+    recorder.call("request", Mode.RISE)
+    tape = recorder.tape()
+    assert play(tape, plant.robot).first is None
+    wrong = replace(tape, calls=(replace(tape.calls[0], answer="ACCEPTED"),))
+    first = play(wrong, plant.robot).first
+    assert first is not None and first.row == 50 and first.field == "answer of request()"
+
+
+def test_any_byte_that_is_wrong_is_told_as_a_damaged_log(tmp_path: Path) -> None:
+    file = tmp_path / "run.npz"
+    write_tape(file, stood("go1"))
+    whole, rng, told = bytearray(file.read_bytes()), np.random.default_rng(1), 0
+    for at in rng.integers(0, len(whole), 60):
+        hurt = bytearray(whole)
+        hurt[at] ^= 0x55
+        file.write_bytes(hurt)
+        try:
+            read_tape(file)  # an unused byte may do no harm
+        except surefoot.Error:
+            told += 1
+    assert told > 40

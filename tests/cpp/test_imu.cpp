@@ -288,4 +288,36 @@ BOOST_AUTO_TEST_CASE(without_a_quaternion_the_accelerometer_starts_the_estimator
   BOOST_TEST((estimator.report().quaternion == Verdict::kZero));
 }
 
+// Legs and the vendor's quaternion agree, and not with the gyroscope.
+BOOST_FIXTURE_TEST_CASE(a_gyroscope_that_two_others_contradict_is_outvoted, Turning) {
+  InertialInput input;
+  const auto turn = [&](const Vector3& w) {
+    imu.R_world_base = imu.R_world_base * exp_so3(kPeriod * w);
+  };
+  const Vector3 lie(3.0, 0.0, 0.0);
+  imu.w_base = w_base;
+  for (int k = 0; k < 3; ++k, turn(w_base)) step(input);
+  BOOST_TEST(!input.outvoted());
+  imu.w_base = w_base + lie;
+  for (int k = 0; k < 20; ++k, turn(w_base)) {
+    BOOST_TEST((step(input).w_base - w_base).norm() < 1e-6);
+    BOOST_TEST(input.outvoted());
+  }
+  imu.w_base = w_base;
+  BOOST_TEST((step(input).w_base - w_base).norm() < 1e-6);  // nothing of the lie is left
+  BOOST_TEST(!input.outvoted());
+}
+
+BOOST_FIXTURE_TEST_CASE(legs_alone_do_not_outvote_it, Turning) {
+  imu.w_base = w_base + Vector3(3.0, 0.0, 0.0);
+  for (const bool turns : {true, false}) {
+    InertialInput input;
+    for (int k = 0; k < 5; ++k) {
+      if (turns) imu.R_world_base = imu.R_world_base * exp_so3(kPeriod * imu.w_base);
+      step(input);
+      BOOST_TEST(!input.outvoted());
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

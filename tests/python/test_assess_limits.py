@@ -131,6 +131,14 @@ def test_the_own_limit_is_the_smaller_of_both_and_knows_friction_and_mass() -> N
     assert heavy.own == pytest.approx(1.2 * usual.own)
 
 
+def test_a_push_as_good_as_on_the_ground_has_no_limit() -> None:
+    limits = Limits(surefoot.load_robot("go1"))
+    low = limits.of(Condition("usual"), 0.0, 0.1, -0.15)
+    assert low.own > limits.of(Condition("usual"), 0.0, 0.1, 0.0).own
+    with pytest.raises(surefoot.Error, match="heights_m: got -0.3, expected from -0.2"):
+        limits.of(Condition("usual"), 0.0, 0.1, -0.3)
+
+
 def test_directions_run_from_forward_towards_left() -> None:
     np.testing.assert_allclose(direction(0.0), [1, 0, 0], atol=1e-12)
     np.testing.assert_allclose(direction(90.0), [0, 1, 0], atol=1e-12)

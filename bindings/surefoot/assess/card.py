@@ -63,6 +63,12 @@ class Card:
         names = [condition.name for condition in self.conditions]
         if not names or len(set(names)) < len(names):
             raise Error(f"condition: got {', '.join(names) or 'none'}, expected names, each once")
+        usual = self.conditions[0]
+        if usual.slope_deg or usual.moves:
+            raise Error(
+                f"condition '{usual.name}': got a slope or ground that moves, expected level "
+                "ground of the first: all pushes are tried on it, and their limits are its"
+            )
 
     def described(self) -> dict[str, Any]:
         """Return all of it as plain data."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -150,6 +151,7 @@ def _onward(
 def _serve(pipe: Connection, source: Source) -> None:
     """Do what comes through the pipe, until it closes."""
     die_with_parent()
+    os.dup2(2, 1)  # what a controller prints is no part of our output, which may be JSON
     while True:
         try:
             work: Work = pipe.recv()

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from surefoot._core import Robot
+from surefoot._core import Error, Robot
 from surefoot.assess.condition import Condition
 from surefoot.assess.limits import Pendulum, braked_impulse, lip_impulse
 from surefoot.assess.pinned import Pinned, pin
 from surefoot.assess.quasi_static import quasi_static_force
+
+LOWEST_SHARE = 0.75  # of the centre of mass's height that a push may be below it
 
 
 @dataclass(frozen=True)
@@ -44,8 +46,14 @@ def push_limit(
         friction: True coefficient.
 
     Raises:
-        Error: The robot cannot stand there.
+        Error: The robot cannot stand there, or the push is as good as on the ground.
     """
+    lowest = -LOWEST_SHARE * pinned.height
+    if lift < lowest:
+        raise Error(
+            f"heights_m: got {lift:g}, expected from {lowest:.3f} up: nearer to the ground, "
+            f"{pinned.height:.3f} m below the centre of mass, a push does not tip the robot"
+        )
     pendulum = Pendulum(pinned.mass, pinned.height, pinned.reach(degrees))
     force = quasi_static_force(pinned, degrees, friction)
     return PushLimit(

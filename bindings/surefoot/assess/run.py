@@ -48,7 +48,9 @@ def run_assess(
 def _run(
     settings: AssessSettings, store: Store, planned: list[Work], progress: Progress | None
 ) -> None:
-    left = [w for w in planned if (w.contestant.name, w.unit.key) not in store.results]
+    # What broke may have been the machine's fault: a run that goes on tries it again.
+    whole = {key for key, result in store.results.items() if "broken" not in result}
+    left = [w for w in planned if (w.contestant.name, w.unit.key) not in whole]
     done = len(planned) - len(left)
     jobs = min(settings.jobs, max(1, len(left)))
     for work, result in run_all(left, settings.robot, jobs, settings.deadline):

@@ -10,6 +10,7 @@ from surefoot._core import Error, Robot
 from surefoot.assess.card import Card, standard_card
 from surefoot.assess.contestant import Contestant, find_factory
 from surefoot.assess.ground import Source, describe
+from surefoot.assess.time_limit import time_limit
 from surefoot.robots import build_robot, identity
 
 MOST_JOBS = 256
@@ -41,7 +42,8 @@ class AssessSettings:
         if not 0.1 <= self.deadline <= 86400.0:
             raise Error(f"deadline: got {self.deadline:g} s, expected 0.1 s to a day")
         if self.contestant.factory is None:
-            find_factory(self.contestant)
+            with time_limit(self.deadline, f"controller '{self.contestant.name}': its import"):
+                find_factory(self.contestant)
         try:
             pickle.dumps(self.contestant)
         except (pickle.PicklingError, AttributeError, TypeError) as problem:

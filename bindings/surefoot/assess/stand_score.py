@@ -27,7 +27,7 @@ def stand_section(units: list[StandUnit], found: Found) -> dict[str, Any]:
 
 
 def _worst(results: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the greatest of each figure among those that stood; None if none did."""
+    """Return the greatest of each figure, where a run has it; None if none has."""
     names = ("tilt_deg", "height_mm", "foot_mm")
     return {
         name: max((r[name] for r in results if r.get(name) is not None), default=None)

@@ -41,10 +41,10 @@ class Sweep:
 def sweep(run: Callable[[float], Outcome]) -> Sweep:
     """Push harder and harder: coarse until the robot does not survive, then fine where it tipped.
 
-    Levels go up in steps of COARSE from LOWEST until one is not survived; then the steps of FINE
-    between each last pass and the first failure, upwards until one fails, for survival and for the
-    strict criterion apart. It is no bisection: a weak push that fails where a strong one passes
-    ends the count there.
+    Levels go up in steps of COARSE from LOWEST until one is not survived, to HIGHEST at most; then
+    the steps of FINE between each last pass and the first failure, upwards until one fails, for
+    survival and for the strict criterion apart. It is no bisection: a weak push that fails where a
+    strong one passes ends the count there.
 
     Args:
         run: Runs one level, in percent of the robot's own limit.

@@ -74,8 +74,15 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
     text = json.dumps(result, indent=indent, allow_nan=False) + "\n"
     if place == "-":
         sys.stdout.write(text)
-    else:
-        Path(place).write_text(text, encoding="utf-8")
+        return
+    path = Path(place)
+    if path.exists() and not path.is_file():  # a pipe, a device
+        path.write_text(text, encoding="utf-8")
+        return
+    # Whole or not at all: a second Ctrl-C may end this at any point.
+    part = path.with_name(f".{path.name}.{os.getpid()}")
+    part.write_text(text, encoding="utf-8")
+    part.replace(path)
 
 
 def check_report_place(folder: str | None, command: str, module: str) -> None:

@@ -38,6 +38,9 @@ CALLS = {
 def plain_argument(name: str, *arguments: Any) -> Any:
     """Return a call's argument as JSON knows it; raises Error for a call that no tape keeps."""
     kind = _kind(name)
+    if len(arguments) != (kind.plain is not None):
+        expected = "none" if kind.plain is None else "one"
+        raise Error(f"call '{name}': got {len(arguments)} arguments, expected {expected}")
     return kind.plain(*arguments) if kind.plain is not None else None
 
 
@@ -47,7 +50,11 @@ def carry_out(controller: Any, name: str, argument: Any) -> str:
     method = getattr(controller, name, None)
     if method is None:
         raise Error(f"log: got call '{name}', which {type(controller).__name__} has not")
-    return answer_name(method() if kind.back is None else method(kind.back(argument)))
+    try:
+        arguments = () if kind.back is None else (kind.back(argument),)
+    except (KeyError, TypeError, AttributeError) as problem:
+        raise Error(f"log: call '{name}': got argument {argument!r} ({problem})") from None
+    return answer_name(method(*arguments))
 
 
 def answer_name(answer: Any) -> str:

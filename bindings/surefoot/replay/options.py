@@ -25,6 +25,9 @@ def options_of(values: dict[str, Any], start: Options) -> Options:
         if isinstance(own, StandOptions):
             value = options_of(value, StandOptions())
         elif isinstance(own, Enum):
+            if value not in type(own).__members__:
+                names = ", ".join(type(own).__members__)
+                raise Error(f"log: option '{name}': got {value!r}, expected one of {names}")
             value = type(own)[value]
         setattr(start, name, value)
     return start

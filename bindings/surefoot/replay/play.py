@@ -23,7 +23,7 @@ class Difference:
     """The first thing that is not as it was.
 
     Attributes:
-        row: Of the tape.
+        row: Of the tape; its length for a call after the last one.
         tick: LowState.tick of that row [ms].
         field: Of LowCmd, such as motorCmd[4].tau, or the call whose answer it is.
         logged: What it was.
@@ -72,16 +72,22 @@ def play(tape: Tape, robot: Robot, progress: Progress | None = None) -> Replay:
     commands = np.zeros_like(tape.commands)
     answers: list[Difference] = []
     state, ticks = LowState(), tape.reports.view(LOW_STATE)[:, 0]["tick"]
-    for k, report in enumerate(tape.reports):
+
+    def call_again(k: int) -> None:
         for call in calls.get(k, ()):
             answer = carry_out(controller, call.name, call.argument)
             if answer != call.answer:
                 field = f"answer of {call.name}()"
-                answers.append(Difference(k, int(ticks[k]), field, call.answer, answer))
+                tick = int(ticks[min(k, len(ticks) - 1)])
+                answers.append(Difference(k, tick, field, call.answer, answer))
+
+    for k, report in enumerate(tape.reports):
+        call_again(k)
         state.raw[:] = report
         commands[k] = controller.update(state).raw
         if progress is not None:
             progress("replay", k + 1, len(commands))
+    call_again(len(commands))  # after the last update
     rows = np.flatnonzero((commands != tape.commands).any(axis=1))
     found = answers[:1]
     if len(rows) and not (found and found[0].row <= rows[0]):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import Gains, LowCmd, LowState, Robot
+from surefoot._core import Error, Gains, LowCmd, LowState, Robot
 from surefoot.replay.calls import answer_name, plain_argument
 from surefoot.replay.tape import Call, Controller, Options, Tape, head, make_controller
 
@@ -48,14 +48,20 @@ class Recorder:
     def call(self, name: str, *arguments: Any) -> Any:
         """Make one of calls.CALLS, and return its answer; raises Error."""
         argument = plain_argument(name, *arguments)
-        answer = getattr(self.controller, name)(*arguments)
+        method = getattr(self.controller, name, None)
+        if method is None:
+            raise Error(f"call: got '{name}', which {type(self.controller).__name__} has not")
+        answer = method(*arguments)
         self._calls.append(Call(len(self._reports), name, argument, answer_name(answer)))
         return answer
 
     def tape(self) -> Tape:
         """Return what there is so far."""
         reports, commands = (
-            np.frombuffer(b"".join(rows), dtype=np.uint8).reshape(len(rows), -1)
-            for rows in (self._reports, self._commands)
+            np.frombuffer(b"".join(rows), dtype=np.uint8).reshape(len(rows), width)
+            for rows, width in (
+                (self._reports, len(LowState().raw)),
+                (self._commands, len(LowCmd().raw)),
+            )
         )
         return Tape(**self._head, reports=reports, commands=commands, calls=tuple(self._calls))

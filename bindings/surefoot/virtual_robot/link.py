@@ -14,6 +14,7 @@ from surefoot.virtual_robot.port import Address, Port
 from surefoot.virtual_robot.settings import VirtualRobotSettings
 
 MOST_PER_CYCLE = 32  # datagrams read: a peer that floods must not stall the physics
+_LEAST_OWNED = 0.1  # [s] for which who commanded last is answered, and nobody else
 _STREAM = 10  # of random numbers; the plant has 0 .. 3
 
 
@@ -50,7 +51,8 @@ class Link:
         self.received = self.commands = self.overtaken = self.repeated = 0
         self.sent = self.unsent = 0
         self._latest = b""
-        self._timeout, self._commanded = settings.timeout, -math.inf  # [s]
+        self._owned = max(settings.timeout, _LEAST_OWNED)  # [s] after a command
+        self._commanded = -math.inf  # [s]
         self.rejected: dict[str, int] = {}
 
     @property
@@ -70,7 +72,7 @@ class Link:
                 self.peer, self._commanded = sender, time
                 self.overtaken += newest is not None
                 newest = cmd
-            elif time - self._commanded > self._timeout and self._asks(data):
+            elif time - self._commanded > self._owned and self._asks(data):
                 self.peer = sender
         return newest
 

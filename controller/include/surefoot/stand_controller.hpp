@@ -73,8 +73,8 @@ class StandController {
   void give_up(int leg) noexcept;
   int lost_leg() const noexcept;  ///< that was given up, or -1
   /// [m] how far the capture point is inside the triangle of the other three feet; negative
-  /// outside; infinite where a leg is lost, for two feet have no inside; NaN for none of 0 .. 3 and
-  /// before the first tick. Of the last good tick. Real-time: yes.
+  /// outside; infinite where another leg is lost, for two feet have no inside; NaN for none of 0 ..
+  /// 3 and before the first tick. Of the last good tick. Real-time: yes.
   double margin_without(int leg) const noexcept;
 
   /// See WholeBodyController::set_torque_share(). Real-time: yes.

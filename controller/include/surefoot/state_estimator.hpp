@@ -26,8 +26,9 @@ class StateEstimator {
   StateEstimator(StateEstimator&&) noexcept;
 
   /// Take in one report. @param dt [s] since the last one taken in, 0 < dt <= 0.1
-  /// @return kOk; kStaleTick (dt), kNonFinite or kImplausible with the state as it was. A
-  /// quaternion that is none only counts against itself: see report().
+  /// @return kOk; kStaleTick (dt), kNonFinite or kImplausible with the state as it was; kDiverged,
+  /// after reports that no motion explains: it begins anew with the next. A quaternion of finite
+  /// numbers that is none only counts against itself: see report().
   Status update(const LowState& low_state, double dt) noexcept;
 
   const RobotState& state() const noexcept;

@@ -11,6 +11,7 @@ constexpr double kRateTime = 0.005;  // [s] smooths the angular acceleration
 constexpr double kTravels = 0.05;    // [m/s] slower is not travelling, but noise
 constexpr double kSurprise = 1.0;    // [m/s] doubt about the velocity once no foot agrees
 constexpr double kStands = 0.9;      // belief of a foot whose noise is learnt
+constexpr double kStill = 0.2;       // [rad/s] of a body at rest
 constexpr double kCarried = 0.4;     // share of the weight that feet bear of a robot that stands
 constexpr double kFeetDown = 2.5;    // beliefs' sum of the same
 
@@ -28,6 +29,7 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 
 void StateEstimator::Impl::predict(double dt) noexcept {
   step = inertial.step(gains, imu, filter, dynamics, state.contact, dt);
+  if (inertial.outvoted()) imu.gyroscope = Verdict::kDisagrees;
   filter.predict(gains, step, wander.variance(gains, feet_beliefs(), dt));
   w_base = step.w_base - filter.gyroscope_bias();
   w_smooth += dt / (dt + kRateTime) * (w_base - w_smooth);
@@ -119,6 +121,14 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   const auto& P = filter.covariance();
   const double tilt = std::sqrt(P(0, 0) + P(1, 1));
   quaternion.update(imu, filter.R_world_base(), tilt, dt);
+  if (misled()) align_anew();
+}
+
+// Has the filter been led astray, by a gyroscope that nobody contradicted in time? The vendor's
+// attitude and the accelerometer of a robot at rest agree with each other, and not with it.
+bool StateEstimator::Impl::misled() const noexcept {
+  if (quaternion.verdict() != Verdict::kDisagrees || w_smooth.norm() > kStill) return false;
+  return vouch_for_each_other(imu);
 }
 
 bool StateEstimator::Impl::carried() const noexcept {

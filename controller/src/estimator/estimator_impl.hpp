@@ -25,6 +25,7 @@ struct StateEstimator::Impl {
   void read_joints(const LowState& low_state) noexcept;
   void start() noexcept;
   void align() noexcept;
+  void align_anew() noexcept;
   void predict(double dt) noexcept;
   void update_dynamics() noexcept;
   void find_contacts(const LowState& low_state, double dt) noexcept;
@@ -37,6 +38,7 @@ struct StateEstimator::Impl {
   Vector3 base_acceleration() const noexcept;
   bool torques_tell() const noexcept { return torques.verdict() == Verdict::kGood; }
   bool carried() const noexcept;
+  bool misled() const noexcept;
 
   Robot robot;
   Gains gains;
@@ -71,5 +73,8 @@ struct StateEstimator::Impl {
   double way = 0.0;  // [m] that the base has travelled
   bool started = false, aligned = false;
 };
+
+/// Does the accelerometer, at rest, show the vertical that the vendor's attitude has?
+bool vouch_for_each_other(const ImuReading& imu) noexcept;
 
 }  // namespace surefoot

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kLeastTilt = 0.05;  // [rad] doubt about a tilt that two witnesses share
 constexpr double kRest = 0.1;        // of g by which what is felt at rest may be off
+constexpr double kVouched = 0.05;    // [rad] by which two that vouch for each other may differ
 constexpr double kAligned = 0.035;   // [rad] of tilt, known well enough to look for biases
 
 // Without its heading, which defines the world's.
@@ -30,7 +31,16 @@ double tilt_between(const Vector3& f_base, const Quaternion& R) noexcept {
   return std::acos(std::clamp(up.dot(R.conjugate() * Vector3::UnitZ()), -1.0, 1.0));
 }
 
+bool feels_rest(const Vector3& f_base) noexcept {
+  return std::abs(f_base.norm() - kGravity) < kRest * kGravity;
+}
+
 }  // namespace
+
+bool vouch_for_each_other(const ImuReading& imu) noexcept {
+  return imu.has_quaternion && imu.accelerometer == Verdict::kGood && feels_rest(imu.f_base) &&
+         tilt_between(imu.f_base, imu.R_world_base) < kVouched;
+}
 
 StateEstimator::Impl::Impl(const Robot& r)
     : robot(r),
@@ -42,6 +52,9 @@ StateEstimator::Impl::Impl(const Robot& r)
 
 void StateEstimator::Impl::reset() noexcept {
   started = has_plan = false;
+  planned.setZero();
+  planned_tau.setZero();
+  planned_push.setZero();
   way = 0.0;
   reader.reset();
   inertial.reset();
@@ -64,8 +77,8 @@ void StateEstimator::Impl::reset() noexcept {
 void StateEstimator::Impl::start() noexcept {
   Quaternion R = level_heading(imu.has_quaternion ? imu.R_world_base : upright(imu.f_base));
   // A field that is not filled, 1 0 0 0, is of unit length, too: gravity knows better at rest.
-  const bool rests = std::abs(imu.f_base.norm() - kGravity) < kRest * kGravity;
-  if (rests && tilt_between(imu.f_base, R) > gains.start_tilt) R = upright(imu.f_base);
+  if (feels_rest(imu.f_base) && tilt_between(imu.f_base, R) > gains.start_tilt)
+    R = upright(imu.f_base);
   state.q.segment<4>(3) = R.coeffs();
   w_base = w_smooth = imu.w_base;
   update_dynamics();
@@ -98,6 +111,14 @@ void StateEstimator::Impl::align() noexcept {
   filter.doubt({kLeastTilt, gains.start_velocity, gains.noise_foot_position,
                 gains.start_gyroscope_bias, gains.start_accelerometer_bias});
   aligned = true;
+}
+
+// As at the start: biases that were learnt with a wrong attitude are none.
+void StateEstimator::Impl::align_anew() noexcept {
+  filter.forget_biases();
+  filter.doubt({gains.start_tilt, gains.start_velocity, gains.noise_foot_position, 0.0, 0.0});
+  quaternion.reset();
+  aligned = false;
 }
 
 }  // namespace surefoot

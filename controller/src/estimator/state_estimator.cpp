@@ -68,7 +68,9 @@ Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   s.find_contacts(low_state, dt);
   s.correct(dt);
   s.observe_outside(dt);
-  return Status::kOk;
+  if (s.filter.possible()) return Status::kOk;
+  s.reset();
+  return Status::kDiverged;
 }
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 
 namespace surefoot {
@@ -8,14 +9,15 @@ namespace surefoot {
 /// Tells from LowState::tick what became of the reports in between. Real-time: yes.
 ///
 /// Ticks count milliseconds, so how many of them make one report is learnt: the step that comes
-/// time after time. A robot that begins anew is told from a report that was held up on the way by
-/// coming in a row: ticks that rise, all of them behind what came before.
+/// time after time. A robot that begins anew is told from reports that were held up on the way by
+/// coming in a row: ticks that rise, all of them behind what came before. Where they may be the
+/// last second's own, which a network delivers in a burst, they must come at the robot's pace, too.
 class TickSequence {
  public:
   enum class Verdict { kNewer, kDuplicate, kReordered, kRestarted };
 
-  /// Take in the tick of a valid report.
-  Verdict take(std::uint32_t tick) noexcept;
+  /// Take in the tick of a valid report. @param time of its arrival [s], on any steady clock
+  Verdict take(std::uint32_t tick, double time) noexcept;
 
   /// Reports that should have come since take() was first called, and have not (yet).
   std::uint64_t lost() const noexcept { return lost_; }
@@ -23,17 +25,21 @@ class TickSequence {
  private:
   void begin(std::uint32_t tick) noexcept;
   Verdict take_ahead(std::uint32_t step) noexcept;
-  Verdict take_behind(std::uint32_t tick, std::uint32_t behind) noexcept;
+  Verdict take_behind(std::uint32_t tick, std::uint32_t behind, double time) noexcept;
   void learn(std::uint32_t step) noexcept;
 
+  static constexpr std::size_t kRemembered = 1024;  // [ms]
+
   bool started_ = false;
-  std::uint32_t last_ = 0;    // the newest
-  std::uint64_t seen_ = 0;    // bit k: has last_ - k come?
-  std::uint32_t period_ = 0;  // [ms] between reports; 0: not known yet
-  std::uint32_t step_ = 0;    // [ms] between the newest two
-  int steps_ = 0;             // how many of the same in a row
-  std::uint32_t old_ = 0;     // the newest of those in a row that are behind
-  int old_ones_ = 0;          // how many
+  std::uint32_t last_ = 0;         // the newest
+  std::bitset<kRemembered> seen_;  // bit k: has last_ - k come?
+  std::uint32_t period_ = 0;       // [ms] between reports; 0: not known yet
+  std::uint32_t step_ = 0;         // [ms] between the newest two
+  int steps_ = 0;                  // how many of the same in a row
+  std::uint32_t old_ = 0;          // the newest of those in a row that are behind
+  int old_ones_ = 0;               // how many
+  std::uint32_t old_first_ = 0;    // the first of them ...
+  double old_since_ = 0.0;         // [s] ... and when it came
   std::uint64_t lost_ = 0;
 };
 

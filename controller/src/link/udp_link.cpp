@@ -81,7 +81,7 @@ bool UdpLink::Impl::take(std::size_t size, double time) noexcept {
     return false;
   }
   ++counts.valid;
-  const TickSequence::Verdict verdict = sequence.take(incoming.tick);
+  const TickSequence::Verdict verdict = sequence.take(incoming.tick, time);
   counts.lost = sequence.lost();
   if (verdict == TickSequence::Verdict::kDuplicate) {
     ++counts.duplicate;

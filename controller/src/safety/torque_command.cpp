@@ -2,16 +2,18 @@
 #include "safety/torque_command.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "safety/holding_torques.hpp"
+#include "safety/motor_limits.hpp"
 #include "wbc/limits.hpp"
 
 namespace surefoot {
 
 namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr double kFadeStep = 0.1;  // of a lost leg's damping, each tick: a moving leg gets no jolt
+constexpr double kFadeTime = 0.02;  // [s] of a lost leg's damping: a moving leg gets no jolt
 }  // namespace
 
 Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
@@ -47,25 +49,42 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
   // the power on its way. The command goes as it is; the protection is there for the rest.
   if (limited_.exceeds) limit_to(state.contact, kUnlimited);
+  // What was mixed in may be more than a motor has left at its speed.
+  if (limited_.scale < 1.0) {
+    for (int i = 0; i < kMotors; ++i) {
+      double& torque = limited_.torques[i];
+      torque = within_motor_limits(robot_.config(), i, torque, dq[i], torque_share_[i]);
+    }
+  }
   return limited_.scale < 1.0;
 }
 
 // What is left of the leg moves as little as it can, whichever of its motors is the dead one.
-LowCmd TorqueCommand::command(int lost_leg) noexcept {
+LowCmd TorqueCommand::command(int lost_leg, double dt) noexcept {
   Vector12 tau = limited_.torques, kd = Vector12::Constant(damping_);
   if (lost_leg >= 0) {
     tau.segment<kLegJoints>(kLegJoints * lost_leg).setZero();
-    faded_in_ = std::min(faded_in_ + kFadeStep, 1.0);
+    faded_in_ = std::min(faded_in_ + dt / kFadeTime, 1.0);
     kd.segment<kLegJoints>(kLegJoints * lost_leg).setConstant(faded_in_ * lost_damping_);
   }
   return torque_low_cmd(tau, kd);
 }
 
+namespace {
+
+// The float next to it towards zero: a limit that is rounded up is exceeded.
+float towards_zero(double x) noexcept {
+  const float nearest = static_cast<float>(x);
+  return std::abs(double{nearest}) > std::abs(x) ? std::nextafter(nearest, 0.0F) : nearest;
+}
+
+}  // namespace
+
 LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept {
   LowCmd command = init_low_cmd();
   for (int i = 0; i < kMotors; ++i) {
     MotorCmd& motor = command.motorCmd[i];
-    motor.tau = static_cast<float>(torques[i]);
+    motor.tau = towards_zero(torques[i]);
     if (kd[i] > 0.0) {
       motor.dq = 0.0F;
       motor.Kd = static_cast<float>(kd[i]);

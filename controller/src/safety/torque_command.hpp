@@ -30,7 +30,8 @@ class TorqueCommand {
             const Reference& reference, const Gains& gains) noexcept;
 
   /// @param lost_leg whose motors get no torques and damp, from 0 on; -1: none
-  LowCmd command(int lost_leg) noexcept;
+  /// @param dt [s] since the last
+  LowCmd command(int lost_leg, double dt) noexcept;
 
   /// See WholeBodyController::set_torque_share().
   void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "supervisor/imu_watch.hpp"
 
+#include <algorithm>
+
 #include "estimator/imu/imu_reader.hpp"
 #include "low_state_check.hpp"
 
@@ -14,6 +16,7 @@ constexpr double kForget = 0.5;     // [s] after which a new attitude is taken a
 constexpr double kRateJump = 3.0;   // [rad/s] of the gyroscope from one report to the next
 constexpr double kPatience = 0.05;  // [s] of a gyroscope that stands still or clips
 constexpr double kOff = 0.08;       // [rad/s] that it may be off the attitude's rate for long ...
+constexpr double kMad = 0.8;        // [rad/s] no report is taken to be further off: a few are none
 constexpr double kOffShare = 0.05;  // of its rate, where bodies roll over: it is scaled
 constexpr double kOffTime = 0.5;    // [s] ... smoothed over this: pushes tilt attitude filters
 
@@ -39,7 +42,8 @@ void ImuWatch::update(const IMU& imu, double step, bool anew, bool may_roll) noe
     attitude_fits_ = !started_ || against_ >= kForget || follows(now, w);
     if (attitude_fits_) {
       const double blend = -std::expm1(-step / kOffTime);
-      off_ += blend * (w - w_attitude - off_);
+      const Vector3 apart = w - w_attitude;
+      off_ += blend * (apart * std::min(1.0, kMad / (apart.norm() + 1e-9)) - off_);
       rate_ += blend * (w.norm() - rate_);
       R_ = now;
       against_ = 0.0;

@@ -132,6 +132,21 @@ ROWS = (
                 WATCH,
                 None,
             ),
+            case(
+                "wrong",
+                "a rate 2.5 rad/s too high",
+                lambda: _gyroscope(2.5),
+                NO_RATE,
+                SLOW_REFUSAL,
+                rising=NO_RATE_LATER,
+            ),
+            case(
+                "intermittent",
+                "a rate 20 rad/s too high for 10 ms of every second",
+                lambda: Signal("gyroscope", some(inject.offset([20.0, 0.0, 0.0]), 500, 5)),
+                WATCH,
+                None,
+            ),
         ),
     ),
 )

@@ -10,6 +10,10 @@ using namespace error;
 
 namespace {
 constexpr double kSmallestFoot = 1e-12;  // [m^2] keeps a perfectly known foot invertible
+constexpr double kRounding = 1e-6;       // of a variance of nothing
+constexpr double kMostSpeed = 20.0;      // [m/s]
+constexpr double kMostRateBias = 3.0;    // [rad/s]
+constexpr double kMostForceBias = 30.0;  // [m/s^2]
 constexpr double kTurned = 0.01;         // [rad] after which linearisations are made anew
 
 double square(double x) noexcept { return x * x; }
@@ -44,6 +48,14 @@ void InvariantFilter::doubt(const StartDoubt& doubt) noexcept {
   P_.set_variance(kFeet, 3 * kLegs, square(doubt.foot));
   P_.set_variance(kGyroscope, 3, square(doubt.gyroscope));
   P_.set_variance(kAccelerometer, 3, square(doubt.accelerometer));
+}
+
+bool InvariantFilter::possible() const noexcept {
+  const bool values = v_.norm() < kMostSpeed && gyroscope_bias_.norm() < kMostRateBias &&
+                      accelerometer_bias_.norm() < kMostForceBias;
+  bool variances = true;  // what is no number is none
+  for (int k = 0; k < kSize; ++k) variances = variances && P_(k, k) > -kRounding;
+  return values && variances;
 }
 
 // What the biases do to the error turns with the attitude. Were it made at each tick's estimate,

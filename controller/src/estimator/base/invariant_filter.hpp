@@ -42,6 +42,14 @@ class InvariantFilter {
   /// Doubt anew what has been found so far.
   void doubt(const StartDoubt& doubt) noexcept;
 
+  /// Biases are zero again. Their doubt stays as it is.
+  void forget_biases() noexcept {
+    gyroscope_bias_.setZero();
+    accelerometer_bias_.setZero();
+  }
+  /// Is the estimate one that a robot may have? What is not does not come back by itself.
+  bool possible() const noexcept;
+
   /// Move on by one IMU reading.
   /// @param foot_variance [m^2] that each may have moved besides
   void predict(const Gains& gains, const InertialStep& imu,

@@ -15,8 +15,10 @@ constexpr double kBetween = 0.25;       // of a change over a tick that its mean
 constexpr double kQuaternionRate = 0.05;  // [rad/s] noise of the vendor's quaternion's turn
 constexpr double kLegRate = 0.2;          // [rad/s] noise of a rate from the legs
 constexpr double kMostRate = 35.0;        // [rad/s] faster a quaternion does not turn: it jumps
-constexpr double kBlindRate = 1.0;        // [rad/s] doubt where nothing tells
-constexpr double kBlindForce = 3.0;       // [m/s^2]
+constexpr double kLie = 1.0;         // [rad/s] by which two others must contradict a gyroscope ...
+constexpr double kVoice = 0.5;       // ... of which they may differ
+constexpr double kBlindRate = 1.0;   // [rad/s] doubt where nothing tells
+constexpr double kBlindForce = 3.0;  // [m/s^2]
 
 double square(double x) noexcept { return x * x; }
 
@@ -45,7 +47,10 @@ InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
     f_noise_.reset(gains.noise_accelerometer);
     started_ = true;
   }
-  if (imu.w_age == 1) w_noise_.update(imu.w_base, dt);
+  const bool moved = imu.has_quaternion && has_last_ && imu.R_world_base.coeffs() != last_.coeffs();
+  held_ += dt;
+  outvoted_ = imu.gyroscope == Verdict::kGood && outvotes(imu, filter, dynamics, contact, moved);
+  if (imu.w_age == 1 && !outvoted_) w_noise_.update(imu.w_base, dt);
   if (imu.f_age == 1) f_noise_.update(imu.f_base, dt);
   out.w_base = 0.5 * (imu.w_base + last_w_);
   out.f_base = 0.5 * (imu.f_base + last_f_);
@@ -53,22 +58,37 @@ InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
                    between_variance(imu.w_base - last_w_, w_noise_.sigma());
   out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kForceChange, dt) +
                    between_variance(imu.f_base - last_f_, f_noise_.sigma());
-  const bool moved = imu.has_quaternion && imu.R_world_base.coeffs() != last_.coeffs();
-  if (imu.gyroscope != Verdict::kGood) {
-    replace_rate(imu, filter, dynamics, contact, has_last_ && moved, out);
+  if (imu.gyroscope != Verdict::kGood || outvoted_) {
+    replace_rate(imu, filter, dynamics, contact, moved, out);
   }
   if (imu.accelerometer != Verdict::kGood) {
     out.f_base = filter.R_world_base().transpose() * (kGravity * Vector3::UnitZ()) +
                  filter.accelerometer_bias();
     out.f_variance = square(kBlindForce);
   }
-  last_w_ = imu.w_base;
+  last_w_ = outvoted_ ? out.w_base : imu.w_base;
   last_f_ = imu.f_base;
+  if (moved || !has_last_) held_ = 0.0;
   since_ = moved ? Quaternion::Identity()
                  : since_ * exp_so3(dt * (out.w_base - filter.gyroscope_bias()));
   last_ = imu.R_world_base;
   has_last_ = imu.has_quaternion;
   return out;
+}
+
+// Two that agree with each other and not with it. A body that slips or is struck turns as gyroscope
+// and quaternion say, whatever the legs make of it.
+bool InertialInput::outvotes(const ImuReading& imu, const InvariantFilter& filter,
+                             const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                             bool moved) const noexcept {
+  // No body turns so much faster from one tick to the next: what it did will do for the legs.
+  Vector3 w_other = last_w_ - filter.gyroscope_bias();
+  rate_from_legs(dynamics, contact, w_other);
+  const double off = (imu.w_base - filter.gyroscope_bias() - w_other).norm();
+  if (!(off > kLie)) return false;
+  if (!moved) return outvoted_;  // a quaternion slower than the reports
+  const Vector3 w_quaternion = log_so3(last_.conjugate() * imu.R_world_base) / held_;
+  return (w_quaternion - w_other).norm() < kVoice * off;
 }
 
 void InertialInput::replace_rate(const ImuReading& imu, const InvariantFilter& filter,

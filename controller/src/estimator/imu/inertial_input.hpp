@@ -12,18 +12,23 @@ namespace surefoot {
 ///
 /// The tick's mean is half the last sample and half this one. Their noise is measured, by second
 /// differences, from the gain's value on. A held sample is wrong by the same noise again and by
-/// what has changed since. A gyroscope that has stopped is replaced by the turn of the vendor's
-/// quaternion while that moves, else by the legs that stand; an accelerometer that has stopped by
-/// rest. Real-time: yes.
+/// what has changed since. A gyroscope that has stopped, or that the turn of the vendor's
+/// quaternion contradicts with one voice with the legs that stand (without three of them, with the
+/// rate of the tick before), is replaced by that turn while it moves, else by the legs; an
+/// accelerometer that has stopped by rest. Real-time: yes.
 class InertialInput {
  public:
   /// @param dynamics,contact of the tick before
   InertialStep step(const Gains& gains, const ImuReading& imu, const InvariantFilter& filter,
                     const Dynamics& dynamics, const Eigen::Vector4d& contact, double dt) noexcept;
 
+  /// Did the others outvote the gyroscope in the last step?
+  bool outvoted() const noexcept { return outvoted_; }
   void reset() noexcept { *this = InertialInput(); }
 
  private:
+  bool outvotes(const ImuReading& imu, const InvariantFilter& filter, const Dynamics& dynamics,
+                const Eigen::Vector4d& contact, bool moved) const noexcept;
   void replace_rate(const ImuReading& imu, const InvariantFilter& filter, const Dynamics& dynamics,
                     const Eigen::Vector4d& contact, bool moved, InertialStep& out) const noexcept;
 
@@ -31,7 +36,9 @@ class InertialInput {
   Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
   Quaternion last_ = Quaternion::Identity();   // the vendor's
   Quaternion since_ = Quaternion::Identity();  // what it was turned by since that was new
+  double held_ = 0.0;                          // [s] since that was new
   bool has_last_ = false;                      // a quaternion
+  bool outvoted_ = false;
   bool started_ = false;
 };
 
