@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a long rest does to the estimate.
+// What rest does to the estimate, a long one and one after a bad moment.
 #include <boost/test/unit_test.hpp>
 #include <random>
 
@@ -53,6 +53,61 @@ BOOST_AUTO_TEST_CASE(trembling_joint_velocities_do_not_turn_the_world) {
   BOOST_TEST(2.0 * turned.head<2>().norm() < 5e-3);
   BOOST_TEST(2.0 * std::abs(turned.z()) < 5e-3);
   BOOST_TEST(estimator.report().accelerometer_bias.norm() < 0.05);
+}
+
+// A gyroscope that lies while there is no quaternion to tell: the tilt is wrong, and sure of
+// itself.
+BOOST_AUTO_TEST_CASE(a_filter_that_was_led_astray_finds_back) {
+  const Robot robot = quadruped();
+  StateEstimator estimator(robot);
+  Trembling trembling(robot);
+  std::uint32_t tick = 0;
+  double astray = 0.0;
+  const auto run = [&](double seconds, bool lies) {
+    for (int k = 0; k < static_cast<int>(500.0 * seconds); ++k, tick += 2) {
+      LowState report = trembling.report(tick);
+      if (lies) {
+        report.imu.gyroscope[0] += 20.0F;
+        report.imu.quaternion = {};
+      }
+      estimator.update(report, 0.002);
+      const Eigen::Vector4d q = estimator.state().q.segment<4>(3);
+      if (lies) astray = std::max(astray, 2.0 * q.head<2>().norm());
+    }
+  };
+  run(2.0, false);
+  run(0.05, true);
+  BOOST_TEST(astray > 0.2);
+  run(5.0, false);
+  BOOST_TEST(2.0 * estimator.state().q.segment<2>(3).norm() < 0.02);
+  BOOST_TEST(estimator.report().accelerometer_bias.norm() < 0.2);
+  BOOST_TEST(estimator.state().contact.minCoeff() > 0.9);
+}
+
+// Every number is one that such a sensor may say, and no motion explains them.
+BOOST_AUTO_TEST_CASE(an_estimate_that_ran_away_begins_anew) {
+  const Robot robot = quadruped();
+  StateEstimator estimator(robot);
+  Trembling trembling(robot);
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<float> any(-1.0F, 1.0F);
+  int ran_away = 0;
+  for (std::uint32_t tick = 0; tick < 2000; ++tick) {
+    LowState report = trembling.report(2 * tick);
+    for (int k = 0; k < 3; ++k) {
+      report.imu.gyroscope[k] = 30.0F * any(generator);
+      report.imu.accelerometer[k] = 150.0F * any(generator);
+    }
+    for (int i = 0; i < kMotors; ++i) report.motorState[i].q += 0.3F * any(generator);
+    ran_away += estimator.update(report, 0.1) == Status::kDiverged;
+    BOOST_TEST_REQUIRE(estimator.state().v.norm() < 1e4);
+  }
+  BOOST_TEST(ran_away > 0);
+  for (std::uint32_t tick = 2000; tick < 7000; ++tick) {
+    estimator.update(trembling.report(2 * tick), 0.002);
+  }
+  BOOST_TEST(estimator.state().v.head<3>().norm() < 0.1);
+  BOOST_TEST(estimator.state().contact.minCoeff() > 0.9);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

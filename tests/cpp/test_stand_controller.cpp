@@ -80,6 +80,42 @@ BOOST_FIXTURE_TEST_CASE(a_tick_that_stands_still_is_stale, Running) {
   BOOST_TEST(motors_brake(controller.update(report)));
 }
 
+// The robot has damped by itself meanwhile, and stands elsewhere or not at all.
+BOOST_FIXTURE_TEST_CASE(who_was_away_for_long_damps_and_latches, Running) {
+  tick += 90;
+  BOOST_TEST(torque_mode(step()));
+  tick += 5000;
+  step();  // one leap may be a mad tick
+  BOOST_TEST(motors_brake(step()));
+  BOOST_TEST((controller.status() == Status::kDamping));
+  BOOST_TEST((controller.fault() == Status::kStaleTick));
+  controller.reset();
+  BOOST_TEST(torque_mode(step()));
+}
+
+// Torques of sensors that are dead are those that were planned, and no plan outlives a reset.
+BOOST_FIXTURE_TEST_CASE(a_reset_leaves_nothing_of_the_plan, Running) {
+  for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = 0.0F;
+  for (int i = 0; i < 50; ++i) step();
+  controller.reset();
+  StandController fresh(robot);
+  for (int i = 0; i < 10; ++i) {
+    const LowCmd command = step();
+    BOOST_TEST(same(command, fresh.update(report)));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(gains_on_their_way_are_there_once_it_damps, Running) {
+  Gains gains = robot.config().gains;
+  gains.damping_kd = 20.0;
+  controller.set_gains(gains);
+  step();
+  report.imu.gyroscope[1] = std::nanf("");
+  for (int i = 0; i < 7; ++i) last = step();
+  BOOST_TEST(motors_brake(last));
+  BOOST_TEST(last.motorCmd[0].Kd == 20.0F);
+}
+
 BOOST_FIXTURE_TEST_CASE(reports_that_come_twice_do_not_make_time_go_twice_as_fast, Running) {
   const auto turned = [&](int copies) {
     StandController turning(robot);

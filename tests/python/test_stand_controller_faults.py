@@ -440,12 +440,15 @@ def test_one_tick_that_leaps_ahead_is_refused_and_time_goes_on(stand) -> None:
     assert set(stand.run(50)[1]) == {Status.OK}
 
 
-def test_a_leap_of_the_tick_that_lasts_is_believed_at_the_next_report(stand) -> None:
+def test_a_leap_of_the_tick_that_lasts_latches_damping(stand) -> None:
     stand.run(20)
-    stand.tick += 600_000
+    stand.tick += 600_000  # ten minutes in which nobody commanded the robot
     commands, statuses = stand.run(20)
-    assert statuses == [Status.STALE_TICK] + [Status.OK] * 19
-    assert is_torque_mode(commands).all()
+    assert statuses == [Status.STALE_TICK] + [Status.DAMPING] * 19
+    assert damps(commands[1:]).all()
+    assert stand.controller.fault == Status.STALE_TICK
+    stand.controller.reset()
+    assert set(stand.run(5)[1]) == {Status.OK}
 
 
 def test_a_bad_report_after_a_long_silence_damps_at_once(stand) -> None:
