@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
-from surefoot.sim import Plant, PlantSettings
+from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim import plant as plant_module
 from surefoot.sim.lying import MOST_TILT, hopeful, legs_clear
 
@@ -40,3 +40,17 @@ def test_one_that_never_lies_well_is_said(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(plant_module, "rests", lambda *_: False)
     with pytest.raises(surefoot.Error, match="'go1': dropped 2 times, it never came to rest"):
         Plant("go1", FAST).reset_lying(np.random.default_rng(4))
+
+
+@pytest.mark.parametrize("dropped", [True, False])
+def test_a_push_comes_once_and_to_who_lies(dropped: bool) -> None:
+    plant = Plant("go1", FAST, [Push("forward", 2.0, time=0.1)])
+    if dropped:
+        plant.reset_lying(np.random.default_rng(1))
+    else:
+        plant.reset_resting(plant.data.qpos.copy())
+    given = 0.0
+    for _ in range(150):
+        plant.step(surefoot.damping_low_cmd(3.0))
+        given += 0.002 * float(np.linalg.norm(plant.push_force[0]))
+    assert given == pytest.approx(2.0, rel=0.03)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -13,18 +12,18 @@ from surefoot._core import Error, LowCmd, LowState
 from surefoot.robots import RobotDescription, build_robot, describe_robot, load_pinocchio_model
 from surefoot.sim.adapter import Adapter
 from surefoot.sim.handles import find_handles
-from surefoot.sim.hands import Hand, Lift
+from surefoot.sim.hands import Lift
 from surefoot.sim.hanging import hang
 from surefoot.sim.lying import DROPS, LOOK_TIME, REST_TIME, drop, hopeful, rests
 from surefoot.sim.model import build_model
 from surefoot.sim.motors import Law, Motors, command_law, damping_law
 from surefoot.sim.physics import make_physics
-from surefoot.sim.pushes import PushSchedule
 from surefoot.sim.rotations import Array
 from surefoot.sim.sensors import Sensors
 from surefoot.sim.settings import PlantSettings, Push, direction_degrees
 from surefoot.sim.stance import SETTLE_TIME, place, standing_law
 from surefoot.sim.support import lip_limit
+from surefoot.sim.timeline import Timeline
 from surefoot.sim.truth import Truth, measure_truth
 from surefoot.sim.wire import Command, Wire
 
@@ -68,7 +67,9 @@ class Plant:
         if self.settings.hung:
             hang(self.model, self.handles)
         self._adapter = Adapter(self.model, load_pinocchio_model(self.description))
-        self._physics = make_physics(self.model, self.data, self.handles)
+        physics = make_physics(self.model, self.data, self.handles)
+        dt = self.settings.physics_dt
+        self._timeline = Timeline(self.model, self.data, self.handles, self.robot, physics, dt)
         self._wire = Wire(self.robot.name, self.settings.real)
         self._tick0 = tick0
         self._pushes = list(pushes)
@@ -78,12 +79,12 @@ class Plant:
     @property
     def time(self) -> float:
         """Time since reset [s]."""
-        return self._step * self.settings.physics_dt
+        return self._timeline.time
 
     @property
     def truth(self) -> Truth:
         """The true state of this instant."""
-        torque = self._motors.torque
+        torque = self.motors.torque
         return measure_truth(self.model, self.data, self.handles, self._adapter, self.time, torque)
 
     @property
@@ -98,22 +99,22 @@ class Plant:
     @property
     def motors(self) -> Motors:
         """The motors: law in force, torques; read them, do not write them."""
-        return self._motors
+        return self._timeline.motors
 
     @property
     def imu_bias(self) -> Array:
         """True bias (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes."""
-        return self._sensors.imu_bias
+        return self._timeline.sensors.imu_bias
 
     @property
     def push_force(self) -> tuple[Array, Array]:
         """Force of the pushes (3,) [N] in the last physics step, and its point (3,), world."""
-        return self._schedule.force, self._schedule.point
+        return self._timeline.push_force
 
     def add_push(self, push: Push) -> None:
         """Add a push; after reset() it comes again at its time."""
         self._pushes.append(push)
-        self._schedule.add(push)
+        self._timeline.add_push(push)
 
     def renew(self, seed: int, pushes: Iterable[Push] = ()) -> None:
         """Be another run on the same ground from the next reset() on; lifts are gone.
@@ -130,7 +131,7 @@ class Plant:
     def add_lift(self, lift: Lift) -> None:
         """Add a lift by a hand; after reset() it comes again at its time."""
         self._lifts.append(lift)
-        self._hands.append(self._hand_of(lift))
+        self._timeline.add_lift(lift)
 
     def reset(self) -> LowState:
         """Stand the robot up, let it settle in position mode and return the first LowState.
@@ -141,17 +142,13 @@ class Plant:
         settings = self.settings
         rng = np.random.default_rng([settings.seed, _MOTOR_STREAM]) if settings.real else None
         config, flaws = self.robot.config, settings.flaws
-        self._motors = Motors(config, settings.physics_dt, settings.lag, rng, flaws)
-        self._motors.law = standing_law(self.robot)
-        self._sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
-        self._commands: deque[tuple[int, Law]] = deque()
-        self._schedule = PushSchedule(self.handles.root, settings.physics_dt, ())
-        self._physics.hand = np.zeros(12)
-        self._hands: list[Hand] = []
-        self._step = 0
+        motors = Motors(config, settings.physics_dt, settings.lag, rng, flaws)
+        motors.law = standing_law(self.robot)
+        sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
+        self._timeline.start(motors, sensors)
         place(self.model, self.data, self.handles, self.robot, settings)
         mujoco.mj_step1(self.model, self.data)
-        self._advance(round(SETTLE_TIME / settings.physics_dt))
+        self._timeline.advance(round(SETTLE_TIME / settings.physics_dt))
         if self.truth.fell:
             raise Error(
                 f"robot '{self.robot.name}' fell while its motors held the standing pose, before "
@@ -170,13 +167,14 @@ class Plant:
             Error: It never came to rest so in DROPS times.
         """
         self.reset()
-        self._motors.law = damping_law()
+        self._timeline.rewind()  # pushes are for who lies
+        self.motors.law = damping_law()
         for _ in range(DROPS):
             drop(self.model, self.data, self.handles, self.robot, rng)
-            self._advance(round(LOOK_TIME / self.settings.physics_dt))
+            self._timeline.advance(round(LOOK_TIME / self.settings.physics_dt))
             if not hopeful(self.model, self.data, self.handles):
                 continue
-            self._advance(round((REST_TIME - LOOK_TIME) / self.settings.physics_dt))
+            self._timeline.advance(round((REST_TIME - LOOK_TIME) / self.settings.physics_dt))
             if rests(self.model, self.data, self.handles):
                 return self._begin()
         raise Error(
@@ -190,7 +188,7 @@ class Plant:
             qpos: MuJoCo's, as data.qpos was after reset_lying().
         """
         self.reset()
-        self._motors.law = damping_law()
+        self.motors.law = damping_law()
         self.data.qpos[:] = qpos
         self.data.qvel[:] = 0.0
         mujoco.mj_forward(self.model, self.data)  # accelerations, too: the IMU begins with them
@@ -199,16 +197,17 @@ class Plant:
     def _begin(self) -> LowState:
         """Start sensors and schedules from where the robot is."""
         settings = self.settings
-        self._sensors.start()
+        self._timeline.sensors.start()
         first = self._next = self.read()
         self._first_truth = self.truth
         if settings.real:
             self.advance()
             self._next = self.read()
-        self._step = 0
+        self._timeline.rewind()
         for push in self._pushes:
-            self._schedule.add(push)
-        self._hands = [self._hand_of(lift) for lift in self._lifts]
+            self._timeline.add_push(push)
+        for lift in self._lifts:
+            self._timeline.add_lift(lift)
         return first
 
     def step(self, cmd: LowCmd) -> LowState:
@@ -224,7 +223,7 @@ class Plant:
         delay = round(settings.extra_delay / settings.physics_dt)
         if settings.real:
             delay += settings.steps_per_tick
-        self._commands.append((self._step + delay, command_law(self._wire.read(cmd))))
+        self._timeline.send(command_law(self._wire.read(cmd)), delay)
         self.advance()
         previous, self._next = self._next, self.read()
         return previous if settings.real else self._next
@@ -238,25 +237,20 @@ class Plant:
 
         obey(), advance() and read() are step() in three, for a wire with delays of its own.
         """
-        self._motors.law = law
+        self.motors.law = law
 
     def advance(self) -> None:
         """Advance one control period."""
-        self._advance(self.settings.steps_per_tick)
+        self._timeline.advance(self.settings.steps_per_tick)
 
     def read(self) -> LowState:
         """Return the LowState of this instant; every reading moves its tick on by one period."""
-        state: LowState = self._sensors.read(self._motors)
+        state: LowState = self._timeline.sensors.read(self.motors)
         return state
 
     def pull(self, torque: Array | None) -> None:
         """Let hands turn the joints with torques (12,) [N.m] from now on; None lets go."""
-        torque = np.zeros(12) if torque is None else torque
-        # Hands hold the link; with play in the gears it is not where the motor's torque goes.
-        if self.settings.backlash_deg > 0.0:
-            self.data.qfrc_applied[self.handles.joint_v] = torque
-        else:
-            self._physics.hand = torque
+        self._timeline.pull(np.zeros(12) if torque is None else torque)
 
     def lip_limit(self, direction: str | float, duration: float = 0.1) -> float:
         """Return the push that the linear inverted pendulum survives from here [N.s].
@@ -270,32 +264,6 @@ class Plant:
         """
         degrees = direction_degrees(direction)
         return lip_limit(self.model, self.data, self.handles, self.robot, degrees, duration)
-
-    def _advance(self, steps: int) -> None:
-        """Take physics steps, as many at once as nothing outside the robot happens in."""
-        end = self._step + steps
-        while self._step < end:
-            while self._commands and self._commands[0][0] <= self._step:
-                self._motors.law = self._commands.popleft()[1]
-            if self._hands:
-                self._lift()
-            count = min(end - self._step, self._schedule.idle_steps(self.time))
-            if count == 0:
-                self._schedule.apply(self.data, self.time)
-            if self._commands:
-                count = min(count, self._commands[0][0] - self._step)
-            count = 1 if self._hands else max(1, count)
-            self._physics.advance(count, self._motors, self._sensors)
-            self._step += count
-
-    def _lift(self) -> None:
-        # Forces hold until they are taken back; pushes, while they act, write the trunk's anew.
-        self.data.xfrc_applied[:] = 0.0
-        for hand in self._hands:
-            hand.apply(self.data, self.time)
-
-    def _hand_of(self, lift: Lift) -> Hand:
-        return Hand(self.model, self.handles, self.robot, lift)
 
 
 def _resolve(settings: PlantSettings, description: RobotDescription) -> PlantSettings:
