@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "quadruped.hpp"
 #include "supervisor/torque_rate.hpp"
 
 using namespace surefoot;
@@ -11,14 +10,8 @@ namespace {
 constexpr double kTick = 0.002, kLimit = 20.0;
 constexpr double kStep = TorqueRate::kRate * kTick * kLimit;  // [N.m] most in a period
 
-RobotConfig motors() {
-  RobotConfig config = quadruped_config();
-  config.tau_max.setConstant(kLimit);
-  return config;
-}
-
 struct Rate {
-  TorqueRate rate{motors()};
+  TorqueRate rate{Vector12::Constant(kLimit)};
   Vector12 tau = Vector12::Zero(), kd = Vector12::Constant(2.0), dq = Vector12::Zero();
 
   Rate() { rate.rest(kd[0]); }
@@ -89,6 +82,20 @@ BOOST_FIXTURE_TEST_CASE(damping_beyond_the_limit_is_no_change, Rate) {
     tau.setZero();
     BOOST_TEST(!rate.limit(tau, kd, dq, kTick));
     BOOST_TEST(tau[0] == 0.0);
+  }
+}
+
+// Without damping the speeds have no say, whatever they are told to be.
+BOOST_FIXTURE_TEST_CASE(speeds_that_lie_make_no_torque_jump, Rate) {
+  kd.setZero();
+  rate.rest(0.0);
+  double before = 0.0;
+  for (int k = 0; k < 40; ++k) {
+    tau[0] = k < 20 ? 15.0 : -15.0;
+    dq[0] = k % 3 == 0 ? 60.0 : -60.0;
+    rate.limit(tau, kd, dq, kTick);
+    BOOST_TEST(std::abs(tau[0] - before) < kStep + 1e-12);
+    before = tau[0];
   }
 }
 

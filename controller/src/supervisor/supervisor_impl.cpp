@@ -47,7 +47,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       safety(r),
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
       sensors(o.payload_limit),
-      rate(r.config()),
+      rate(r.config().tau_max),
       damping_kd(gains.damping_kd) {
   now.trusted = o.start == Start::kStanding;
   publish();

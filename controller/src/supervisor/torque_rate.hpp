@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "safety/motor_limits.hpp"
+#include "surefoot/math.hpp"
 
 namespace surefoot {
 
@@ -17,7 +17,7 @@ class TorqueRate {
   /// survives take up to 0.13, for two or three periods.
   static constexpr double kRate = 47.5;
 
-  explicit TorqueRate(const RobotConfig& config) : config_(config) {}
+  explicit TorqueRate(const Vector12& tau_max) : tau_max_(tau_max) {}
 
   /// [s] A longer period allows no more: motors see steps, however long they were let alone.
   static constexpr double kPeriod = 0.002;
@@ -30,9 +30,9 @@ class TorqueRate {
     const Vector12 before = made(last_, kd_, dq);
     const Vector12 change = made(tau, kd, dq) - before;
     const double allowed = kRate * std::min(period, kPeriod);
-    const double most = change.cwiseQuotient(config_.tau_max).cwiseAbs().maxCoeff() / allowed;
+    const double most = change.cwiseQuotient(tau_max_).cwiseAbs().maxCoeff() / allowed;
     const bool jumps = known_ && most > 1.0;
-    if (jumps) tau = within_limits(before + change / most + kd.cwiseProduct(dq), dq);
+    if (jumps) tau = within_limits(before + change / most + kd.cwiseProduct(dq));
     last_ = tau;
     kd_ = kd;
     known_ = true;
@@ -48,16 +48,16 @@ class TorqueRate {
   }
 
  private:
-  Vector12 within_limits(Vector12 tau, const Vector12& dq) const noexcept {
-    for (int i = 0; i < kMotors; ++i) tau[i] = within_motor_limits(config_, i, tau[i], dq[i]);
-    return tau;
+  // Not by the speeds: a report that lies about those must not make torques jump.
+  Vector12 within_limits(const Vector12& tau) const noexcept {
+    return tau.cwiseMax(-tau_max_).cwiseMin(tau_max_);
   }
   /// What the motors make of a command at these speeds, their own damping included [N.m].
   Vector12 made(const Vector12& tau, const Vector12& kd, const Vector12& dq) const noexcept {
-    return within_limits(tau - kd.cwiseProduct(dq), dq);
+    return within_limits(tau - kd.cwiseProduct(dq));
   }
 
-  RobotConfig config_;
+  Vector12 tau_max_;
   Vector12 last_ = Vector12::Zero(), kd_ = Vector12::Zero();
   bool known_ = false;  // are last_ and kd_ what was sent?
 };
