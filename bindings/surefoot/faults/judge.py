@@ -34,8 +34,7 @@ class CommandJudge:
     """Looks at every command that leaves.
 
     Rates are those of the command's own making: the change of tau, and of Kd at the speed that the
-    joint has; a motor that brakes at its limit makes no more than that. Going over to the motors'
-    own damping is at once by design and is not counted.
+    joint has. Going over to the motors' own damping is at once by design and is not counted.
 
     Args:
         robot: For its limits.
@@ -95,12 +94,10 @@ class CommandJudge:
         same = bool(np.array_equal(m, before))
         self._repeats = self._repeats + 1 if same else 0
         self.held = max(self.held, self._repeats * PERIOD)
-        step = self._made(m, dq) - self._made(before, dq)
+        # A motor that brakes at its limit makes no more than that, whatever its damping asks for.
+        goes_on = before["tau"] + (m["Kd"].astype(float) - before["Kd"]) * dq
+        step = m["tau"] - np.clip(goes_on, -self._tau_max, self._tau_max)
         self.rate_share = max(self.rate_share, float(np.max(np.abs(step) / self._tau_max)))
-
-    def _made(self, m: npt.NDArray[Any], dq: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
-        torque: npt.NDArray[np.float64] = m["tau"].astype(float) - m["Kd"].astype(float) * dq
-        return np.clip(torque, -self._tau_max, self._tau_max)
 
     def violations(self) -> list[str]:
         """Return what was not as it must be, in words."""

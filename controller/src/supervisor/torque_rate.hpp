@@ -9,8 +9,7 @@ namespace surefoot {
 
 /// Keeps torques from jumping: all motors' change is scaled down together, so that its direction
 /// stays, until no motor changes faster than kRate of its limit. What a motor brakes less or more,
-/// because its damping changes, is a change of torque, too; but no more than it can make, for one
-/// that brakes at its limit makes no more than that. Real-time: yes.
+/// because its damping changes, is a change of torque, too. Real-time: yes.
 class TorqueRate {
  public:
   /// [1/s] of tau_max: 0.095 in 2 ms, 1100 N.m/s on a go1's hips. Pushes of half of what it
@@ -22,17 +21,16 @@ class TorqueRate {
   /// [s] A longer period allows no more: motors see steps, however long they were let alone.
   static constexpr double kPeriod = 0.002;
 
-  /// @param tau wanted, is what may be sent afterwards [N.m], within the motors' limits where it
-  /// was too much @param kd sent with it [N.m.s/rad] @param dq joint velocities [rad/s]
-  /// @param period of commands [s]
+  /// @param tau wanted, is what may be sent afterwards [N.m]; within +-tau_max if it was @param kd
+  /// sent with it [N.m.s/rad] @param dq joint velocities [rad/s] @param period of commands [s]
   /// @return was it too much?
   bool limit(Vector12& tau, const Vector12& kd, const Vector12& dq, double period) noexcept {
-    const Vector12 before = made(last_, kd_, dq);
-    const Vector12 change = made(tau, kd, dq) - before;
+    const Vector12 before = known_ ? goes_on(kd, dq) : tau;
+    const Vector12 change = tau - before;
     const double allowed = kRate * std::min(period, kPeriod);
     const double most = change.cwiseQuotient(tau_max_).cwiseAbs().maxCoeff() / allowed;
-    const bool jumps = known_ && most > 1.0;
-    if (jumps) tau = within_limits(before + change / most + kd.cwiseProduct(dq));
+    const bool jumps = most > 1.0;
+    if (jumps) tau = before + change / most;
     last_ = tau;
     kd_ = kd;
     known_ = true;
@@ -48,13 +46,11 @@ class TorqueRate {
   }
 
  private:
-  // Not by the speeds: a report that lies about those must not make torques jump.
-  Vector12 within_limits(const Vector12& tau) const noexcept {
+  /// What, sent with this damping, makes the motors make what they make. One that brakes at its
+  /// limit makes no more than that, whatever its damping asks for.
+  Vector12 goes_on(const Vector12& kd, const Vector12& dq) const noexcept {
+    const Vector12 tau = last_ + (kd - kd_).cwiseProduct(dq);
     return tau.cwiseMax(-tau_max_).cwiseMin(tau_max_);
-  }
-  /// What the motors make of a command at these speeds, their own damping included [N.m].
-  Vector12 made(const Vector12& tau, const Vector12& kd, const Vector12& dq) const noexcept {
-    return within_limits(tau - kd.cwiseProduct(dq));
   }
 
   Vector12 tau_max_;
