@@ -77,9 +77,9 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "torque limits fall from temperature_warning on; the robot sits down at temperature_stop"},
     {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},
     {FaultId::kPower, kDamp, 0.014, kArm, "PowerProtect at the option power_level"},
-    {FaultId::kTorqueRate, kWatch, 0.008, kGone,
+    {FaultId::kTorqueRate, kWatch, 0.010, kGone,
      "the StandController's torques are held back, to changes of 9.5 % of their limits in 2 ms, "
-     "for 6 ms"},
+     "for 8 ms"},
     {FaultId::kProgram, kWatch, 0.002, kGone,
      "the StandController has no solution at once: it is sought anew, or bridged for at most 10 "
      "ms"},

@@ -14,7 +14,8 @@ namespace {
 constexpr double kPlannedShare = 0.5;  // of the power level: what the plan takes
 constexpr double kLimitedShare = 0.8;  // of the power level: what the springs may take ...
 constexpr double kStandShare = 0.9;    // ... and a StandController, by the joints' speeds reported
-constexpr double kHeldBack = 0.006;    // [s] that torques lag before it is told
+constexpr double kHeldBack = 0.008;    // [s] that torques lag before it is told: pushes are
+                                       // believed over 6 ms, and may hold torques back as long
 constexpr Button kStopButton = Button::kB;
 
 double watts(const SupervisorOptions& options) {
