@@ -98,6 +98,20 @@ BOOST_FIXTURE_TEST_CASE(speeds_that_lie_make_no_torque_jump, Rate) {
   }
 }
 
+// One report of 25 says 25 rad/s, while damping fades and torques go as fast as they may.
+BOOST_FIXTURE_TEST_CASE(a_speed_that_leaps_for_one_report_steps_no_torque, Rate) {
+  double before = 0.0;
+  for (int k = 0; k < 50; ++k) {
+    tau[0] = 18.0;
+    dq[0] = k % 25 == 3 ? 25.0 : 0.5;
+    kd.setConstant(2.0 - 0.04 * k);
+    rate.limit(tau, kd, dq, kTick);
+    const double fades = 0.04 * 0.5;  // [N.m] that the true speed's damping ends by
+    BOOST_TEST(std::abs(tau[0] - before) < kStep + fades + 1e-12);
+    before = tau[0];
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(what_nobody_knows_does_not_count, Rate) {
   dq[0] = 6.0;
   kd.setConstant(15.0);
