@@ -135,7 +135,7 @@ def test_a_push_as_good_as_on_the_ground_has_no_limit() -> None:
     limits = Limits(surefoot.load_robot("go1"))
     low = limits.of(Condition("usual"), 0.0, 0.1, -0.15)
     assert low.own > limits.of(Condition("usual"), 0.0, 0.1, 0.0).own
-    with pytest.raises(surefoot.Error, match="heights_m: got -0.3, expected from -0.2"):
+    with pytest.raises(surefoot.Error, match=r"heights_m: got -0\.3, expected from -0\.2"):
         limits.of(Condition("usual"), 0.0, 0.1, -0.3)
 
 
