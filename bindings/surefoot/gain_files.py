@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
 from surefoot.robot_table import read_toml
+from surefoot.whole_file import write_whole
 
 
 def gain_values(gains: Gains) -> dict[str, float]:
@@ -67,13 +67,7 @@ def save_gains(path: str | Path, gains: Gains, robot: str | None = None, comment
         OSError: The file could not be written.
     """
     gains.validate()
-    path = Path(path)
-    beside = path.with_name(path.name + ".part")
-    try:
-        beside.write_text(gains_text(gains, robot, comment), encoding="utf-8")
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
+    write_whole(Path(path), gains_text(gains, robot, comment))
 
 
 def gains_text(gains: Gains, robot: str | None = None, comment: str = "") -> str:

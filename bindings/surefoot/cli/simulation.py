@@ -12,6 +12,7 @@ from typing import Any
 
 from surefoot._core import Error
 from surefoot.estimate.tables import check_table_name
+from surefoot.whole_file import write_whole
 
 
 def choose_graphics() -> None:
@@ -79,10 +80,7 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
     if path.exists() and not path.is_file():  # a pipe, a device
         path.write_text(text, encoding="utf-8")
         return
-    # Whole or not at all: a second Ctrl-C may end this at any point.
-    part = path.with_name(f".{path.name}.{os.getpid()}")
-    part.write_text(text, encoding="utf-8")
-    part.replace(path)
+    write_whole(path.resolve(), text)  # a second Ctrl-C may end this at any point
 
 
 def check_report_place(folder: str | None, command: str, module: str) -> None:
