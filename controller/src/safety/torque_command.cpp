@@ -14,6 +14,13 @@ namespace surefoot {
 namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kFadeTime = 0.02;  // [s] of a lost leg's damping: a moving leg gets no jolt
+
+// The float next to it towards zero: a limit that is rounded up is exceeded.
+float towards_zero(double x) noexcept {
+  const float nearest = static_cast<float>(x);
+  return std::abs(double{nearest}) > std::abs(x) ? std::nextafter(nearest, 0.0F) : nearest;
+}
+
 }  // namespace
 
 Status TorqueCommand::take(const Solution& solution, const Dynamics& dynamics,
@@ -69,16 +76,6 @@ LowCmd TorqueCommand::command(int lost_leg, double dt) noexcept {
   }
   return torque_low_cmd(tau, kd);
 }
-
-namespace {
-
-// The float next to it towards zero: a limit that is rounded up is exceeded.
-float towards_zero(double x) noexcept {
-  const float nearest = static_cast<float>(x);
-  return std::abs(double{nearest}) > std::abs(x) ? std::nextafter(nearest, 0.0F) : nearest;
-}
-
-}  // namespace
 
 LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept {
   LowCmd command = init_low_cmd();

@@ -81,12 +81,13 @@ InertialStep InertialInput::step(const Gains& gains, const ImuReading& imu,
 bool InertialInput::outvotes(const ImuReading& imu, const InvariantFilter& filter,
                              const Dynamics& dynamics, const Eigen::Vector4d& contact,
                              bool moved) const noexcept {
+  if (!moved && !outvoted_) return false;  // nobody seconds the legs
   // No body turns so much faster from one tick to the next: what it did will do for the legs.
   Vector3 w_other = last_w_ - filter.gyroscope_bias();
   rate_from_legs(dynamics, contact, w_other);
   const double off = (imu.w_base - filter.gyroscope_bias() - w_other).norm();
   if (!(off > kLie)) return false;
-  if (!moved) return outvoted_;  // a quaternion slower than the reports
+  if (!moved) return true;  // a quaternion slower than the reports: as it was
   const Vector3 w_quaternion = log_so3(last_.conjugate() * imu.R_world_base) / held_;
   return (w_quaternion - w_other).norm() < kVoice * off;
 }
