@@ -12,9 +12,12 @@ struct JointLimits {
       : tau_lower(Eigen::VectorXd::Zero(size)),
         tau_upper(tau_lower),
         a_lower(tau_lower),
-        a_upper(tau_lower) {}
-  Eigen::VectorXd tau_lower, tau_upper;  ///< [N.m]
-  Eigen::VectorXd a_lower, a_upper;      ///< [rad/s^2] that keep position and velocity in range
+        a_upper(tau_lower),
+        asked_lower(tau_lower),
+        asked_upper(tau_lower) {}
+  Eigen::VectorXd tau_lower, tau_upper;      ///< [N.m]
+  Eigen::VectorXd a_lower, a_upper;          ///< [rad/s^2] that keep position and velocity in range
+  Eigen::VectorXd asked_lower, asked_upper;  ///< that may be asked of it: those, or see let_go()
 };
 
 /// Torques by the motors' torque-speed curve; accelerations by the approach to each limit,

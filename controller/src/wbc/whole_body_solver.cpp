@@ -3,6 +3,7 @@
 
 #include "surefoot/error.hpp"
 #include "surefoot/stage_clock.hpp"
+#include "wbc/own_limits.hpp"
 
 namespace surefoot {
 
@@ -134,6 +135,7 @@ void WholeBodySolver::take(const QpResult& result, const Dynamics& dynamics,
     general_.read(elastic().x(), forces_, accelerations_, torques_);
   }
   out.form = form_;
+  keep_own_limits(joints_, dynamics, terms.limits, accelerations_, torques_);
   write(dynamics, terms.limits, out);
 }
 

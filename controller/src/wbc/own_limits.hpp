@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "dynamics/dynamics.hpp"
+#include "wbc/limits.hpp"
+
+namespace surefoot {
+
+/// Let the body ask more of the joints of a leg than they may do, where its foot is not worth the
+/// body's balance. Real-time: yes.
+///
+/// Feet keep their places exactly, so a joint that nears its limit holds the body: with the capture
+/// point at the edge, one front leg that is stretched and bears nothing turns a robot over its last
+/// rear foot. So near the edge a foot that bears nothing is let go of, and the leg keeps its limits
+/// by itself; where it can be afforded, feet stay where they are.
+/// @param fade as edge_fade() has it
+/// @param contact belief that a foot is on the ground, FR FL RR RL
+void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
+            JointLimits& limits) noexcept;
+
+/// Keep what was asked of such legs within what they may do: their accelerations, and torques by
+/// tau = M_leg a + ... alone, for what the body feels of it is little. Real-time: yes.
+/// @param accelerations shape (nv,); @param torques SDK motors first
+void keep_own_limits(const JointTable& joints, const Dynamics& dynamics, const JointLimits& limits,
+                     Eigen::VectorXd& accelerations, Eigen::VectorXd& torques) noexcept;
+
+}  // namespace surefoot

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "leaning.hpp"
+#include "surefoot/whole_body_controller.hpp"
+#include "wbc/own_limits.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+// A robot pushed forward whose rear right calf runs towards its limit: what its foot's place asks
+// of it is more than it may do. A limit met at a rate of 200 is far enough away to ask nothing.
+struct Stretched : Leaning {
+  JointTable joints = make_joint_table(robot);
+  const int calf = 3 * RR_ + 2;
+  double r = 30.0;
+
+  Stretched() {
+    state.q[joints[calf].q] = joints[calf].q_upper - 0.25;
+    state.v[joints[calf].v] = 6.0;
+  }
+
+  Solution solve(double speed, double contact, Form form = Form::kCondensed) {
+    lean(Vector3(speed, 0.0, 0.0));
+    reference.feet[RR_].p_world = dynamics.legs()[RR_].p_world_contact;
+    reference.feet[RR_].v_world = dynamics.legs()[RR_].v_world_contact;
+    state.contact[RR_] = contact;
+    gains.joint_limit_rate = r;
+    WholeBodyController controller(robot, gains, {form});
+    return controller.update(state, reference);
+  }
+  double limit() const {
+    const double room = joints[calf].q_upper - gains.joint_limit_margin - state.q[joints[calf].q];
+    return r * r * room - 2.0 * r * state.v[joints[calf].v];
+  }
+  double asked(const Solution& s) const { return s.accelerations[joints[calf].v]; }
+  double body_turns(const Solution& a, const Solution& b) const {
+    return (a.accelerations - b.accelerations).head<6>().norm();
+  }
+};
+
+constexpr double kOverTheEdge = 2.0, kInside = 0.0;  // [m/s] forward
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(own_limits)
+
+BOOST_FIXTURE_TEST_CASE(only_a_foot_that_bears_nothing_is_let_go_of_and_only_near_the_edge,
+                        Stretched) {
+  JointLimits limits(kMotors);
+  joint_limits(robot.config(), joints, gains, Vector12::Ones(), state, limits);
+  for (const double fade : {0.0, 0.4, 1.0}) {
+    for (const double bears : {0.0, 0.7, 1.0}) {
+      let_go(joints, fade, {1.0, 1.0, bears, 1.0}, limits);
+      for (int k = 0; k < kMotors; ++k) {
+        const double more = k / 3 == RR_ ? 1e4 * (1.0 - fade) * (1.0 - bears) : 0.0;
+        BOOST_TEST(std::abs(limits.asked_upper[k] - limits.a_upper[k] - more) < 1e-9);
+        BOOST_TEST(std::abs(limits.a_lower[k] - limits.asked_lower[k] - more) < 1e-9);
+      }
+    }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(near_the_edge_a_stretched_leg_that_bears_nothing_does_not_turn_the_body,
+                        Stretched) {
+  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+    for (const bool over : {false, true}) {
+      const double speed = over ? kOverTheEdge : kInside;
+      r = 30.0;
+      const Solution near = solve(speed, 0.0, form);
+      BOOST_TEST(asked(near) <= limit() + 1e-6);
+      r = 200.0;
+      const Solution free = solve(speed, 0.0, form);
+      r = 30.0;
+      BOOST_TEST(asked(free) > limit() + 10.0);
+      if (over) BOOST_TEST(body_turns(near, free) < 1e-3);
+      if (!over) BOOST_TEST(body_turns(near, free) > 1.0);
+    }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_leg_that_bears_keeps_its_foot_and_its_limit, Stretched) {
+  const Solution near = solve(kOverTheEdge, 1.0);
+  BOOST_TEST(asked(near) <= limit() + 1e-3);
+  r = 200.0;
+  BOOST_TEST(body_turns(near, solve(kOverTheEdge, 1.0)) > 1.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(its_torques_are_those_of_its_own_motion, Stretched) {
+  const Solution s = solve(kOverTheEdge, 0.0);
+  Dynamics dynamics(robot);
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  const LegDynamics& leg = dynamics.legs()[RR_];
+  Vector6 a_base = s.accelerations.head<6>();
+  a_base.head<3>() -= dynamics.a_base_shift();
+  Vector3 a, tau;
+  for (int j = 0; j < 3; ++j) {
+    a[j] = s.accelerations[joints[3 * RR_ + j].v];
+    tau[j] = s.torques[joints[3 * RR_ + j].v - 6];
+  }
+  const Vector3 expected = leg.M_base_leg.transpose() * a_base + leg.M_leg * a + leg.h_leg -
+                           leg.J_leg.transpose() * s.forces.col(RR_);
+  BOOST_TEST((tau - expected).norm() < 1e-9);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
