@@ -5,19 +5,17 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import signal
 import socket
 import subprocess
 import sys
 import time
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-import surefoot
+from example_builds import built
 from surefoot import protocol
 from virtual_robot_helpers import heed_ctrl_c, start, wait_for
 
@@ -25,25 +23,6 @@ pytestmark = pytest.mark.alone
 
 ROOT = Path(__file__).parents[2]
 KEYS = ("time", "q", "dq", "height", *(f"command_{x}" for x in ("q", "dq", "tau", "kp", "kd")))
-CMAKE = Path(sys.executable).with_name("cmake")
-
-
-@cache
-def built() -> Path:
-    """The folder with every C++ example, built against the installed package."""
-    build = ROOT / "build" / "examples"
-    path = {"PATH": f"{CMAKE.parent}:{os.environ['PATH']}"}
-    prefix = f"-DCMAKE_PREFIX_PATH={surefoot.__path__[0]}"
-    for words in (
-        ["-S", str(ROOT / "examples"), "-B", str(build), prefix],
-        ["--build", str(build)],
-    ):
-        done = subprocess.run(
-            [CMAKE, *words], env={**os.environ, **path}, capture_output=True, text=True
-        )
-        assert done.returncode == 0, done.stdout + done.stderr
-    surefoot.load_robot("go1").save(str(build / "go1.robot"))
-    return build
 
 
 def command(name: str, language: str) -> list[str]:

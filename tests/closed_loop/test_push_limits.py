@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pushes at the robots' own limits, where they used to turn over their last foot."""
 
 from __future__ import annotations

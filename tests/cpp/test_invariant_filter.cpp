@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(covariance_stays_symmetric_and_positive_definite_over_many_
     const Covariance now = dense(P);
     BOOST_REQUIRE((now == now.transpose()));
     const Covariance scale = now.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Covariance> solver(scale * now * scale);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale * now * scale);
     BOOST_REQUIRE(solver.eigenvalues()[0] > 0.0);
   }
 }
@@ -703,7 +703,7 @@ BOOST_AUTO_TEST_CASE(a_resting_robot_is_at_rest_with_its_feet_at_height_zero) {
     BOOST_TEST(std::abs(leg.p_world_contact.z()) < 1e-4);
   }
   const EstimatorReport report = estimator.report();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 15, 15>> solver(report.covariance);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(report.covariance);
   BOOST_TEST(solver.eigenvalues()[0] > -1e-12);
   BOOST_TEST(std::abs(report.payload) < 0.05);
   BOOST_TEST(report.nis_dimension == 12);
