@@ -88,8 +88,8 @@ void CondensedProgram::write_joint_rows(const ProgramTerms& terms) noexcept {
   const double unit = 1.0 / units_.angular;
   const int acceleration = layout_.acceleration();
   problem_.C.block<kMotors, kForces>(acceleration, 0) = (unit * units_.force) * joint_from_force_;
-  problem_.l.segment<kMotors>(acceleration) = unit * (limits.asked_lower - joint_bias_);
-  problem_.u.segment<kMotors>(acceleration) = unit * (limits.asked_upper - joint_bias_);
+  problem_.l.segment<kMotors>(acceleration) = unit * (limits.a_lower - limits.more - joint_bias_);
+  problem_.u.segment<kMotors>(acceleration) = unit * (limits.a_upper + limits.more - joint_bias_);
 }
 
 void CondensedProgram::read(const Eigen::VectorXd& x, Vector12& forces,

@@ -73,8 +73,8 @@ void GeneralProgram::write_joint_rows(const ProgramTerms& terms) noexcept {
     u[torque] = inverse * (limits.tau_upper[k] - full_.h[v]);
     const int acceleration = layout_.acceleration() + k;
     C(acceleration, v) = 1.0;
-    l[acceleration] = limits.asked_lower[k] / units_.angular;
-    u[acceleration] = limits.asked_upper[k] / units_.angular;
+    l[acceleration] = (limits.a_lower[k] - limits.more[k]) / units_.angular;
+    u[acceleration] = (limits.a_upper[k] + limits.more[k]) / units_.angular;
   }
 }
 

@@ -13,11 +13,10 @@ struct JointLimits {
         tau_upper(tau_lower),
         a_lower(tau_lower),
         a_upper(tau_lower),
-        asked_lower(tau_lower),
-        asked_upper(tau_lower) {}
-  Eigen::VectorXd tau_lower, tau_upper;      ///< [N.m]
-  Eigen::VectorXd a_lower, a_upper;          ///< [rad/s^2] that keep position and velocity in range
-  Eigen::VectorXd asked_lower, asked_upper;  ///< that may be asked of it: those, or see let_go()
+        more(tau_lower) {}
+  Eigen::VectorXd tau_lower, tau_upper;  ///< [N.m]
+  Eigen::VectorXd a_lower, a_upper;      ///< [rad/s^2] that keep position and velocity in range
+  Eigen::VectorXd more;  ///< [rad/s^2] either way that the body may ask beyond those: let_go()
 };
 
 /// Torques by the motors' torque-speed curve; accelerations by the approach to each limit,

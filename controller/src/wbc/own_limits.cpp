@@ -14,9 +14,7 @@ void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contac
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int leg = joints[k].group;
     const double bears = leg < kLegs ? std::clamp(contact[leg], 0.0, 1.0) : 1.0;
-    const double more = kMore * (1.0 - fade) * (1.0 - bears);
-    limits.asked_lower[k] = limits.a_lower[k] - more;
-    limits.asked_upper[k] = limits.a_upper[k] + more;
+    limits.more[k] = kMore * (1.0 - fade) * (1.0 - bears);
   }
 }
 
@@ -29,8 +27,7 @@ void keep_own_limits(const JointTable& joints, const Dynamics& dynamics, const J
       double& a = accelerations[joints[k].v];
       const double kept = std::clamp(a, limits.a_lower[k], limits.a_upper[k]);
       // No more than it was let go by: what a limit that all must keep gave way by is not its own.
-      const double more = limits.asked_upper[k] - limits.a_upper[k];
-      change[j] = std::clamp(kept - a, -more, more);
+      change[j] = std::clamp(kept - a, -limits.more[k], limits.more[k]);
       a += change[j];
     }
     if (!change.isZero(0.0)) torques.segment<3>(3 * leg) += dynamics.legs()[leg].M_leg * change;
