@@ -35,6 +35,9 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("arming", &RunSnapshot::arming, "What passes and what does not.")
       .def_ro("armed", &RunSnapshot::armed)
       .def_ro("stood", &RunSnapshot::stood, "Has it stood at all?")
+      .def_ro("stood_to_end", &RunSnapshot::stood_to_end,
+              "Has it stood, and lain down because it was asked to (start STANDING: stood on), until "
+              "the end?")
       .def_ro("stuck", &RunSnapshot::stuck, "Has the last rise given up?")
       .def_ro("way_up", &RunSnapshot::way_up, "From lying (0) to standing (1).")
       .def_ro("status", &RunSnapshot::status, "Of the controller's last tick.")
@@ -55,10 +58,12 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("refused_rearms", &RunSnapshot::refused_rearms,
               "By rearm(): no state came, or checks failed.")
       .def_ro("power", &RunSnapshot::power, "[W] that the protection judged last.")
+      .def_ro("damped_power", &RunSnapshot::damped_power, "[W] the same, when it damped last.")
       .def_ro("greatest_power", &RunSnapshot::greatest_power, "[W] that it ever judged.")
       .def_ro("height", &RunSnapshot::height, "[m] estimated.")
       .def_ro("tilt", &RunSnapshot::tilt, "[rad] estimated.")
       .def_ro("q", &RunSnapshot::q, "(19,) Pinocchio's, estimated.")
+      .def_ro("joints", &RunSnapshot::joints, "(12,) [rad] as reported, SDK motor order.")
       .def_ro("forces", &RunSnapshot::forces,
               "(12,) [N] asked of FR FL RR RL, each x y z, world axes.")
       .def_ro("contact", &RunSnapshot::contact, "(4,) belief that each foot bears.")

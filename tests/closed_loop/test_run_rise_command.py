@@ -84,11 +84,18 @@ def test_an_operator_gets_it_up_and_down_by_keys() -> None:
         terminal.shows("up refused: not armed")
         terminal.arm()
         terminal.press("wave\n")
-        terminal.shows("'wave' is no key: a + Enter arms, u goes up")
+        terminal.shows("'wave' is no key: x + Enter damps, d lies down, a + Enter arms, u goes up")
+        terminal.press("a\n")
+        terminal.shows("armed already: u rises")
+        terminal.press("q\n")
+        terminal.shows("joints [rad] FR ")
         terminal.press("u\n")
         terminal.shows(" rising")
         terminal.shows(" standing")
         time.sleep(0.5)  # its torques have faded in
+        terminal.press("\x04u\n")  # Ctrl-D is no end of it
+        terminal.shows("keys are still obeyed")
+        terminal.shows("up refused: not while standing: d lies down")
         terminal.press("d\n")
         terminal.shows(" sitting")
         terminal.shows(" passive")
@@ -97,6 +104,35 @@ def test_an_operator_gets_it_up_and_down_by_keys() -> None:
         terminal.press("\x03")
         terminal.shows("ended")
         assert terminal.status() == 0
+
+
+@pytest.mark.parametrize("typed", ["dxx\n", "X\n", "d\nx\n"])
+def test_any_line_with_an_x_damps_however_fast_it_is_typed(typed: str) -> None:
+    with lying_robot() as (_, port):
+        terminal = Terminal(port, "--rise")
+        terminal.arm()
+        terminal.press("u\n")
+        terminal.shows(" standing")
+        time.sleep(0.5)
+        terminal.press(typed)
+        terminal.shows(" damping: asked")
+        terminal.press("\x03")
+        terminal.shows("robot did not stand to the end")
+        assert terminal.status() == 3
+
+
+def test_ctrl_c_twice_and_ctrl_backslash_let_go_of_it_and_that_is_no_good_end() -> None:
+    for keys in ("\x03", "\x03"), ("\x1c",):
+        with lying_robot() as (_, port):
+            terminal = Terminal(port, "--rise")
+            terminal.arm()
+            terminal.press("u\n")
+            terminal.shows(" standing")
+            for key in keys:
+                time.sleep(0.6)
+                terminal.press(key)
+            terminal.shows("robot did not stand to the end")
+            assert terminal.status() == 3
 
 
 def test_a_terminal_that_hangs_has_the_robot_lie_down_and_its_keys_are_left_out() -> None:

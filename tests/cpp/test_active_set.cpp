@@ -67,6 +67,18 @@ BOOST_AUTO_TEST_CASE(equalities_hold_whatever_their_multipliers) {
   }
 }
 
+// A soft foot's rows say nothing.
+BOOST_AUTO_TEST_CASE(equalities_of_nothing_are_no_trouble) {
+  for (int seed = 0; seed < 50; ++seed) {
+    RandomProgram random(seed, 30, 18, 88);
+    random.problem.A.middleRows<3>(6 + 3 * (seed % 4)).setZero();
+    random.problem.b.segment<3>(6 + 3 * (seed % 4)).setZero();
+    const Solved s(random.problem);
+    BOOST_TEST((s.outcome == Outcome::kSolved));
+    BOOST_TEST(residual(random.problem, s) < 1e-8);
+  }
+}
+
 // A row on its bound is off it by rounding, which is more than what counts as violated here.
 BOOST_AUTO_TEST_CASE(rounding_of_active_rows_makes_no_row_change) {
   for (const double tolerance : {1e-11, 1e-10, 1e-9}) {

@@ -103,6 +103,22 @@ BOOST_AUTO_TEST_CASE(it_returns_to_the_hard_program_when_nothing_gives_any_more)
   BOOST_TEST(solver.slack().maxCoeff() == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(it_yields_for_as_long_the_second_time) {
+  ElasticSolver solver(kN, 0, elastic_rows(), 1e-6);
+  const auto ticks_yielding = [&] {
+    const Eigen::VectorXd low = Eigen::VectorXd::Constant(kGroups, 1e-9);
+    solver.solve(program(1), low, kCurvature);
+    int ticks = 0;
+    for (; solver.yielding() && ticks < 100; ++ticks) {
+      solver.solve(program(0), Eigen::VectorXd::Constant(kGroups, 100.0), kCurvature);
+    }
+    return ticks;
+  };
+  const int first = ticks_yielding();
+  BOOST_TEST(first > 1);
+  BOOST_TEST(ticks_yielding() == first);
+}
+
 BOOST_AUTO_TEST_CASE(a_program_that_is_not_finite_is_refused_in_either_state) {
   ElasticSolver solver(kN, 0, elastic_rows(), 1e-6);
   const Eigen::VectorXd price = Eigen::VectorXd::Ones(kGroups);

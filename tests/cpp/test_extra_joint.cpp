@@ -71,6 +71,24 @@ BOOST_FIXTURE_TEST_CASE(the_full_equations_of_motion_hold_with_it, WithArm) {
   }
 }
 
+// What own_limits and the feet's forces are reckoned by.
+BOOST_FIXTURE_TEST_CASE(its_legs_have_the_blocks_of_the_whole_mass_matrix, WithArm) {
+  state = random_state(robot, 5, 1.0);
+  const Eigen::MatrixXd M = mass_matrix(robot, state.q);
+  const Dynamics dynamics = dynamics_at(robot, state);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const LegDynamics& now = dynamics.legs()[leg];
+    for (int i = 0; i < kLegJoints; ++i) {
+      const int row = robot.motor_to_v()[kLegJoints * leg + i];
+      BOOST_TEST((now.M_base_leg.col(i) - M.col(row).head<6>()).norm() < 1e-12);
+      for (int j = 0; j < kLegJoints; ++j) {
+        const int column = robot.motor_to_v()[kLegJoints * leg + j];
+        BOOST_TEST(std::abs(now.M_leg(i, j) - M(row, column)) < 1e-12);
+      }
+    }
+  }
+}
+
 // An ideal robot for three seconds: it stands, and the arm goes to its posture and stays inside.
 BOOST_FIXTURE_TEST_CASE(the_robot_stands_and_the_arm_follows_its_posture_to_its_limit, WithArm) {
   WholeBodyController controller(robot);

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "link/udp_socket.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/udp_link.hpp"
 
@@ -139,6 +140,12 @@ BOOST_FIXTURE_TEST_CASE(a_state_that_waited_to_be_read_is_as_old_as_it_is, Linke
   BOOST_TEST(link.receive());
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - sent;
   BOOST_TEST(link.age() < since.count() + 0.005);
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_clock_that_steps_makes_no_datagram_older_than_the_last_look) {
+  BOOST_TEST(arrival_time(100.0, 0.25, 99.0) == 99.75);
+  BOOST_TEST(arrival_time(100.0, 3600.0, 99.998) == 99.998);  // an hour forward
+  BOOST_TEST(arrival_time(100.0, -3600.0, 99.998) == 100.0);  // and back
 }
 
 BOOST_FIXTURE_TEST_CASE(a_stranger_is_not_listened_to_and_a_flood_ends, Linked) {

@@ -53,12 +53,24 @@ BOOST_FIXTURE_TEST_CASE(only_a_foot_that_bears_nothing_is_let_go_of_and_only_nea
   joint_limits(robot.config(), joints, gains, Vector12::Ones(), state, limits);
   for (const double fade : {0.0, 0.4, 1.0}) {
     for (const double bears : {0.0, 0.7, 1.0}) {
-      let_go(joints, fade, {1.0, 1.0, bears, 1.0}, limits);
+      let_go(joints, fade, {1.0, 1.0, bears, 1.0}, reference, limits);
       for (int k = 0; k < kMotors; ++k) {
         const double more = k / 3 == RR_ ? 1e4 * (1.0 - fade) * (1.0 - bears) : 0.0;
         BOOST_TEST(std::abs(limits.more[k] - more) < 1e-9);
       }
     }
+  }
+}
+
+// Believed on the ground or not: a foot that swings, or that was given up, is not to bear.
+BOOST_FIXTURE_TEST_CASE(a_foot_that_is_not_meant_to_bear_is_let_go_of_as_well, Stretched) {
+  JointLimits limits(kMotors);
+  reference.feet[FL_].stance = false;
+  reference.feet[RL_].load = 0.25;
+  let_go(joints, 0.0, Eigen::Vector4d::Ones(), reference, limits);
+  for (int k = 0; k < kMotors; ++k) {
+    const double more = k / 3 == FL_ ? 1e4 : k / 3 == RL_ ? 7.5e3 : 0.0;
+    BOOST_TEST(std::abs(limits.more[k] - more) < 1e-9);
   }
 }
 

@@ -354,6 +354,21 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
   });
 }
 
+// Bad reports are bridged for 10 ms; joints go on meanwhile.
+BOOST_FIXTURE_TEST_CASE(a_joint_that_moved_while_reports_were_bad_has_not_jumped, AtRest) {
+  run(0.1);
+  const float speed = 18.0F;  // [rad/s]
+  for (int k = 0; k < 20; ++k) {
+    report.tick += 2;
+    report.motorState[4].dq = speed;
+    report.motorState[4].q += 0.002F * speed;
+    report.imu.gyroscope[2] = -report.imu.gyroscope[2];
+    report.imu.accelerometer[0] = k >= 5 && k < 9 ? NAN : 0.0F;
+    supervisor.update(report);
+    BOOST_REQUIRE(!supervisor.faults().has(FaultId::kJointJump));
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(a_fault_that_asks_for_it_sits_the_robot_down_and_keeps_it_down, AtRest) {
   const auto expect = [&](FaultId id, auto&& spoil) {
     const LowState good = report;

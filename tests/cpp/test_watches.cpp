@@ -6,6 +6,8 @@
 
 #include "supervisor/clock_watch.hpp"
 #include "supervisor/encoder_watch.hpp"
+#include "supervisor/fault_log.hpp"
+#include "supervisor/joint_watch.hpp"
 #include "supervisor/zigzag.hpp"
 
 using namespace surefoot;
@@ -13,6 +15,7 @@ using namespace surefoot;
 namespace {
 
 constexpr double kTick = 0.002;  // [s]
+constexpr int kNoLeg = -1;
 
 /// Thighs and calves that swing, measured as encoders do: rounded angles, noisy speeds.
 struct Swinging {
@@ -59,12 +62,12 @@ BOOST_FIXTURE_TEST_CASE(encoders_that_stop_on_the_way_are_seen_in_sixty_millisec
     speed = fastest;
     time = 0.0;
     EncoderWatch watch;
-    for (int k = 0; k < 20; ++k) watch.update(next(), kTick);
+    for (int k = 0; k < 20; ++k) watch.update(next(), kTick, kNoLeg);
     const LowState kept = report;
     const int ticks = ticks_until(100, [&] {
       next();
       keep(kept, 1);
-      watch.update(report, kTick);
+      watch.update(report, kTick, kNoLeg);
       return watch.motor() >= 0;
     });
     BOOST_TEST(ticks <= 30);
@@ -76,12 +79,12 @@ BOOST_FIXTURE_TEST_CASE(encoders_that_stop_on_the_way_are_seen_in_sixty_millisec
 BOOST_FIXTURE_TEST_CASE(joints_that_swing_or_rest_or_report_seldom_are_no_dead_encoders, Swinging) {
   EncoderWatch watch;
   for (int k = 0; k < 5000; ++k) {
-    watch.update(next(), kTick);
+    watch.update(next(), kTick, kNoLeg);
     BOOST_REQUIRE(watch.motor() < 0);
   }
   for (int k = 0; k < 5000; ++k) {  // joints at 50 Hz under a link at 500
     if (k % 10 == 0) next();
-    watch.update(report, kTick);
+    watch.update(report, kTick, kNoLeg);
     BOOST_REQUIRE(watch.motor() < 0);
   }
   const LowState kept = report;  // a leg at rest whose speeds have an offset
@@ -89,9 +92,39 @@ BOOST_FIXTURE_TEST_CASE(joints_that_swing_or_rest_or_report_seldom_are_no_dead_e
     next();
     keep(kept, 2);
     for (int i = 6; i < 9; ++i) report.motorState[i].dq = 0.05F;
-    watch.update(report, kTick);
+    watch.update(report, kTick, kNoLeg);
     BOOST_REQUIRE(watch.motor() < 0);
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(of_a_leg_that_was_given_up_nothing_is_expected, Swinging) {
+  EncoderWatch encoders;
+  JointWatch joints;
+  for (int k = 0; k < 20; ++k) encoders.update(next(), kTick, 1);
+  BOOST_TEST(joints.update(report, kTick, 1));
+  const LowState kept = report;
+  for (int k = 0; k < 100; ++k) {
+    next();
+    keep(kept, 1);
+    encoders.update(report, kTick, 1);
+    BOOST_REQUIRE(encoders.motor() < 0);
+    report.motorState[4].q = k % 2 == 0 ? 1.0F : -1.0F;
+    BOOST_REQUIRE(joints.update(report, kTick, 1));
+    report.motorState[7].q += 1.0F;
+    BOOST_REQUIRE(!joints.update(report, kTick, 1));
+    report.motorState[7].q -= 1.0F;
+    BOOST_REQUIRE(joints.update(report, kTick, 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_fault_is_at_the_motor_where_it_was_seen_last) {
+  FaultLog log;
+  log.set(FaultId::kTemperature, true, RR_2);
+  log.set(FaultId::kTemperature, true, FL_1);
+  BOOST_TEST(log.report().motor[static_cast<int>(FaultId::kTemperature)] == FL_1);
+  log.set(FaultId::kTemperature, false, FR_0);
+  BOOST_TEST(log.report().motor[static_cast<int>(FaultId::kTemperature)] == FL_1);
+  BOOST_TEST(log.report().count[static_cast<int>(FaultId::kTemperature)] == 1U);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_clock_twice_as_fast_is_seen_by_joints_that_move, Swinging) {

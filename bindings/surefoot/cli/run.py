@@ -8,17 +8,14 @@ import sys
 
 from surefoot._core import (
     Error,
-    FaultReaction,
     Robot,
     RunOptions,
-    RunSnapshot,
     StandOptions,
     StandRunner,
     Start,
-    fault_table,
 )
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.cli.run_operator import KEYS
+from surefoot.cli.run_operator import keys
 from surefoot.cli.run_text import closing_text, no_robot_text, run_summary
 from surefoot.cli.run_watch import supervise
 from surefoot.cli.simulation import check_json_place, write_json
@@ -35,8 +32,8 @@ def run(arguments: argparse.Namespace) -> int:
     """Control the robot until it is told to stop; print, and write JSON; raises Error.
 
     Returns:
-        Exit status: 0 it stood to the end, 1 no robot of the right generation answered, 3 it ended
-        damped or never stood.
+        Exit status: 0 it stood, and lay down because it was asked to, 1 no robot of the right
+        generation answered, 3 anything else.
     """
     check_json_place(arguments.json)
     _check_operator(arguments)
@@ -44,7 +41,8 @@ def run(arguments: argparse.Namespace) -> int:
     say = Speaker(sys.stderr if arguments.json == "-" else sys.stdout)
     say(
         f"{arguments.host}:{arguments.port} from port {runner.local_port}, {generation}, "
-        f"{arguments.rate:g} Hz, power level {arguments.power_level}; {KEYS}; Ctrl-C "
+        f"{arguments.rate:g} Hz, power level {arguments.power_level}; {keys(arguments.rise)}; "
+        "Ctrl-C "
         + ("lies down and ends, twice it damps at once" if arguments.rise else "ends by damping")
     )
     end = supervise(runner, robot, say, arguments.rise, arguments.yes)
@@ -55,14 +53,7 @@ def run(arguments: argparse.Namespace) -> int:
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
         return NO_ROBOT
-    return 0 if end.reason == "asked" and end.stood and not _was_laid_down(end) else ENDED_DAMPED
-
-
-def _was_laid_down(end: RunSnapshot) -> bool:
-    """Return whether a fault made the robot sit: it did not stand to the end."""
-    return any(
-        info.reaction == FaultReaction.SIT and end.faults.count(info.id) for info in fault_table()
-    )
+    return 0 if end.stood_to_end else ENDED_DAMPED
 
 
 def _check_operator(arguments: argparse.Namespace) -> None:
@@ -72,6 +63,11 @@ def _check_operator(arguments: argparse.Namespace) -> None:
         raise Error(
             "--real-robot: got it without --rise, expected both: a real robot lies at first, and "
             "gets torques when its arming checks have passed"
+        )
+    if arguments.real_robot and arguments.no_remote and not has_keyboard():
+        raise Error(
+            "--real-robot: got --no-remote and no terminal, expected a way to stop it: the "
+            "remote's button B, or keys"
         )
     if arguments.rise and not arguments.yes and not has_keyboard():
         raise Error(
@@ -85,6 +81,8 @@ def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, Robot, str
     assert description is not None  # there is a default
     robot = build_robot(description)
     generation = arguments.sdk or default_generation(robot.name)
+    if not 0.0 <= arguments.predict_ms <= 50.0:
+        raise Error(f"--predict-ms: got {arguments.predict_ms:g}, expected 0 .. 50 [ms]")
     options = RunOptions(
         rate=arguments.rate,
         duration=math.inf if arguments.duration is None else arguments.duration,

@@ -2,23 +2,33 @@
 
 from __future__ import annotations
 
-import select
-import sys
-import termios
 from collections.abc import Callable
 
 from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, RunSnapshot, StandRunner
+from surefoot.cli.run_keys import Keys
 from surefoot.terminal import has_keyboard
 
-KEYS = "a + Enter arms, u goes up, d lies down, x damps"
 _REFUSALS = {
     RequestStatus.NO_STATE: "no valid LowState comes",
     RequestStatus.NOT_ARMED: "not armed: a + Enter arms",
-    RequestStatus.NOT_READY: "arming checks fail, or have not passed for long enough",
     RequestStatus.LATCHED: "damping is latched: a + Enter arms again",
-    RequestStatus.OUT_OF_ORDER: "not from here",
     RequestStatus.BUSY: "busy: torques are on their way; once more in a moment",
 }
+_FROM_HERE = {
+    Mode.PASSIVE: "u rises",
+    Mode.RISE: "d lies down",
+    Mode.STAND: "d lies down",
+    Mode.SIT: "u goes up again",
+    Mode.DAMPING: "a arms",
+}
+
+
+def keys(rise: bool) -> str:
+    """Return what can be typed; `rise`: to a robot that lies, else to one that stands."""
+    if not has_keyboard():
+        return "no terminal, no keys"
+    arms = "a + Enter arms" if rise else "a + Enter takes it over again, as and where it is"
+    return f"x + Enter damps, d lies down, {arms}, u goes up, q says joint angles"
 
 
 class Operator:
@@ -26,74 +36,69 @@ class Operator:
 
     Args:
         runner: Is asked.
+        robot: What it runs on, for names and limits.
+        rise: As for keys().
         say: Called with a line about what was refused.
     """
 
-    def __init__(self, runner: StandRunner, say: Callable[[str], None]) -> None:
-        self._runner, self._say = runner, say
-        self._present = has_keyboard()
+    def __init__(
+        self, runner: StandRunner, robot: Robot, rise: bool, say: Callable[[str], None]
+    ) -> None:
+        self._runner, self._robot, self._rise, self._say = runner, robot, rise, say
+        self._keys = Keys(say)
 
     def look(self, now: RunSnapshot) -> None:
         """Obey what has been typed since the last look."""
-        if self._present and select.select([sys.stdin], [], [], 0.0)[0]:
-            line = sys.stdin.readline()
-            self._present = bool(line)  # else its end
-            if line.strip():
-                self.obey(line.strip(), now)
+        for line in self._keys.lines():
+            self.obey(line.lower(), now)
 
     def forget(self) -> bool:
         """Leave out what has been typed and not been read; return whether there is a keyboard."""
-        if self._present:
-            termios.tcflush(sys.stdin, termios.TCIFLUSH)
-        return self._present
+        return self._keys.forget()
 
     def obey(self, word: str, now: RunSnapshot) -> None:
-        """Do what a line asks for; say why not."""
+        """Do what a line asks for; say why not. Any line with an x in it damps."""
         up = Mode.STAND if now.mode == Mode.SIT else Mode.RISE
-        if word in ("x", "stop"):
+        if "x" in word or word == "stop":
             self._runner.damp()
         elif word in ("a", "arm", "r"):
-            self._tell("arming", self._runner.arm(), now)
+            if now.armed:
+                self._say(f"{now.time:7.2f} s armed already: {_FROM_HERE[now.mode]}")
+            else:
+                self._tell("arming", self._runner.arm(), now)
         elif word in ("u", "rise"):
             self._tell("up", self._runner.request(up), now)
         elif word in ("d", "sit"):
             self._tell("down", self._runner.request(Mode.SIT), now)
+        elif word == "q":
+            self._say(f"{now.time:7.2f} s joints [rad] {joints_text(now)}")
         else:
-            self._say(f"{now.time:7.2f} s '{word}' is no key: {KEYS}")
+            self._say(f"{now.time:7.2f} s '{word}' is no key: {keys(self._rise)}")
 
     def _tell(self, what: str, status: RequestStatus, now: RunSnapshot) -> None:
-        if status != RequestStatus.ACCEPTED:
-            self._say(f"{now.time:7.2f} s {what} refused: {_REFUSALS[status]}")
-
-
-class UnaskedRise:
-    """Arms and rises once, as soon as all checks pass, and ends a run that does not come to stand.
-
-    Nothing is armed again after a latch.
-
-    Args:
-        runner: Is asked.
-    """
-
-    def __init__(self, runner: StandRunner) -> None:
-        self._runner = runner
-        self._asked = self._rising = False
-
-    def look(self, now: RunSnapshot) -> None:
-        """Ask for what is next."""
-        self._rising |= now.mode == Mode.RISE
-        if now.mode != Mode.PASSIVE:
+        if status == RequestStatus.ACCEPTED:
             return
-        if self._rising and not now.stood:
-            self._runner.finish()
-        elif not self._asked and now.arming.ready:
-            self._ask(now)
+        why = _REFUSALS.get(status, "")
+        if status == RequestStatus.NOT_READY:
+            why = self._not_ready(now)
+        if status == RequestStatus.OUT_OF_ORDER:
+            why = f"not while {now.phase}: {_FROM_HERE[now.mode]}"
+        self._say(f"{now.time:7.2f} s {what} refused: {why}")
 
-    def _ask(self, now: RunSnapshot) -> None:
-        if not now.armed:
-            self._runner.arm()
-        else:
-            self._asked = self._runner.request(Mode.RISE) == RequestStatus.ACCEPTED
+    def _not_ready(self, now: RunSnapshot) -> str:
+        failing = [name for name, check in now.arming.checks.items() if fails(check)]
+        if failing:
+            return f"arming checks fail: {', '.join(failing)}"
+        return f"arming checks have passed for {now.arming.held:.1f} s, and must for 1"
+
+
+def joints_text(now: RunSnapshot) -> str:
+    """Return the joints' angles as reported, leg by leg: hip, thigh, calf."""
+    legs = zip(("FR", "FL", "RR", "RL"), range(0, 12, 3), strict=True)
+    return "; ".join(
+        f"{leg} {' '.join(f'{angle:.3f}' for angle in now.joints[first : first + 3])}"
+        for leg, first in legs
+    )
 
 
 class Readiness:

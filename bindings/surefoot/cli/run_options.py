@@ -8,8 +8,9 @@ from surefoot.cli.robot_choice import add_robot_options
 from surefoot.cli.stand_options import add_form_option
 
 RUN_STATUS = (
-    "exit status: 0 the robot stood to the end, 1 no robot of the right generation answered, 2 a "
-    "wrong argument, 3 it ended damped, was laid down by a fault, or never stood"
+    "exit status: 0 the robot stood, and lay down because it was asked to, 1 no robot of the right "
+    "generation answered, 2 a wrong argument, 3 anything else: it never stood, was laid down by a "
+    "fault, or let go of"
 )
 
 

@@ -55,7 +55,7 @@ def why_damped(now: RunSnapshot) -> str:
     if now.reason == "controller":
         return f"the controller found {now.fault.name}"
     if now.reason == "power_protect":
-        return f"power protection: {now.power:.0f} W"
+        return f"power protection: {now.damped_power:.0f} W"
     if now.reason == "fault":
         return f"the supervisor found {now.damping.name.lower()}"
     return now.reason
@@ -73,7 +73,7 @@ def status_line(now: RunSnapshot) -> str:
     elif now.phase == "passive":
         how = "armed, " if now.armed else "not armed, "
     return (
-        f"{now.time:7.2f} s {now.phase:8} {how}{now.power:.0f} W; states {link.valid}, lost "
+        f"{now.time:7.2f} s {now.phase:8} {how}power {now.power:.0f} W; states {link.valid}, lost "
         f"{link.lost}, bad {link.corrupt + link.wrong_length + link.wrong_generation}, age "
         f"{1000 * now.age:.0f} ms; tick {now.tick_p50:.0f} us, {now.tick_p999:.0f} p99.9"
     )
@@ -96,6 +96,7 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
         },
         "armed": end.armed,
         "stood": end.stood,
+        "stood_to_end": end.stood_to_end,
         "not_ready": end.arming.failures(robot).splitlines(),
         "stuck": end.stuck,
         "fault": end.fault.name,
@@ -123,11 +124,14 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
 def closing_text(result: dict[str, Any]) -> str:
     """Return the summary for people."""
     us, link = result["us"], result["link"]
+    faults = ", ".join(f"{name} {count}" for name, count in result["faults"].items()) or "none"
     return (
         f"ended after {result['time_s']:.2f} s: {result['reason']}; {result['ticks']} ticks, "
         f"{result['bridged_ticks']} without a new state, "
         f"{result['ticks'] - result['usable_ticks'] - result['bridged_ticks']} failed, "
         f"{result['missed_periods']} periods missed\n"
+        f"  robot {'stood to the end' if result['stood_to_end'] else 'did not stand to the end'}, "
+        f"power up to {result['greatest_power_w']:.0f} W, faults {faults}\n"
         f"  link  {link['valid']} states, {link['lost']} lost, {link['late']} late, "
         f"{link['duplicate']} duplicate, {link['reordered']} reordered, {link['corrupt']} corrupt, "
         f"{link['strangers']} from strangers, {link['floods']} floods\n"
@@ -144,4 +148,9 @@ def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
         return f"the robot at {where} does not speak {generation}: {end.reject}; see --sdk"
     if end.link.received:
         return f"no valid LowState from {where}: {end.reject}"
-    return f"nobody answers at {where}; a virtual robot is started with surefoot robot"
+    if where.startswith("127."):
+        return f"nobody answers at {where}; a virtual robot is started with surefoot robot"
+    return (
+        f"nobody answers at {where}: cable, address and port, low level on the robot, --local-port "
+        f"if it answers to a port of its own choice"
+    )

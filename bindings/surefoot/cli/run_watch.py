@@ -8,8 +8,9 @@ import time
 from collections.abc import Callable
 
 from surefoot._core import Robot, RunSnapshot, StandRunner
-from surefoot.cli.run_operator import Operator, Readiness, UnaskedRise
+from surefoot.cli.run_operator import Operator, Readiness
 from surefoot.cli.run_text import Faults, Notices, status_line, why_damped
+from surefoot.cli.run_unasked import UnaskedRise
 
 _LOOK = 0.02  # [s] between looks at the loop
 _LINE = 1.0  # [s] between status lines
@@ -34,11 +35,12 @@ def supervise(
         unasked: Arm and rise without being asked, once all checks pass.
     """
     loop = threading.Thread(target=runner.run)
-    watch = _Watch(runner, say)
+    watch = _Watch(runner, robot, rise, say)
     readiness = Readiness(robot, say) if rise else None
     unasked_rise = UnaskedRise(runner) if unasked else None
     former = {number: signal.signal(number, lambda *_: watch.end()) for number in _STOPPING}
     former[signal.SIGUSR1] = signal.signal(signal.SIGUSR1, lambda *_: runner.rearm())
+    former[signal.SIGQUIT] = signal.signal(signal.SIGQUIT, lambda *_: runner.stop())
     loop.start()
     try:
         while loop.is_alive():
@@ -62,10 +64,12 @@ def supervise(
 class _Watch:
     """Says what changes, and how it is once a second."""
 
-    def __init__(self, runner: StandRunner, say: Callable[[str], None]) -> None:
+    def __init__(
+        self, runner: StandRunner, robot: Robot, rise: bool, say: Callable[[str], None]
+    ) -> None:
         self._runner, self._say = runner, say
         self._notices, self._faults = Notices(say), Faults(say)
-        self._operator = Operator(runner, say)
+        self._operator = Operator(runner, robot, rise, say)
         self._said = self._looked = time.monotonic()
         self._phase = ""
         self._refused = self._pauses = 0

@@ -27,6 +27,10 @@ constexpr int kMotorSlots = 20;  ///< slots in the structs
 /// Leg numbers.
 enum Leg : int { FR_ = 0, FL_ = 1, RR_ = 2, RL_ = 3 };
 
+constexpr int other_side(int leg) noexcept { return leg ^ 1; }  ///< of its end: FR FL, RR RL
+constexpr int other_end(int leg) noexcept { return leg ^ 2; }   ///< of its side: FR RR, FL RL
+constexpr int diagonal(int leg) noexcept { return leg ^ 3; }    ///< FR RL, FL RR
+
 /// Motor numbers of the SDK's quadruped.h.
 enum Motor : int {
   FR_0 = 0,
@@ -85,7 +89,7 @@ struct BmsCmd {
   std::array<std::uint8_t, 3> reserve;
 };
 
-/// Battery report; carried, not used.
+/// Battery report; the supervisor sits down when SOC says that it is empty.
 struct BmsState {
   std::uint8_t version_h;
   std::uint8_t version_l;
@@ -112,7 +116,7 @@ struct LowState {
   std::array<std::int16_t, kLegs> footForce;     ///< raw counts; each foot its own offset, drifting
   std::array<std::int16_t, kLegs> footForceEst;  ///< [N]; zero on most real robots
   std::uint32_t tick;                            ///< [ms] modulo 2^32; only differences mean time
-  std::array<std::uint8_t, 40> wirelessRemote;   ///< carried, not used yet
+  std::array<std::uint8_t, 40> wirelessRemote;   ///< RemoteState; button B stops the robot
   std::uint32_t reserve;
   std::uint32_t crc;
 };

@@ -37,6 +37,11 @@ inline Matrix3 skew(const Vector3& a) {
   return m;
 }
 
+/// The quaternion whose coefficients are written (w, x, y, z), as the SDK and files have them.
+inline Quaternion quaternion_wxyz(const Eigen::Vector4d& wxyz) {
+  return Quaternion(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+}
+
 /// Rotation vector of a unit quaternion, the short way round (angle at most pi).
 inline Vector3 log_so3(const Quaternion& q) {
   const double sign = q.w() < 0.0 ? -1.0 : 1.0;

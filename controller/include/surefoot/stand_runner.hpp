@@ -63,7 +63,9 @@ struct RunSnapshot {
   FaultReport faults;                   ///< which there are and have been
   ArmingReport arming;                  ///< what passes and what does not, and for how long
   bool armed = false;
-  bool stood = false;                ///< has it stood at all?
+  bool stood = false;  ///< has it stood at all?
+  /// Has it stood, and lain down because it was asked to (kStanding: stood on), until the end?
+  bool stood_to_end = false;
   bool stuck = false;                ///< has the last rise given up?
   double way_up = 0.0;               ///< from lying (0) to standing (1)
   Status status = Status::kWaiting;  ///< of the controller's last tick
@@ -83,10 +85,12 @@ struct RunSnapshot {
   std::uint64_t rearms = 0;
   std::uint64_t refused_rearms = 0;  ///< by rearm(): no LowState came, or checks failed
   double power = 0.0;                ///< [W] that the protection judged last
+  double damped_power = 0.0;         ///< [W] the same, when it damped last
   double greatest_power = 0.0;
   double height = 0.0;              ///< [m] estimated
   double tilt = 0.0;                ///< [rad] estimated
   std::array<double, 19> q{};       ///< Pinocchio's, estimated
+  std::array<double, 12> joints{};  ///< [rad] as reported, SDK motor order
   std::array<double, 12> forces{};  ///< [N] asked of FR FL RR RL, each x y z, world axes
   std::array<double, 4> contact{};  ///< belief that each foot bears
   double distance = 0.0;            ///< [m] of the base from its reference

@@ -72,6 +72,13 @@ class Dynamics {
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};
 };
 
+/// Contact points, shape (3, 4) [m], world axes. Real-time: yes.
+inline FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
+  FeetMatrix points;
+  for (int leg = 0; leg < kLegs; ++leg) points.col(leg) = dynamics.legs()[leg].p_world_contact;
+  return points;
+}
+
 /// How fast contact points move as their ball feet roll: w x lever, of those that bear. Shape (3,
 /// 4) [m/s], world axes; the contact point moves so though nothing slips.
 /// @param contact belief per foot, 0 .. 1

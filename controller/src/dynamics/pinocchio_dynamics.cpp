@@ -107,9 +107,13 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
               lever.cross(placement.rotation() * accel.angular());
 
   for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
-  if (condensable_) {
-    out.M_base_leg = data.M.block<6, 3>(0, column[0]);
-    out.M_leg = data.M.block<3, 3>(column[0], column[0]).selfadjointView<Eigen::Upper>();
+  // A leg's joints need not be neighbours in v where there are others; M is its upper triangle.
+  for (int k = 0; k < kLegJoints; ++k) {
+    out.M_base_leg.col(k) = data.M.col(column[k]).head<6>();
+    for (int j = 0; j < kLegJoints; ++j) {
+      const auto [first, second] = std::minmax(column[j], column[k]);
+      out.M_leg(j, k) = data.M(first, second);
+    }
   }
   // The hip's column of J is its axis crossed with the way to the foot; its part along the thigh's
   // axis is the foot's distance below the hip axis, and a factor of the Jacobian's determinant.

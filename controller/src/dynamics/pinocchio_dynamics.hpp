@@ -20,8 +20,7 @@ class PinocchioDynamics {
   explicit PinocchioDynamics(const Robot& robot);
   ~PinocchioDynamics();
 
-  /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes.
-  /// Leaves M_base_leg and M_leg alone where the robot has more than chains of three.
+  /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
               TickDynamics& out) noexcept;
 

@@ -23,19 +23,17 @@ namespace {
 // a program that stood still finds the past first: arrival times tell.
 constexpr int kReceiveBuffer = 128 * 1024;
 
-// [s] on monotonic_time(); the system stamps arrivals with the wall clock.
-double arrival_time(msghdr& message) noexcept {
-  const double now = monotonic_time();
+// [s] since it came, on the wall clock, which the system stamps arrivals with; 0 without a stamp.
+double stamped_age(msghdr& message) noexcept {
   for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
     if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;
     timespec stamp, wall;
     std::memcpy(&stamp, CMSG_DATA(c), sizeof(stamp));
     clock_gettime(CLOCK_REALTIME, &wall);
-    const double age = static_cast<double>(wall.tv_sec - stamp.tv_sec) +
-                       1e-9 * static_cast<double>(wall.tv_nsec - stamp.tv_nsec);
-    return now - std::max(age, 0.0);
+    return static_cast<double>(wall.tv_sec - stamp.tv_sec) +
+           1e-9 * static_cast<double>(wall.tv_nsec - stamp.tv_nsec);
   }
-  return now;
+  return 0.0;
 }
 
 void check_port(const char* what, int port, int least) {
@@ -64,6 +62,10 @@ in_addr resolve(const std::string& host) {
 bool is_loopback(const in_addr& address) { return (ntohl(address.s_addr) >> 24) == 127; }
 
 }  // namespace
+
+double arrival_time(double now, double age, double empty) noexcept {
+  return std::clamp(now - age, std::min(empty, now), now);
+}
 
 UdpSocket::UdpSocket(const std::string& host, int port, int local_port, bool beyond) {
   check_port("port", port, 1);
@@ -112,10 +114,14 @@ UdpSocket::Read UdpSocket::read(std::uint8_t* data, std::size_t& size, double& a
   message.msg_iovlen = 1;
   message.msg_control = control;
   message.msg_controllen = sizeof(control);
+  const double looked = monotonic_time();
   const ssize_t got = recvmsg(fd_, &message, MSG_DONTWAIT | MSG_TRUNC);
-  if (got < 0) return Read::kNothing;
+  if (got < 0) {
+    empty_ = looked;
+    return Read::kNothing;
+  }
   size = static_cast<std::size_t>(got);
-  arrived = arrival_time(message);
+  arrived = arrival_time(monotonic_time(), stamped_age(message), empty_);
   const bool peer = from.sin_addr.s_addr == peer_address_ && from.sin_port == peer_port_;
   return peer ? Read::kPeer : Read::kStranger;
 }

@@ -7,6 +7,12 @@
 
 namespace surefoot {
 
+/// When a datagram arrived [s], on monotonic_time(), by the age that its stamp tells of. Stamps are
+/// the wall clock's, which steps where nothing happened: it is no older than the last time that
+/// there was nothing to read, and no younger than now. Real-time: yes.
+/// @param now, empty [s] on monotonic_time() @param age [s]
+double arrival_time(double now, double age, double empty) noexcept;
+
 /// A non-blocking IPv4 socket that talks to one peer. Real-time: read() and write() yes.
 class UdpSocket {
  public:
@@ -28,6 +34,7 @@ class UdpSocket {
 
  private:
   int fd_ = -1;
+  double empty_ = 0.0;  // [s] on monotonic_time(), when there was nothing to read last
   int local_port_ = 0;
   std::uint32_t peer_address_ = 0;  // network order
   std::uint16_t peer_port_ = 0;     // network order

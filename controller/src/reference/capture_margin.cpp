@@ -9,12 +9,6 @@ namespace surefoot {
 
 namespace {
 
-FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
-  FeetMatrix feet;
-  for (int leg = 0; leg < kLegs; ++leg) feet.col(leg) = dynamics.legs()[leg].p_world_contact;
-  return feet;
-}
-
 std::array<bool, kLegs> stance_of(const Reference& reference) noexcept {
   std::array<bool, kLegs> stance;
   for (int leg = 0; leg < kLegs; ++leg) {

@@ -12,12 +12,6 @@ namespace {
 constexpr double kAirTime = 0.2;    // [s] how slowly legs that hang in the air come to their pose
 constexpr double kAirReach = 0.15;  // of the standing height that they reach further down
 
-FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
-  FeetMatrix p;
-  for (int leg = 0; leg < kLegs; ++leg) p.col(leg) = dynamics.legs()[leg].p_world_contact;
-  return p;
-}
-
 }  // namespace
 
 void StandReference::latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept {

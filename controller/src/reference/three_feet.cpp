@@ -16,9 +16,9 @@ constexpr double kLeanTime = 0.2;  // [s] how slowly the body goes there
 void ThreeFeet::step(const FeetMatrix& places, const Vector3& p_com, double dt) noexcept {
   if (lost_ == kNone) return;
   // FR FL RR RL: the lowest bit is the side, the next the end.
-  const Eigen::Vector2d a = places.col(lost_ ^ 1).head<2>();
-  const Eigen::Vector2d b = places.col(lost_ ^ 2).head<2>();
-  const Eigen::Vector2d c = places.col(lost_ ^ 3).head<2>();  // the opposite foot
+  const Eigen::Vector2d a = places.col(other_side(lost_)).head<2>();
+  const Eigen::Vector2d b = places.col(other_end(lost_)).head<2>();
+  const Eigen::Vector2d c = places.col(diagonal(lost_)).head<2>();
   const Eigen::Vector2d edge = b - a;
   const double length = std::max(edge.norm(), 1e-6);
   Eigen::Vector2d inward(-edge.y() / length, edge.x() / length);

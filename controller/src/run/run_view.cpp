@@ -20,6 +20,7 @@ void view_robot(const StandController& controller, const LowState& state, const 
   now.angle = R_world_base.angularDistance(wanted.R_world_base);
   now.torque_ratio = 0.0;
   for (int i = 0; i < kMotors; ++i) {
+    now.joints[i] = state.motorState[i].q;
     const double tau = std::abs(static_cast<double>(state.motorState[i].tauEst));
     now.torque_ratio = std::max(now.torque_ratio, tau / tau_max[i]);
   }

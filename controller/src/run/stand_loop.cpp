@@ -109,9 +109,9 @@ const LowCmd& StandLoop::control(const LowState& state) noexcept {
     const bool standing = supervisor_.mode() == Mode::kStand;
     now_.usable += supervisor_.fresh();
     now_.saturated += standing && now_.status == Status::kSaturated;
-    now_.power = supervisor_.power();
-    now_.greatest_power = std::max(now_.greatest_power, now_.power);
+    now_.greatest_power = std::max(now_.greatest_power, supervisor_.power());
   }
+  now_.power = supervisor_.power();
   return command;
 }
 
@@ -194,6 +194,9 @@ void StandLoop::end(RunReason why) noexcept {
   // controlled nothing, whoever asked for the end.
   if (now_.phase == RunPhase::kWaiting && why == RunReason::kAsked) why = RunReason::kNoState;
   if (now_.phase != RunPhase::kDamping) now_.reason = why;
+  const bool lies = now_.mode == Mode::kPassive || now_.mode == Mode::kDamping;
+  const bool there = lies || options_.start == Start::kStanding;
+  now_.stood_to_end = why == RunReason::kAsked && in_order_ && there && !silent_;
   now_.phase = RunPhase::kEnded;
   news_ = true;
 }

@@ -54,6 +54,7 @@ class StandLoop {
   void forgive_or_lose() noexcept;
   void lose(RunReason why) noexcept;
   void watch() noexcept;
+  void judge_order(Mode before) noexcept;
   RunPhase phase() const noexcept;
   RunReason why_damped() const noexcept;
   void obey_letters() noexcept;
@@ -78,6 +79,7 @@ class StandLoop {
   std::uint64_t restarts_ = 0;             // of the robot, that were taken in
   std::uint64_t valid_ = 0, missing_ = 0;  // reports that the supervisor was told of
   bool news_ = false;
+  bool in_order_ = false;  // it stands, or lay down because it was asked to
   std::atomic<bool> stop_{false}, damp_{false}, finish_{false};
   std::atomic<std::uint64_t> refused_{0};
 };

@@ -10,8 +10,10 @@ void StandLoop::watch() noexcept {
   const Mode before = now_.mode;
   now_.mode = supervisor_.mode();
   const RunPhase phase = this->phase();
+  judge_order(before);
   if (phase == RunPhase::kDamping && now_.phase != RunPhase::kDamping) {
     now_.reason = why_damped();
+    now_.damped_power = supervisor_.power();
     ++now_.dampings;
   }
   now_.rearms += before == Mode::kDamping && now_.mode != Mode::kDamping;
@@ -21,6 +23,21 @@ void StandLoop::watch() noexcept {
   if (begun && counts_from_ < 0.0) counts_from_ = now_.time;
   news_ = news_ || phase != now_.phase;
   now_.phase = phase;
+}
+
+// Who lies already may well be damped.
+void StandLoop::judge_order(Mode before) noexcept {
+  if (now_.mode == before) return;
+  const bool let_go_of = now_.mode == Mode::kDamping && before != Mode::kPassive;
+  bool by_fault = false;
+  if (now_.mode == Mode::kSit) {
+    const FaultReport faults = supervisor_.faults();
+    for (const FaultInfo& info : fault_table()) {
+      by_fault = by_fault || (info.reaction == FaultReaction::kSit && faults.has(info.id));
+    }
+  }
+  if (let_go_of || by_fault || now_.mode == Mode::kRise) in_order_ = false;
+  if (now_.mode == Mode::kStand) in_order_ = true;
 }
 
 RunPhase StandLoop::phase() const noexcept {

@@ -117,9 +117,7 @@ void Arming::check_imu(const LowState& state, double step) noexcept {
   expect_below(at(ArmingCheckId::kGyroscope), gyro_.norm(), kTurning);
   expect_below(at(ArmingCheckId::kAccelerometer), std::abs(accelerometer_.norm() / kGravity - 1.0),
                kGravityShare);
-  const Eigen::Vector4d mount = robot_.config().quat_base_imu;
-  const Quaternion R_base_imu(mount[0], mount[1], mount[2], mount[3]);
-  const Vector3 up = R_base_imu * accelerometer_;
+  const Vector3 up = quaternion_wxyz(robot_.config().quat_base_imu) * accelerometer_;
   expect_below(at(ArmingCheckId::kTilt), lean(up.normalized()), kLevel);
 }
 

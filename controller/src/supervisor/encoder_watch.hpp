@@ -16,8 +16,9 @@ class EncoderWatch {
   static constexpr double kWay = 0.01;    ///< [rad] that the joint says it has gone without going
   static constexpr int kReports = 5;      ///< in which another leg has changed meanwhile
 
-  /// Judge a report. @param step [s] since the report before
-  void update(const LowState& state, double step) noexcept {
+  /// Judge a report. @param step [s] since the report before @param lost_leg that is not judged,
+  /// -1: all are
+  void update(const LowState& state, double step, int lost_leg) noexcept {
     motor_ = -1;
     std::array<bool, kLegs> same{};
     int still = 0;
@@ -31,7 +32,7 @@ class EncoderWatch {
       one.others = same[leg] ? one.others + (still < kLegs) : 0;
       const double speed = one.dq.cwiseAbs().maxCoeff();
       if (speed < kMoving || speed * one.time < kWay || one.others < kReports) continue;
-      if (motor_ < 0) motor_ = kLegJoints * leg + fastest(one.dq);
+      if (motor_ < 0 && leg != lost_leg) motor_ = kLegJoints * leg + fastest(one.dq);
     }
   }
   /// SDK number of the motor whose encoder has stopped, or -1.

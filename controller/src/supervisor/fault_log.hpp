@@ -29,9 +29,9 @@ class FaultLog {
     const int k = static_cast<int>(id);
     if (there && !report_.active[k]) {
       ++report_.count[k];
-      report_.motor[k] = motor;
       report_.last = id;
     }
+    if (there) report_.motor[k] = motor;
     report_.active[k] = there;
   }
 

@@ -24,9 +24,8 @@ std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const 
   if (roll_.lets_go() || most_tries() < next_weighing_) return side;
   const int enough = roll_.rolls() > 0 ? 0 : kCaught;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const int across = leg ^ kOtherSide;
-    const int caught = std::max(legs_[across].tries, legs_[across ^ kOtherEnd].tries);
-    side[leg] = caught >= enough && folded(leg, measured) && folded(leg ^ kOtherEnd, measured);
+    const int caught = std::max(legs_[other_side(leg)].tries, legs_[diagonal(leg)].tries);
+    side[leg] = caught >= enough && folded(leg, measured) && folded(other_end(leg), measured);
   }
   return side;
 }

@@ -32,7 +32,7 @@ class FoldingTurns {
     const bool crossed = legs[lower].inward > kDrawnIn && legs[1 - lower].thigh < kKneeUp;
     front_ = crossed ? 1 - lower : lower;
     const auto turns_over = [&](int front) {
-      const Leg& rear = legs[across(front)];
+      const Leg& rear = legs[diagonal(front)];
       return rear.inward > kDrawnIn && rear.thigh < kKneeUp;
     };
     if (turns_over(front_) && !turns_over(1 - front_)) front_ = 1 - front_;
@@ -40,12 +40,10 @@ class FoldingTurns {
   /// @param others are those that do not wait folded?
   void update(bool others, double dt) noexcept { left_ = others ? 0.0 : left_ - dt; }
   bool waits(int leg) const noexcept {
-    return left_ > 0.0 && (leg == front_ || leg == across(front_));
+    return left_ > 0.0 && (leg == front_ || leg == diagonal(front_));
   }
 
  private:
-  static constexpr int across(int leg) noexcept { return kLegs - 1 - leg; }
-
   static constexpr double kLeans = 0.2;    // sine of 11.5 degrees: something is under the body
   static constexpr double kDrawnIn = 0.5;  // [rad]
   static constexpr double kKneeUp = 2.2;   // [rad]

@@ -10,7 +10,7 @@ namespace surefoot {
 /// Holds the IMU's attitude and its gyroscope against each other, in every mode. Real-time: yes.
 class ImuWatch {
  public:
-  /// @param step [s] since the report before @param anew has anything in the report changed?
+  /// @param step [s] since the last look @param anew has anything in the report changed?
   /// @param may_roll may the body turn fast for longer than a push? A gyroscope's scale is then
   /// seen
   void update(const IMU& imu, double step, bool anew, bool may_roll) noexcept;

@@ -14,16 +14,18 @@ class JointWatch {
   static constexpr double kShare = 0.5;   ///< of what its speed explains
   static constexpr double kForget = 0.5;  ///< [s] after which new angles are taken as they are
 
-  /// May these angles be acted upon? @param step [s] since the report before
-  bool update(const LowState& state, double step) noexcept {
+  /// May these angles be acted upon? @param step [s] since the last look @param lost_leg that is
+  /// not judged, -1: all are
+  bool update(const LowState& state, double step, int lost_leg) noexcept {
     age_ += step;
     Vector12 q, way;
     for (int i = 0; i < kMotors; ++i) {
       q[i] = state.motorState[i].q;
       way[i] = state.motorState[i].dq * age_;
     }
-    const auto off = (q - q_ - way).array().abs() - kShare * way.array().abs();
-    if (started_ && age_ < kForget && !(off < kJump).all()) return false;
+    Vector12 off = (q - q_ - way).cwiseAbs() - kShare * way.cwiseAbs();
+    if (lost_leg >= 0) off.segment<kLegJoints>(kLegJoints * lost_leg).setZero();
+    if (started_ && age_ < kForget && !(off.array() < kJump).all()) return false;
     q_ = q;
     age_ = 0.0;
     started_ = true;

@@ -101,14 +101,14 @@ void LegFolding::watch(int leg, const Vector12& measured, double dt) noexcept {
   one.still = 0.0;
   ++one.tries;
   // Every other time the leg beside it makes room, which may hold it: both at once only wrestle.
-  Leg& beside = legs_[leg ^ kOtherEnd];
+  Leg& beside = legs_[other_end(leg)];
   if (one.tries % 2 == 1 || beside.back > 0.0 || beside.rest > 0.0) {
     one.back = kBackTime;
     return;
   }
   one.wedged = beside.wedged = true;
   one.rest = kBackTime;
-  beside.q = measured.segment<kLegJoints>(kLegJoints * (leg ^ kOtherEnd));
+  beside.q = measured.segment<kLegJoints>(kLegJoints * (other_end(leg)));
   beside.back = kBackTime;
   beside.tries = std::max(beside.tries, 1);
 }

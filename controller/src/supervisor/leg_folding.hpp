@@ -55,8 +55,6 @@ class LegFolding {
   static constexpr int kTries = 8;           // of one leg
   static constexpr int kCaught = 2;          // tries that a leg seldom needs
   static constexpr int kTriesBetween = 2;    // from one weighing of a side to the next
-  static constexpr int kOtherEnd = 2;        // FR RR, FL RL: the legs of a side
-  static constexpr int kOtherSide = 1;       // FR FL, RR RL: the legs of an end
 
   struct Leg {
     Vector3 q = Vector3::Zero();  // [rad] where it moved last, or caught

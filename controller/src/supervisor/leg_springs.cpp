@@ -33,8 +33,7 @@ LegSprings::LegSprings(const Robot& robot, const RisePlan& plan, double watts)
       full_damping_(plan.damping),
       damping_(plan.damping),
       watts_(watts) {
-  const Eigen::Vector4d mount = robot.config().quat_base_imu;
-  R_base_imu_ = Quaternion(mount[0], mount[1], mount[2], mount[3]);
+  R_base_imu_ = quaternion_wxyz(robot.config().quat_base_imu);
 }
 
 void LegSprings::read(const LowState& state) noexcept {

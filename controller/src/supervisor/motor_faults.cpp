@@ -48,7 +48,7 @@ void MotorFaults::update(const LowState& state, double dt, int lost_leg, FaultLo
   judge_modes(state, lost_leg, log);
   judge_torques(state, dt, lost_leg, log);
   judge_heat(state, dt, log);
-  judge_angles(state, log);
+  judge_angles(state, lost_leg, log);
 }
 
 void MotorFaults::sent(const LowCmd& command, const LowState& state) noexcept {
@@ -75,7 +75,7 @@ void MotorFaults::judge_modes(const LowState& state, int lost_leg, FaultLog& log
 void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
                                 FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
-  const int disturbed = legs_disturbed(state, dt);
+  const int disturbed = legs_disturbed(state, dt, lost_leg);
   int weak = -1, legs = 0, last_leg = -1;
   for (int i = 0; i < kMotors; ++i) {
     if (i / kLegJoints == lost_leg) continue;
@@ -99,10 +99,11 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
 
 // Two who command in turn make torques go to and fro, which the mean hides. Neither delay nor lag
 // of a motor makes more of that than there is in what it is told.
-int MotorFaults::legs_disturbed(const LowState& state, double dt) noexcept {
+int MotorFaults::legs_disturbed(const LowState& state, double dt, int lost_leg) noexcept {
   const double share = -std::expm1(-dt / kZigzagTime);
   int legs = 0, last_leg = -1;
   for (int i = 0; i < kMotors; ++i) {
+    if (i / kLegJoints == lost_leg) continue;
     const double told = told_zigzag_[i].update(told_[i], share);
     const double least = kZigzag * robot_.config().tau_max[i];
     const double measured = measured_zigzag_[i].update(state.motorState[i].tauEst, share, least);
@@ -128,9 +129,14 @@ void MotorFaults::judge_heat(const LowState& state, double dt, FaultLog& log) no
   log.set(FaultId::kTemperature, hot_.update(heat_[hottest] >= stop_, dt, kHotTime), hottest);
 }
 
-void MotorFaults::judge_angles(const LowState& state, FaultLog& log) noexcept {
+void MotorFaults::judge_angles(const LowState& state, int lost_leg, FaultLog& log) noexcept {
+  LowState judged = state;
+  for (int i = kLegJoints * lost_leg; lost_leg >= 0 && i < kLegJoints * (lost_leg + 1); ++i) {
+    const double middle = 0.5 * (robot_.config().q_lower[i] + robot_.config().q_upper[i]);
+    judged.motorState[i].q = static_cast<float>(middle);
+  }
   // The command is not read.
-  const bool inside = safety_.position_protect(LowCmd{}, state, joint_margin_) > 0;
+  const bool inside = safety_.position_protect(LowCmd{}, judged, joint_margin_) > 0;
   bad_angles_ = inside ? 0 : bad_angles_ + 1;
   log.set(FaultId::kJointStop, bad_angles_ >= kBadAngles, safety_.position_motor());
 }

@@ -20,8 +20,8 @@ class MotorFaults {
         stop_(stop),
         joint_margin_(joint_margin) {}
 
-  /// Judge a report. @param dt [s] @param lost_leg whose modes and torques are not looked at, -1:
-  /// all are @param log is told
+  /// Judge a report. @param dt [s] @param lost_leg of which temperatures alone are looked at,
+  /// -1: none @param log is told
   void update(const LowState& state, double dt, int lost_leg, FaultLog& log) noexcept;
   /// What the motors have just been told: compared with what they report from now on.
   void sent(const LowCmd& command, const LowState& state) noexcept;
@@ -39,9 +39,9 @@ class MotorFaults {
  private:
   void judge_modes(const LowState& state, int lost_leg, FaultLog& log) noexcept;
   void judge_torques(const LowState& state, double dt, int lost_leg, FaultLog& log) noexcept;
-  int legs_disturbed(const LowState& state, double dt) noexcept;
+  int legs_disturbed(const LowState& state, double dt, int lost_leg) noexcept;
   void judge_heat(const LowState& state, double dt, FaultLog& log) noexcept;
-  void judge_angles(const LowState& state, FaultLog& log) noexcept;
+  void judge_angles(const LowState& state, int lost_leg, FaultLog& log) noexcept;
 
   Robot robot_;
   Safety safety_;  // its position protection

@@ -31,7 +31,7 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   } else {
     sensors.reset(now.mode == Mode::kSit, log);
   }
-  encoders.update(state, dt);
+  encoders.update(state, dt, stand.lost_leg());
   log.set(FaultId::kEncoder, encoders.motor() >= 0, encoders.motor());
   pace.update(state, dt);
   log.set(FaultId::kClock, pace.fast());
@@ -55,7 +55,7 @@ void Supervisor::Impl::judge_legs() noexcept {
     const int motor = log.report().motor[static_cast<int>(id)];
     const int leg = motor / kLegJoints;
     const Reference& wanted = stand.reference();
-    const double height = wanted.p_com.z() - wanted.feet[kLegs - 1 - leg].p_world.z();
+    const double height = wanted.p_com.z() - wanted.feet[diagonal(leg)].p_world.z();
     const double push = stand.state().f_outside.head<2>().norm();
     // What is no number is no reason to.
     const bool quiet = push <= kPushed * kGravity * robot.mass();

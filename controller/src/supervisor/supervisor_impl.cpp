@@ -137,7 +137,6 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   rate.rest(damping_kd);
   unsolved = held_back = {};
   log.set(FaultId::kTorqueRate, false);
-  safety.reset();
   log.set(FaultId::kHanging, false);  // seen on the way up, which is over: it must not bar the next
   reason = why;
 }

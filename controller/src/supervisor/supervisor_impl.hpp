@@ -109,8 +109,9 @@ struct Supervisor::Impl {
   TorqueRate rate;
   RepeatedReport repeated;
   std::uint32_t last_tick = 0;
-  bool known = false;    // has it ever been heard, since it was lost?
-  double unheard = 0.0;  // [s] in which every report was bad
+  bool known = false;     // has it ever been heard, since it was lost?
+  double unheard = 0.0;   // [s] in which every report was bad
+  double unlooked = 0.0;  // [s] in which no report's numbers could be looked at, up to the last
   ImuWatch imu;
   JointWatch joints;
   EncoderWatch encoders;

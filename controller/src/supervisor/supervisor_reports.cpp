@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a report is worth.
 #include <cmath>
+#include <utility>
 
 #include "low_state_check.hpp"
 #include "supervisor/supervisor_impl.hpp"
@@ -50,6 +51,7 @@ bool Supervisor::Impl::read(const LowState& state, double step, double dt) noexc
 // What makes a report nothing to act upon.
 FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept {
   repeated.update(state, step);
+  unlooked += step;
   const Status status = check_low_state(state, robot.config());
   if (status == Status::kNonFinite) return FaultId::kStateNotFinite;
   if (status != Status::kOk) return FaultId::kStateImplausible;
@@ -59,8 +61,9 @@ FaultId Supervisor::Impl::find_bad(const LowState& state, double step) noexcept 
   if (!protect) safety.reset();
   log.set(FaultId::kPower,
           protect && safety.power_protect(LowCmd{}, state, options.power_level) < 0);
-  const bool joints_fit = joints.update(state, step);
-  imu.update(state.imu, step, !repeated.repeats(), now.mode != Mode::kStand);
+  const double elapsed = std::exchange(unlooked, 0.0);
+  const bool joints_fit = joints.update(state, elapsed, stand.lost_leg());
+  imu.update(state.imu, elapsed, !repeated.repeats(), now.mode != Mode::kStand);
   if (!joints_fit) return FaultId::kJointJump;
   // A controller that stands has an attitude of its own, and rates are all that it must have.
   if (!imu.rates_fit() || !(imu.attitude_fits() || standing())) return FaultId::kAttitude;

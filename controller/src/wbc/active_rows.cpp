@@ -10,19 +10,19 @@ namespace {
 constexpr double kDependent = 1e-9;  // of a row's squared length: less than that is new in it
 }
 
-ActiveRows::ActiveRows(int n)
+ActiveRows::ActiveRows(int n, int n_eq)
     : H_(n),
       w_(Eigen::VectorXd::Zero(n)),
       x_(w_),
-      rows_(static_cast<std::size_t>(n), 0),
-      sides_(w_),
-      bounds_(w_),
-      multipliers_(w_),
-      V_(Eigen::MatrixXd::Zero(n, n)),
-      R_(V_),
+      rows_(static_cast<std::size_t>(n + n_eq), 0),
+      sides_(Eigen::VectorXd::Zero(n + n_eq)),
+      bounds_(sides_),
+      multipliers_(sides_),
+      V_(Eigen::MatrixXd::Zero(n, n + n_eq)),
+      R_(Eigen::MatrixXd::Zero(n + n_eq, n + n_eq)),
       v_(w_),
-      l_(w_),
-      shares_(w_) {}
+      l_(sides_),
+      shares_(sides_) {}
 
 bool ActiveRows::start(const QpProblem& problem) noexcept {
   count_ = 0;
@@ -43,6 +43,10 @@ bool ActiveRows::start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) 
   H_.matrixL().solveInPlace(V);
   auto R = R_.topLeftCorner(count_, count_);
   R.noalias() = V.transpose() * V;
+  // A row of nothing (a soft foot's) has no multiplier, and is none that others depend on.
+  for (Eigen::Index k = 0; k < count_; ++k) {
+    if (R(k, k) == 0.0) R(k, k) = 1.0;
+  }
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(R);
   for (Eigen::Index k = 0; k < count_; ++k)
     rows_[static_cast<std::size_t>(k)] = static_cast<int>(k);

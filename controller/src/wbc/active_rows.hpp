@@ -15,7 +15,9 @@ namespace surefoot {
 /// x = L'^-1 (w - V m); of V'V there is the Cholesky factor R. Real-time: yes.
 class ActiveRows {
  public:
-  explicit ActiveRows(int n);
+  /// @param n unknowns @param n_eq equalities, of which some may be rows of nothing: there are no
+  /// more than n others that do not depend on each other
+  ActiveRows(int n, int n_eq);
 
   /// Take a program, without rows. @return is H positive definite?
   bool start(const QpProblem& problem) noexcept;

@@ -21,7 +21,7 @@ double bound_of(const QpProblem& problem, int row, double side) noexcept {
 ActiveSet::ActiveSet(int n, int n_eq, int n_in, int most_changes)
     : n_eq_(n_eq),
       most_changes_(most_changes),
-      rows_(n),
+      rows_(n, n_eq),
       x_(Eigen::VectorXd::Zero(n)),
       Cx_(Eigen::VectorXd::Zero(n_in)) {}
 

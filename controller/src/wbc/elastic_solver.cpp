@@ -91,6 +91,7 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
 
 // From the rows that the hard program had active last, and no slack.
 void ElasticSolver::start_elastic() noexcept {
+  quiet_ticks_ = 0;
   start_.setZero();
   for (int row = 0; row < n_in_; ++row) {
     const double z = hard_solver_.z()[row];

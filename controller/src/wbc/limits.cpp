@@ -40,6 +40,7 @@ void joint_limits(const RobotConfig& config, const JointTable& joints, const Gai
     if (lower > upper) lower = upper = 0.5 * (lower + upper);
     out.a_lower[k] = lower;
     out.a_upper[k] = upper;
+    out.more[k] = 0.0;
   }
 }
 

@@ -10,10 +10,15 @@ constexpr double kMore = 1e4;  // [rad/s^2] that no body asks of a leg
 }
 
 void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
-            JointLimits& limits) noexcept {
+            const Reference& reference, JointLimits& limits) noexcept {
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const int leg = joints[k].group;
-    const double bears = leg < kLegs ? std::clamp(contact[leg], 0.0, 1.0) : 1.0;
+    double bears = 1.0;
+    if (leg < kLegs) {
+      const FootReference& foot = reference.feet[leg];
+      const double load = foot.stance ? std::clamp(foot.load, 0.0, 1.0) : 0.0;
+      bears = load * std::clamp(contact[leg], 0.0, 1.0);
+    }
     limits.more[k] = kMore * (1.0 - fade) * (1.0 - bears);
   }
 }

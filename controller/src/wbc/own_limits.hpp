@@ -15,8 +15,9 @@ namespace surefoot {
 /// by itself; where it can be afforded, feet stay where they are.
 /// @param fade as edge_fade() has it
 /// @param contact belief that a foot is on the ground, FR FL RR RL
+/// @param reference which feet are meant to bear
 void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
-            JointLimits& limits) noexcept;
+            const Reference& reference, JointLimits& limits) noexcept;
 
 /// Keep what was asked of such legs within what they may do: their accelerations, and torques by
 /// tau = M_leg a + ... alone, for what the body feels of it is little. Real-time: yes.

@@ -41,7 +41,7 @@ void FootRise::update(const Dynamics& dynamics, const InvariantFilter& filter,
   // what a wrong tilt or height of the base makes of four feet cancels there; and of itself, for
   // the foot across leaves its own plane by as much.
   for (int leg = 0; leg < kLegs; ++leg) {
-    const int beside = leg ^ 1, along = leg ^ 2, across = leg ^ 3;
+    const int beside = other_side(leg), along = other_end(leg), across = diagonal(leg);
     const bool stand = std::min({contact[beside], contact[along], contact[across]}) > kStands;
     const double level = moved[beside] + moved[along] - moved[across];
     const double mean = (moved.sum() - moved[leg]) / 3.0;

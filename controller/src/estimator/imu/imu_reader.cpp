@@ -32,8 +32,7 @@ void ImuReader::read(const IMU& imu, const RobotConfig& config, const Vector12& 
   // Packed fields are not aligned: copy them before indexing.
   const std::array<float, 4> quaternion = imu.quaternion;
   const std::array<float, 3> gyroscope = imu.gyroscope, accelerometer = imu.accelerometer;
-  const Eigen::Vector4d& mount = config.quat_base_imu;
-  const Quaternion R_base_imu(mount[0], mount[1], mount[2], mount[3]);
+  const Quaternion R_base_imu = quaternion_wxyz(config.quat_base_imu);
   const Vector3 w(gyroscope[0], gyroscope[1], gyroscope[2]);
   const Vector3 f(accelerometer[0], accelerometer[1], accelerometer[2]);
   const bool moved = joints != joints_;
