@@ -23,7 +23,7 @@ class Standing:
         self.plant = Plant(robot, PlantSettings(seed=1))
         options = surefoot.SupervisorOptions(power_level=power_level(robot), start=Start.STANDING)
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
-        self.dead: list[Dead] = []
+        self.dead: list[Dead | Silent] = []
         self.sinking = 0.0  # [m/s] greatest
         self.state = self.plant.reset()
         self.go_on(0.1)
@@ -66,6 +66,42 @@ def test_a_robot_whose_motor_died_stands_on_three_legs(robot: str, motor: int) -
     others = [leg for leg in range(4) if leg != motor // 3]
     assert scene.plant.truth.contact[others].all()
     assert scene.supervisor.stand.margin_without(motor // 3) > 0.02
+
+
+class Silent:
+    """A leg whose bus has died: it gets no command, and its report is the last one for good."""
+
+    def __init__(self, leg: int) -> None:
+        self.joints = range(3 * leg, 3 * leg + 3)
+        self.last: list[tuple[float, float]] = []
+
+    def command(self, command: surefoot.LowCmd, k: int) -> None:
+        for i in self.joints:
+            motor = command.motorCmd[i]
+            motor.tau = motor.Kp = motor.Kd = 0.0
+
+    def state(self, state: surefoot.LowState, k: int) -> None:
+        motors = [state.motorState[i] for i in self.joints]
+        self.last = self.last or [(motor.q, 0.3) for motor in motors]
+        for motor, (q, dq) in zip(motors, self.last, strict=True):
+            motor.mode, motor.tauEst = OVERHEATED, 0.0
+            motor.q, motor.dq = q, dq
+
+
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
+def test_of_a_leg_that_was_given_up_no_report_is_expected(robot: str) -> None:
+    scene = Standing(robot)
+    silent = Silent(1)
+    scene.dead.append(silent)
+    scene.go_on(3.0)
+    assert scene.supervisor.mode == Mode.STAND
+    assert scene.has(FaultId.LEG_LOST) and not scene.has(FaultId.ENCODER)
+    hip = float(scene.plant.robot.config.q_upper[3]) + 0.2
+    silent.last[0] = (hip, 0.3)
+    scene.go_on(0.5)
+    assert scene.supervisor.mode == Mode.STAND
+    assert not scene.has(FaultId.JOINT_STOP)
+    assert abs(scene.sunk()) < 0.03
 
 
 @pytest.mark.parametrize(("robot", "motor"), [("a1", 5), ("go1", 8), ("go2", 8), ("b1", 5)])

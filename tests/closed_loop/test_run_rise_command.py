@@ -219,6 +219,8 @@ def test_a_robot_in_the_air_comes_back_down_and_never_stood() -> None:
         (["--rise", "--yes", "--power-level", "0"], "power_level"),
         (["--real-robot", "--host", "192.168.123.10"], "--rise"),
         (["--rise", "--yes", "--host", "192.168.123.10"], "--real-robot"),
+        (["--rise", "--yes", "--real-robot", "--no-remote"], "a way to stop it"),
+        (["--predict-ms", "60"], "--predict-ms: got 60, expected 0 .. 50 [ms]"),
     ],
 )
 def test_a_rise_that_cannot_be_asked_for_is_one_clear_line(

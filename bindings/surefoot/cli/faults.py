@@ -6,9 +6,11 @@ import argparse
 import os
 import shlex
 import sys
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from surefoot._core import fault_table
 from surefoot.cli.progress import kept_in, progress_bar
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.simulation import (
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
     from surefoot.faults import FaultSettings
 
 FAILED = 4
+_INDENT = {"initial_indent": "    ", "subsequent_indent": "    "}
 _TEXT = """\
 Every row of the fault catalogue is injected (off, stuck, garbage, wrong, slow, delayed,
 intermittent, where that makes sense) while the robot lies, rises, stands and is pushed; sensors are
@@ -58,6 +61,12 @@ def add_faults_options(parser: argparse.ArgumentParser) -> None:
         help="the robot stands from the start, as surefoot run finds it without --rise",
     )
     add("--list", action="store_true", help="list the cells and what is expected; run nothing")
+    add(
+        "--names",
+        action="store_true",
+        help="list every fault that an operator is told: reaction, how soon, what ends it, what it "
+        "means; run nothing",
+    )
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
     add("--report", metavar="DIR", help="write index.html, plots and summary.json")
 
@@ -69,6 +78,9 @@ def faults(arguments: argparse.Namespace) -> int | None:
         Error: A wrong argument.
         OSError: A file could not be written.
     """
+    if arguments.names:
+        print(names_text())
+        return None
     choose_graphics()
     check_json_place(arguments.json)
     check_place("--store", arguments.store)
@@ -94,6 +106,16 @@ def faults(arguments: argparse.Namespace) -> int | None:
     if arguments.json != "-":
         print(faults_text(result))
     return FAILED if result["failed"] else None
+
+
+def names_text() -> str:
+    """Return fault_table() as an operator reads it."""
+    blocks = []
+    for info in fault_table():
+        reaction = f"{info.reaction.name.lower()} within {1000 * info.detect:.0f} ms"
+        head = f"{info.name:<18} {reaction}; ends {info.clears}"
+        blocks.append("\n".join([head, *textwrap.wrap(info.meaning, 92, **_INDENT)]))
+    return "\n".join(blocks)
 
 
 def _settings(arguments: argparse.Namespace) -> FaultSettings:

@@ -40,6 +40,11 @@ def read_settings(arguments: argparse.Namespace) -> VirtualRobotSettings:
 
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # there is a default
+    for name in ("delay_ms", "jitter_ms", "timeout_ms"):
+        value = getattr(arguments, name)
+        if not value >= 0.0:
+            option = name.replace("_", "-")
+            raise Error(f"--{option}: got {value:g}, expected 0 or more [ms]")
     log_rate = LOG_RATE if arguments.log_rate is None else arguments.log_rate
     return VirtualRobotSettings(
         robot=description,

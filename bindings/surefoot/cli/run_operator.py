@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, RunSnapshot, StandRunner
 from surefoot.cli.run_keys import Keys
+from surefoot.cli.run_text import LEGS
 from surefoot.terminal import has_keyboard
 
 _REFUSALS = {
@@ -94,7 +95,7 @@ class Operator:
 
 def joints_text(now: RunSnapshot) -> str:
     """Return the joints' angles as reported, leg by leg: hip, thigh, calf."""
-    legs = zip(("FR", "FL", "RR", "RL"), range(0, 12, 3), strict=True)
+    legs = zip(LEGS, range(0, 12, 3), strict=True)
     return "; ".join(
         f"{leg} {' '.join(f'{angle:.3f}' for angle in now.joints[first : first + 3])}"
         for leg, first in legs

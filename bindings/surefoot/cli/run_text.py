@@ -8,6 +8,9 @@ from typing import Any
 
 from surefoot._core import Robot, RunSnapshot, fault_table
 
+LEGS = ("FR", "FL", "RR", "RL")
+MOTORS = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
+
 
 class Notices:
     """Says once, when it is seen first, what should not be on the wire."""
@@ -42,7 +45,9 @@ class Faults:
         for info in fault_table():
             count = now.faults.count(info.id)
             if count > self._counts.get(info.name, 0):
-                self._say(f"{now.time:7.2f} s fault {info.name}: {info.meaning}")
+                motor = now.faults.motor(info.id)
+                where = f" at {MOTORS[motor]}" if motor >= 0 else ""
+                self._say(f"{now.time:7.2f} s fault {info.name}{where}: {info.meaning}")
             self._counts[info.name] = count
 
 

@@ -41,7 +41,10 @@ def plain_argument(name: str, *arguments: Any) -> Any:
     if len(arguments) != (kind.plain is not None):
         expected = "none" if kind.plain is None else "one"
         raise Error(f"call '{name}': got {len(arguments)} arguments, expected {expected}")
-    return kind.plain(*arguments) if kind.plain is not None else None
+    try:
+        return kind.plain(*arguments) if kind.plain is not None else None
+    except (AttributeError, TypeError):
+        raise Error(f"call '{name}': got {arguments[0]!r}, which {name}() does not take") from None
 
 
 def carry_out(controller: Any, name: str, argument: Any) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import LowState, Robot
+from surefoot._core import Error, LowState, Robot
 from surefoot.low_cmd_layout import LOW_CMD
 from surefoot.low_state_layout import LOW_STATE
 from surefoot.replay.build import build_id
@@ -63,8 +63,10 @@ def play(tape: Tape, robot: Robot, progress: Progress | None = None) -> Replay:
         progress: Told how far it is.
 
     Raises:
-        Error: Another robot, gains or options that are refused.
+        Error: No tape, another robot, gains or options that are refused.
     """
+    if not isinstance(tape, Tape):
+        raise Error(f"tape: got {type(tape).__name__}, expected what read_tape(FILE) returns")
     controller = tape.make(robot)
     calls: dict[int, list[Call]] = {}
     for call in tape.calls:

@@ -91,8 +91,12 @@ def make_controller(robot: Robot, gains: Gains, kind: str, options: dict[str, An
 
 
 def kind_of(options: Options) -> str:
-    """Return the kind of controller that options are for."""
-    return next(kind for kind, (_, its) in _KINDS.items() if isinstance(options, its))
+    """Return the kind of controller that options are for; raises Error."""
+    for kind, (_, its) in _KINDS.items():
+        if isinstance(options, its):
+            return kind
+    expected = " or ".join(its.__name__ for _, its in _KINDS.values())
+    raise Error(f"options: got {type(options).__name__}, expected {expected}")
 
 
 def head(robot: Robot, gains: Gains | None, options: Options) -> dict[str, Any]:

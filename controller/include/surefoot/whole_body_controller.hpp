@@ -25,7 +25,8 @@ struct WholeBodyOptions {
 ///
 /// Minimises the missed accelerations of the body (centre of mass or base, orientation, angular
 /// momentum), of the posture and of tasks of your own, and the distance from the most even forces.
-/// Rigid-body dynamics (armature included) and contact accelerations hold exactly; friction and
+/// Rigid-body dynamics (armature included) and contact accelerations hold exactly, but for a leg
+/// that near the support's edge bears nothing and keeps its joint limits by itself; friction and
 /// normal force are hard, f = 0 always allowed; torque by the motors' torque-speed curve, joint
 /// position and velocity, and the force that keeps feet down are elastic with exact penalties, so
 /// the program is feasible by construction. Torques that leave are clipped to the motors, and the

@@ -15,7 +15,8 @@ constexpr std::string_view kGone = "by itself";
 constexpr std::string_view kGoneOrArm = "by itself, or arm() where legs that stood told it";
 
 constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
-    {FaultId::kStop, kDamp, 0.002, kArm, "stop() from any thread"},
+    {FaultId::kStop, kDamp, 0.002, kArm,
+     "an operator's stop: stop() from any thread, x + Enter in surefoot run"},
     {FaultId::kButton, kDamp, 0.002, kArm, "B on the remote"},
     {FaultId::kStateNotFinite, kDamp, 0.020, kArm,
      "a NaN or an infinity: the last good command for 10 ms, then damping"},
@@ -76,7 +77,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kTemperature, kSit, 2.0, kGone,
      "torque limits fall from temperature_warning on; the robot sits down at temperature_stop"},
     {FaultId::kJointStop, kDamp, 0.006, kArm, "a joint is beyond its stop in three reports"},
-    {FaultId::kPower, kDamp, 0.014, kArm, "PowerProtect at the option power_level"},
+    {FaultId::kPower, kDamp, 0.014, kArm,
+     "joints took more than the option power_level for six reports net: PowerProtect's rule"},
     {FaultId::kTorqueRate, kWatch, 0.010, kGone,
      "the StandController's torques are held back, to changes of 9.5 % of their limits in 2 ms, "
      "for 8 ms"},
@@ -86,7 +88,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kController, kDamp, 0.020, kArm, "no usable solution for longer than 10 ms"},
     {FaultId::kHanging, kSit, 0.5, kGone, "up, and the legs bear less than a third of the weight"},
     {FaultId::kBattery, kSit, 2.0, kGone, "charge below the option battery_low, where it is told"},
-    {FaultId::kOperator, kSit, 0.1, kGone, "no heartbeat() for the option operator_timeout"},
+    {FaultId::kOperator, kSit, 0.1, kGone,
+     "the operator's program is silent: no heartbeat() for the option operator_timeout"},
     {FaultId::kLink, kDamp, 0.020, kArm,
      "the robot is not heard, or began anew, or this program stood still: the last good command "
      "for "
