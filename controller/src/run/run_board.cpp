@@ -6,16 +6,17 @@ namespace surefoot {
 void RunBoard::publish(const RunSnapshot& now, const LatencyHistogram& ticks,
                        const LatencyHistogram& wakes, long missed) noexcept {
   const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-  if (!lock.owns_lock()) return;
-  seen_ = now;
-  seen_.missed = static_cast<std::uint64_t>(missed);
-  ticks_ = ticks;
-  wakes_ = wakes;
+  if (lock.owns_lock()) write(now, ticks, wakes, missed);
 }
 
 void RunBoard::publish_last(const RunSnapshot& now, const LatencyHistogram& ticks,
                             const LatencyHistogram& wakes, long missed) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  write(now, ticks, wakes, missed);
+}
+
+void RunBoard::write(const RunSnapshot& now, const LatencyHistogram& ticks,
+                     const LatencyHistogram& wakes, long missed) noexcept {
   seen_ = now;
   seen_.missed = static_cast<std::uint64_t>(missed);
   ticks_ = ticks;

@@ -25,6 +25,9 @@ class RunBoard {
   std::string real_time() const;
 
  private:
+  void write(const RunSnapshot& now, const LatencyHistogram& ticks, const LatencyHistogram& wakes,
+             long missed) noexcept;
+
   mutable std::mutex mutex_;
   RunSnapshot seen_;
   LatencyHistogram ticks_, wakes_;

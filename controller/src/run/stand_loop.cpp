@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "run/remote_reference.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -31,10 +30,6 @@ SupervisorOptions supervised(const RunOptions& options, const StandOptions& stan
   out.operator_timeout = options.operator_timeout;
   out.stand = stand;
   return out;
-}
-
-bool is_finite(const BodyReference& r) {
-  return std::isfinite(r.x + r.y + r.height + r.roll + r.pitch + r.yaw);
 }
 
 }  // namespace
@@ -142,40 +137,6 @@ void StandLoop::lose(RunReason why) noexcept {
   silent_ = false;
   restarts_ = link_.counts().restarts;
   supervisor_.lose();
-}
-
-void StandLoop::rearm() noexcept {
-  const RequestStatus got = supervisor_.arm();
-  refused_ += got == RequestStatus::kNoState || got == RequestStatus::kNotReady;
-}
-
-void StandLoop::damp() noexcept {
-  damp_.store(true);
-  supervisor_.stop();
-}
-
-void StandLoop::set_gains(const Gains& gains) {
-  gains.validate();
-  gains_letter_.put(gains);
-}
-
-void StandLoop::obey_letters() noexcept {
-  if (gains_letter_.take(gains_)) {
-    supervisor_.set_gains(gains_);  // valid: see set_gains()
-    damping_ = damping_low_cmd(gains_.damping_kd);
-  }
-  BodyReference asked;
-  if (!reference_letter_.take(asked)) return;
-  supervisor_.set_body_reference(asked);  // which refuses what is not finite ...
-  if (is_finite(asked)) asked_ = asked;   // ... and would what the sticks add to it
-}
-
-void StandLoop::obey_sticks() noexcept {
-  const WirelessRemote remote = decode_wireless_remote(link_.state().wirelessRemote);
-  const BodyReference sticks = remote_reference(remote);
-  supervisor_.set_body_reference({asked_.x + sticks.x, asked_.y + sticks.y,
-                                  asked_.height + sticks.height, asked_.roll + sticks.roll,
-                                  asked_.pitch + sticks.pitch, asked_.yaw + sticks.yaw});
 }
 
 void StandLoop::sit_down_and_end() noexcept {

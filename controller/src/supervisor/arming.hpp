@@ -16,6 +16,13 @@ struct ArmingLimits {
   double torque_share = 0.0;  // of tau_max that the plan takes; below 1 it is feasible
 };
 
+/// Write into a check what was found, and whether that is below the limit; NaN is not.
+inline void expect_below(ArmingCheck& check, double value, double limit) noexcept {
+  check.value = value;
+  check.limit = limit;
+  check.passed = value < limit;
+}
+
 /// Runs the arming checks on every LowState. Real-time: update(), missed().
 class Arming {
  public:

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "safety/torque_command.hpp"
-#include "supervisor/motor_values.hpp"
 #include "surefoot/wireless_remote.hpp"
 
 namespace surefoot {
@@ -14,8 +13,6 @@ namespace {
 constexpr double kPlannedShare = 0.5;  // of the power level: what the plan takes
 constexpr double kLimitedShare = 0.8;  // of the power level: what the springs may take ...
 constexpr double kStandShare = 0.9;    // ... and a StandController, by the joints' speeds reported
-constexpr double kHeldBack = 0.008;    // [s] that torques lag before it is told: pushes are
-                                       // believed over 6 ms, and may hold torques back as long
 constexpr Button kStopButton = Button::kB;
 
 double watts(const SupervisorOptions& options) {
@@ -139,47 +136,6 @@ void Supervisor::Impl::latch(FaultId why) noexcept {
   log.set(FaultId::kTorqueRate, false);
   log.set(FaultId::kHanging, false);  // seen on the way up, which is over: it must not bar the next
   reason = why;
-}
-
-Drive Supervisor::Impl::drive(Source source, const LowState& state) noexcept {
-  Drive out;
-  if (source == Source::kDamping) out.kd.setConstant(damping_kd);
-  if (source == Source::kSprings) {
-    out.tau = springs.torques(reference, upward() ? motion.load() : 0.0);
-    out.kd.setConstant(springs.damping());
-  }
-  if (source != Source::kProgram) return out;
-  const LowCmd& command = stand.update(state);
-  for (int i = 0; i < kMotors; ++i) {
-    out.tau[i] = command.motorCmd[i].tau;
-    out.kd[i] = command.motorCmd[i].Kd;
-  }
-  return out;
-}
-
-const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexcept {
-  fade.advance(dt);
-  Drive drive = this->drive(fade.to(), state);
-  if (fade.moving()) {
-    const Drive before = this->drive(fade.from(), state);
-    const double w = fade.weight();
-    drive.tau = (1.0 - w) * before.tau + w * drive.tau;
-    drive.kd = (1.0 - w) * before.kd + w * drive.kd;
-  }
-  // One that has not solved once since it was begun bridges nothing, and latches nothing.
-  const bool program = fade.needs(Source::kProgram);
-  const bool idle = unsolved.update(program && stand.rung() == Rung::kDamping, dt, kHoldTime);
-  if (idle || (program && stand.status() == Status::kDamping)) {
-    const FaultId why = stand.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
-    log.set(why, true);
-    latch(why);
-    return keeper.accept(damping_low_cmd(damping_kd));
-  }
-  // Springs of a leg that slips off what it leant on change as fast as it does, and a blow takes a
-  // tick or two to answer: that is no fault.
-  const bool limited = rate.limit(drive.tau, drive.kd, measured_speeds(state), clock.period());
-  log.set(FaultId::kTorqueRate, held_back.update(limited && program, clock.period(), kHeldBack));
-  return keeper.accept(torque_low_cmd(drive.tau, drive.kd));
 }
 
 void Supervisor::Impl::publish() noexcept {
