@@ -6,7 +6,7 @@ import argparse
 import importlib.metadata
 import re
 from collections.abc import Callable, Sequence
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from surefoot.cli.assess import add_assess_options, assess
 from surefoot.cli.bench import add_bench_options, bench
@@ -24,6 +24,7 @@ from surefoot.cli.stand import stand
 from surefoot.cli.stand_options import add_stand_options
 from surefoot.cli.tables import list_gains, list_robots
 from surefoot.cli.tune import add_tune_options
+from surefoot.robot_table import suggest
 
 
 class _Parser(argparse.ArgumentParser):
@@ -32,6 +33,15 @@ class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         line = " ".join(message.split())
         self.exit(2, f"{self.prog}: error: {line} (see {self.prog} --help)\n")
+
+    # A subcommand's own words are complained about by the subcommand, which knows its options.
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        found, unknown = super().parse_known_args(args, namespace)
+        if unknown:
+            options = [option for action in self._actions for option in action.option_strings]
+            guess = suggest(unknown[0], options)
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{guess}")
+        return found, unknown
 
 
 def parse_arguments(words: Sequence[str]) -> argparse.Namespace:
