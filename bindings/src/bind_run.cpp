@@ -40,6 +40,7 @@ void bind_snapshot(nb::module_& m) {
               "the end?")
       .def_ro("stuck", &RunSnapshot::stuck, "Has the last rise given up?")
       .def_ro("way_up", &RunSnapshot::way_up, "From lying (0) to standing (1).")
+      .def_ro("stage", &RunSnapshot::stage, "Of the last rise.")
       .def_ro("status", &RunSnapshot::status, "Of the controller's last tick.")
       .def_ro("fault", &RunSnapshot::fault, "Of the controller.")
       .def_ro("link", &RunSnapshot::link, "Counts of the link.")

@@ -27,6 +27,13 @@ void bind_enums(nb::module_& m) {
       .value("STAND", Mode::kStand, "A StandController at work.")
       .value("SIT", Mode::kSit, "On its way down; also how a rise is aborted.")
       .value("DAMPING", Mode::kDamping, "The motors damp, latched: only arm() leads out.");
+  nb::enum_<RiseStage>(m, "RiseStage",
+                       "How far a rise is; in all but the last the body lies on the ground.")
+      .value("HOLD_LEGS", RiseStage::kHoldLegs, "Legs hold themselves up where they are.")
+      .value("FOLD", RiseStage::kFold, "They fold beside the body.")
+      .value("WEIGH", RiseStage::kWeigh, "Hips outward: do the legs weigh what they should?")
+      .value("PRESS", RiseStage::kPress, "The rear pair presses: does the nose go down?")
+      .value("UP", RiseStage::kUp, "Over a crouch to the standing pose, or back down.");
   nb::enum_<Start>(m, "Start", "How a robot is when it is taken on.")
       .value("LYING", Start::kLying, "Motors damp; arming checks, arm(), then a rise.")
       .value("STANDING", Start::kStanding,
@@ -204,6 +211,7 @@ void bind_machine(nb::module_& m) {
       .def_prop_ro("rise_time", &Supervisor::rise_time, "[s] from legs folded to standing.")
       .def_prop_ro("fading", &Supervisor::fading, "Are torques on their way from mode to mode?")
       .def_prop_ro("stuck", &Supervisor::stuck, "Did the last rise give up?")
+      .def_prop_ro("stage", &Supervisor::stage, "Of the last rise, or of this.")
       .def_prop_ro("fresh", &Supervisor::fresh, "Was the last command made from its LowState?")
       .def_prop_ro("power", &Supervisor::power,
                    "[W] that the power protection judged last; 0 while it has nothing to judge.")

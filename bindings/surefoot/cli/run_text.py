@@ -6,8 +6,14 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from surefoot._core import Robot, RunSnapshot, fault_table
+from surefoot._core import RiseStage, Robot, RunSnapshot, fault_table
 
+_ON_THE_GROUND = {
+    RiseStage.HOLD_LEGS: "legs hold themselves",
+    RiseStage.FOLD: "legs fold",
+    RiseStage.WEIGH: "legs are weighed",
+    RiseStage.PRESS: "rear legs press",
+}
 LEGS = ("FR", "FL", "RR", "RL")
 MOTORS = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
 
@@ -74,7 +80,7 @@ def status_line(now: RunSnapshot) -> str:
         how = f"height {now.height:.3f} m, tilt {math.degrees(now.tilt):.1f} deg, "
     elif now.phase in ("rising", "sitting"):
         way = f"{100 * now.way_up:.0f} % of the way up, "
-        how = way if now.way_up > 0.0 else "the body on the ground, "
+        how = way if now.stage == RiseStage.UP else f"{_ON_THE_GROUND[now.stage]}, "
     elif now.phase == "passive":
         how = "armed, " if now.armed else "not armed, "
     return (

@@ -66,11 +66,12 @@ struct RunSnapshot {
   bool stood = false;  ///< has it stood at all?
   /// Has it stood, and lain down because it was asked to (kStanding: stood on), until the end?
   bool stood_to_end = false;
-  bool stuck = false;                ///< has the last rise given up?
-  double way_up = 0.0;               ///< from lying (0) to standing (1)
-  Status status = Status::kWaiting;  ///< of the controller's last tick
-  Status fault = Status::kOk;        ///< of the controller
-  FrameReport reject;                ///< the last datagram that was not taken
+  bool stuck = false;                      ///< has the last rise given up?
+  double way_up = 0.0;                     ///< from lying (0) to standing (1)
+  RiseStage stage = RiseStage::kHoldLegs;  ///< of the last rise
+  Status status = Status::kWaiting;        ///< of the controller's last tick
+  Status fault = Status::kOk;              ///< of the controller
+  FrameReport reject;                      ///< the last datagram that was not taken
   LinkCounts link;
   double time = 0.0;          ///< [s] since run() began
   double age = 0.0;           ///< [s] of the newest LowState

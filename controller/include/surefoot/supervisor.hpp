@@ -30,6 +30,16 @@ enum class Start : int {
 };
 const char* to_string(Start start) noexcept;
 
+/// How far a rise is. In all but the last the body lies on the ground.
+enum class RiseStage : int {
+  kHoldLegs = 0,  ///< legs hold themselves up where they are
+  kFold,          ///< they fold beside the body
+  kWeigh,         ///< hips outward: do the legs weigh what they should?
+  kPress,         ///< the rear pair presses: does the nose go down?
+  kUp             ///< over a crouch to the standing pose, or back down
+};
+const char* to_string(RiseStage stage) noexcept;
+
 /// What became of a request. Anything but kAccepted: nothing moves for it.
 enum class RequestStatus : int {
   kAccepted = 0,  ///< the next update() takes it up
@@ -135,6 +145,7 @@ class Supervisor {
   bool fading() const noexcept;
   /// Did the last rise give up because a leg could not fold or the body could not follow?
   bool stuck() const noexcept;
+  RiseStage stage() const noexcept;  ///< of the last rise, or of this
 
   void set_body_reference(const BodyReference& target) noexcept;  ///< in force while standing
   /// As StandController's; fold_wait is in force when legs begin to fold. Throws surefoot::Error.

@@ -85,6 +85,7 @@ const RunSnapshot& StandLoop::describe() noexcept {
   now_.armed = supervisor_.armed();
   now_.stuck = supervisor_.stuck();
   now_.way_up = supervisor_.height();
+  now_.stage = supervisor_.stage();
   now_.refused_rearms = refused_.load();
   view_robot(supervisor_.stand(), link_.state(), tau_max_, now_);
   return now_;

@@ -55,6 +55,7 @@ void Supervisor::heartbeat() noexcept { ++impl_->heartbeats; }
 double Supervisor::height() const noexcept { return impl_->height; }
 double Supervisor::rise_time() const noexcept { return impl_->plan.time; }
 bool Supervisor::fading() const noexcept { return impl_->requests.context().fading; }
+RiseStage Supervisor::stage() const noexcept { return impl_->shown_stage; }
 bool Supervisor::stuck() const noexcept { return impl_->gave_up; }
 
 void Supervisor::set_body_reference(const BodyReference& target) noexcept {
@@ -68,6 +69,11 @@ double Supervisor::power() const noexcept { return impl_->safety.power(); }
 const char* to_string(Mode mode) noexcept {
   constexpr std::array<const char*, 5> names = {"passive", "rise", "stand", "sit", "damping"};
   return names[static_cast<int>(mode)];
+}
+
+const char* to_string(RiseStage stage) noexcept {
+  constexpr std::array<const char*, 5> names = {"hold_legs", "fold", "weigh", "press", "up"};
+  return names[static_cast<int>(stage)];
 }
 
 const char* to_string(Start start) noexcept {

@@ -118,7 +118,8 @@ void Supervisor::Impl::take_over() noexcept {
   motors.reset();
   now.mode = Mode::kStand;
   now.armed = true;
-  stage = Stage::kUp;  // or it would be thought to lie, and be let go of instead of sitting down
+  stage =
+      RiseStage::kUp;  // or it would be thought to lie, and be let go of instead of sitting down
   motion.start(1.0, springs.q());
   rate.forget();
   fade.jump(Source::kProgram);
@@ -143,6 +144,7 @@ void Supervisor::Impl::publish() noexcept {
   requests.publish(now);
   report.write(arming.report());
   faults.write(log.report());
+  shown_stage = stage;
   const bool on_the_way = active() && upward();
   height = on_the_way ? motion.position() : 0.0;
 }

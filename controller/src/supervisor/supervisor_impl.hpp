@@ -53,15 +53,13 @@ struct Supervisor::Impl {
   std::atomic<FaultId> reason{FaultId::kNone};
   std::atomic<unsigned> heartbeats{0};
   std::atomic<bool> gave_up{false};
+  std::atomic<RiseStage> shown_stage{RiseStage::kHoldLegs};
   std::atomic<double> height{0.0};
   bool fresh = false;
 
  private:
   /// [s] After it no command lives: a longer step must be confirmed, for a tick may be mad.
   static constexpr double kLongestStep = 0.015;
-
-  /// How far a rise is. All but the last: the body lies on the ground.
-  enum class Stage { kHoldLegs, kFold, kWeigh, kPress, kUp };
 
   bool read(const LowState& state, double step, double dt) noexcept;
   FaultId find_bad(const LowState& state, double step) noexcept;
@@ -93,7 +91,7 @@ struct Supervisor::Impl {
   bool drives() const noexcept {
     return active() || fade.moving();
   }  ///< torques, not damping alone
-  bool upward() const noexcept { return stage == Stage::kUp; }
+  bool upward() const noexcept { return stage == RiseStage::kUp; }
   bool standing() const noexcept { return now.mode == Mode::kStand && !fade.moving(); }
 
   RequestContext now;
@@ -101,7 +99,7 @@ struct Supervisor::Impl {
   CommandKeeper keeper;
   TorqueFade fade;
   JointReference reference;  // of the springs
-  Stage stage = Stage::kHoldLegs;
+  RiseStage stage = RiseStage::kHoldLegs;
   LegLift lift;
   FaultLog log;
   MotorFaults motors;

@@ -24,30 +24,30 @@ void Supervisor::Impl::start_rise() noexcept {
   const bool near = (q - plan.joints_at(s)).cwiseAbs().maxCoeff() < kOnTheWay;
   gave_up = false;
   if (s > kOffGround && near && springs.can_hold()) {
-    stage = Stage::kUp;
+    stage = RiseStage::kUp;
     motion.start(s, q);
     motion.go_to(1.0);
     return;
   }
-  stage = Stage::kHoldLegs;
+  stage = RiseStage::kHoldLegs;
   lift = {};
   reference.q = q;
   reference.dq.setZero();
 }
 
 void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
-  const bool folded = stage == Stage::kWeigh || stage == Stage::kPress;
-  if (folded && folding.rolls(reference, springs.up(), dt)) stage = Stage::kFold;
+  const bool folded = stage == RiseStage::kWeigh || stage == RiseStage::kPress;
+  if (folded && folding.rolls(reference, springs.up(), dt)) stage = RiseStage::kFold;
   switch (stage) {
-    case Stage::kHoldLegs:
+    case RiseStage::kHoldLegs:
       return hold_legs(state, dt);
-    case Stage::kFold:
+    case RiseStage::kFold:
       return fold(dt);
-    case Stage::kWeigh:
+    case RiseStage::kWeigh:
       return weigh(state, dt);
-    case Stage::kPress:
+    case RiseStage::kPress:
       return press(state, dt);
-    case Stage::kUp:
+    case RiseStage::kUp:
       return go_up(state, dt);
   }
 }
@@ -58,7 +58,7 @@ void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   lift.update(measured_torques(state), springs.in_air(), dt);
   if (!lift.done()) return;
   if (lift.too_light()) return refuse(FaultId::kWrongRobot, -1);
-  stage = Stage::kFold;
+  stage = RiseStage::kFold;
   folding.start(springs.q(), springs.up());
 }
 
@@ -67,11 +67,11 @@ void Supervisor::Impl::fold(double dt) noexcept {
   if (folding.rolls_on()) {
     refuse(FaultId::kWiring, -1);
   } else if (folding.done()) {
-    stage = Stage::kWeigh;
+    stage = RiseStage::kWeigh;
     weighing.start(reference.q, {true, true, true, true});
   } else if (const auto side = folding.folded_side(springs.q()); any(side)) {
     folding.side_weighed();
-    stage = Stage::kWeigh;
+    stage = RiseStage::kWeigh;
     weighing.start(reference.q, side);
   } else if (folding.pinned(springs.q(), springs.up())) {
     refuse(FaultId::kWrongRobot, -1);
@@ -92,10 +92,10 @@ void Supervisor::Impl::weigh(const LowState& state, double dt) noexcept {
       return refuse(FaultId::kWrongRobot, -1);
     case LegWeighing::Verdict::kFits:
       if (!folding.done()) {
-        stage = Stage::kFold;
+        stage = RiseStage::kFold;
         return;
       }
-      stage = Stage::kPress;
+      stage = RiseStage::kPress;
       return pressing.start(reference.q);
   }
 }
@@ -105,7 +105,7 @@ void Supervisor::Impl::press(const LowState& state, double dt) noexcept {
   reference = pressing.step(springs.R_world_base(), borne, dt);
   if (pressing.failed()) return refuse(FaultId::kWiring, pressing.motor());
   if (!pressing.passed()) return;
-  stage = Stage::kUp;
+  stage = RiseStage::kUp;
   motion.start(0.0, reference.q);
   motion.go_to(1.0);
 }
