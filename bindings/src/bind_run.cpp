@@ -35,9 +35,10 @@ void bind_snapshot(nb::module_& m) {
       .def_ro("arming", &RunSnapshot::arming, "What passes and what does not.")
       .def_ro("armed", &RunSnapshot::armed)
       .def_ro("stood", &RunSnapshot::stood, "Has it stood at all?")
-      .def_ro("stood_to_end", &RunSnapshot::stood_to_end,
-              "Has it stood, and lain down because it was asked to (start STANDING: stood on), until "
-              "the end?")
+      .def_ro(
+          "stood_to_end", &RunSnapshot::stood_to_end,
+          "Has it stood, and lain down because it was asked to (start STANDING: stood on), until "
+          "the end?")
       .def_ro("stuck", &RunSnapshot::stuck, "Has the last rise given up?")
       .def_ro("way_up", &RunSnapshot::way_up, "From lying (0) to standing (1).")
       .def_ro("stage", &RunSnapshot::stage, "Of the last rise.")

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from surefoot.faults import FaultSettings
 
 FAILED = 4
-_INDENT = {"initial_indent": "    ", "subsequent_indent": "    "}
 _TEXT = """\
 Every row of the fault catalogue is injected (off, stuck, garbage, wrong, slow, delayed,
 intermittent, where that makes sense) while the robot lies, rises, stands and is pushed; sensors are
@@ -114,7 +113,7 @@ def names_text() -> str:
     for info in fault_table():
         reaction = f"{info.reaction.name.lower()} within {1000 * info.detect:.0f} ms"
         head = f"{info.name:<18} {reaction}; ends {info.clears}"
-        blocks.append("\n".join([head, *textwrap.wrap(info.meaning, 92, **_INDENT)]))
+        blocks += [head, textwrap.indent(textwrap.fill(info.meaning, 88), "    ")]
     return "\n".join(blocks)
 
 
