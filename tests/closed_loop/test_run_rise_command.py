@@ -56,6 +56,13 @@ class Terminal:
         self.press("a\n")
         self.shows("ready, armed")
 
+    def stand(self) -> None:
+        """Arm it, get it up, and wait until its torques have faded in."""
+        self.arm()
+        self.press("u\n")
+        self.shows(" standing")
+        time.sleep(0.5)
+
     def status(self) -> int:
         """Wait for its end; return the exit status."""
         try:
@@ -110,10 +117,7 @@ def test_an_operator_gets_it_up_and_down_by_keys() -> None:
 def test_any_line_with_an_x_damps_however_fast_it_is_typed(typed: str) -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
-        terminal.arm()
-        terminal.press("u\n")
-        terminal.shows(" standing")
-        time.sleep(0.5)
+        terminal.stand()
         terminal.press(typed)
         terminal.shows(" damping: asked")
         terminal.press("\x03")
@@ -125,9 +129,7 @@ def test_ctrl_c_twice_and_ctrl_backslash_let_go_of_it_and_that_is_no_good_end() 
     for keys in ("\x03", "\x03"), ("\x1c",):
         with lying_robot() as (_, port):
             terminal = Terminal(port, "--rise")
-            terminal.arm()
-            terminal.press("u\n")
-            terminal.shows(" standing")
+            terminal.stand()
             for key in keys:
                 time.sleep(0.6)
                 terminal.press(key)
@@ -138,10 +140,7 @@ def test_ctrl_c_twice_and_ctrl_backslash_let_go_of_it_and_that_is_no_good_end() 
 def test_a_terminal_that_hangs_has_the_robot_lie_down_and_its_keys_are_left_out() -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
-        terminal.arm()
-        terminal.press("u\n")
-        terminal.shows(" standing")
-        time.sleep(0.5)
+        terminal.stand()
         terminal.press("\x13")  # Ctrl-S: the terminal takes no more lines
         time.sleep(4.0)
         terminal.press("u\n")

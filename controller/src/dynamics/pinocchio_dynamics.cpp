@@ -35,9 +35,7 @@ struct PinocchioDynamics::Pinocchio {
 };
 
 PinocchioDynamics::PinocchioDynamics(const Robot& robot)
-    : pinocchio_(std::make_unique<Pinocchio>(robot.model())),
-      robot_(robot),
-      condensable_(has_chains_of_three(robot)) {}
+    : pinocchio_(std::make_unique<Pinocchio>(robot.model())), robot_(robot) {}
 
 PinocchioDynamics::~PinocchioDynamics() = default;
 

@@ -34,7 +34,6 @@ class PinocchioDynamics {
   struct Pinocchio;
   std::unique_ptr<Pinocchio> pinocchio_;
   Robot robot_;
-  bool condensable_;
 };
 
 }  // namespace surefoot

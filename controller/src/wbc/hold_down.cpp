@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "wbc/limits.hpp"
+
 namespace surefoot {
 
 Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
@@ -10,8 +12,7 @@ Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
                                  const Reference& reference) noexcept {
   Eigen::Vector4d forces;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const FootReference& foot = reference.feet[leg];
-    const double load = foot.stance ? std::clamp(foot.load, 0.0, 1.0) : 0.0;
+    const double load = planned_load(reference.feet[leg]);
     const double belief = std::clamp(contact[leg], 0.0, 1.0);
     forces[leg] = gains.hold_down * weight * fade * load * belief;
   }

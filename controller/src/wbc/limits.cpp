@@ -10,7 +10,7 @@ namespace {
 // From `lost` at no belief to `held` at full belief; nothing for a swing foot.
 double by_belief(double lost, double held, double contact, const FootReference& foot) noexcept {
   const double share = lost + std::clamp(contact, 0.0, 1.0) * (held - lost);
-  return foot.stance ? std::clamp(foot.load, 0.0, 1.0) * share : 0.0;
+  return planned_load(foot) * share;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "surefoot/types.hpp"
 #include "wbc/joint_table.hpp"
 
@@ -18,6 +20,11 @@ struct JointLimits {
   Eigen::VectorXd a_lower, a_upper;      ///< [rad/s^2] that keep position and velocity in range
   Eigen::VectorXd more;  ///< [rad/s^2] either way that the body may ask beyond those: let_go()
 };
+
+/// Share of a foot's load that it is meant to bear, 0 .. 1; none in swing. Real-time: yes.
+inline double planned_load(const FootReference& foot) noexcept {
+  return foot.stance ? std::clamp(foot.load, 0.0, 1.0) : 0.0;
+}
 
 /// Torques by the motors' torque-speed curve; accelerations by the approach to each limit,
 ///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),

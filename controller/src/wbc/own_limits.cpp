@@ -15,9 +15,7 @@ void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contac
     const int leg = joints[k].group;
     double bears = 1.0;
     if (leg < kLegs) {
-      const FootReference& foot = reference.feet[leg];
-      const double load = foot.stance ? std::clamp(foot.load, 0.0, 1.0) : 0.0;
-      bears = load * std::clamp(contact[leg], 0.0, 1.0);
+      bears = planned_load(reference.feet[leg]) * std::clamp(contact[leg], 0.0, 1.0);
     }
     limits.more[k] = kMore * (1.0 - fade) * (1.0 - bears);
   }
