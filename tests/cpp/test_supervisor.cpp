@@ -121,8 +121,8 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
     const std::uint32_t tick = report.tick;
     report = good;
     report.tick = tick;
-    run(1.3);
-    BOOST_TEST(supervisor.arming().ready);
+    run(2.5);  // a jump of the attitude is remembered for a while
+    BOOST_TEST(supervisor.arming().ready, failures());
   };
   run(0.1);
   report.motorState[RR_2].temperature = 71;
@@ -135,6 +135,8 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   expect("accelerometer");
   report.imu.quaternion = {0.9F, 0.0F, 0.0F, 0.0F};
   expect("quaternion");
+  report.imu.quaternion = {0.0F, 0.0F, 0.4794F, 0.8776F};  // x y z w of 1 rad of yaw
+  expect("attitude: the quaternion leans 57.3 deg off the vertical");
   std::swap(report.motorState[FR_1].q, report.motorState[FR_2].q);
   expect("motor_order: FR_1 and FR_2 seem swapped");
   const auto stop = static_cast<float>(quadruped().config().q_lower[FR_2]);

@@ -16,6 +16,7 @@ enum class ArmingCheckId : int {
   kQuaternion,     ///< the IMU's quaternion is of unit length
   kGyroscope,      ///< the body does not turn
   kAccelerometer,  ///< what it feels is gravity
+  kAttitude,       ///< the quaternion's vertical is the one that the accelerometer feels
   kTilt,           ///< the body is near level
   kJoints,         ///< joints are inside this robot's limits
   kMotorOrder,     ///< angles fit the motors they are reported for
@@ -23,7 +24,7 @@ enum class ArmingCheckId : int {
   kProgram,        ///< getting up and standing is within this robot's torques
   kFault           ///< no fault is present that a robot lies down for
 };
-constexpr int kArmingChecks = 12;
+constexpr int kArmingChecks = 13;
 const char* to_string(ArmingCheckId id) noexcept;
 
 /// One check: what was found, and what is expected.

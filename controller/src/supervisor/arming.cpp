@@ -16,7 +16,9 @@ constexpr double kUnit = 1e-3;     // that a quaternion may be off unit length: 
 constexpr double kTurning = 0.05;  // [rad/s]
 constexpr double kGravityShare = 0.05;  // that |a| may be off g
 constexpr double kSmoothing = 0.1;      // [s] over which the IMU's noise is averaged
-constexpr double kLevel = 0.44;         // [rad] 25 degrees: what a robot gets up from, and a little
+// [rad] 10 degrees between attitude and accelerometer: vendors' filters lean by 5 of them.
+constexpr double kApart = 0.1745;
+constexpr double kLevel = 0.44;  // [rad] 25 degrees: what a robot gets up from, and a little
 
 }  // namespace
 
@@ -105,6 +107,8 @@ void Arming::check_imu(const LowState& state, double step) noexcept {
                        : accelerometer;
   const Eigen::Vector4d quaternion(q[0], q[1], q[2], q[3]);
   expect_below(at(ArmingCheckId::kQuaternion), std::abs(quaternion.norm() - 1.0), kUnit);
+  const Vector3 claimed = quaternion_wxyz(quaternion).conjugate() * Vector3::UnitZ();
+  expect_below(at(ArmingCheckId::kAttitude), angle_between(claimed, accelerometer_), kApart);
   expect_below(at(ArmingCheckId::kGyroscope), gyro_.norm(), kTurning);
   expect_below(at(ArmingCheckId::kAccelerometer), std::abs(accelerometer_.norm() / kGravity - 1.0),
                kGravityShare);

@@ -48,6 +48,11 @@ std::string found(ArmingCheckId id, const ArmingCheck& c, const RobotConfig& con
       return format("%.3f rad/s, expected below %.2f", c.value, c.limit);
     case ArmingCheckId::kAccelerometer:
       return format("%.1f %% off g, expected below %.0f %%", 100.0 * c.value, 100.0 * c.limit);
+    case ArmingCheckId::kAttitude:
+      return format(
+          "the quaternion leans %.1f deg off the vertical that the accelerometer feels, expected "
+          "below %.0f: it is w x y z, from IMU to world",
+          57.29578 * c.value, 57.29578 * c.limit);
     case ArmingCheckId::kTilt:
       return format("%.1f deg off level, expected below %.0f", 57.29578 * c.value,
                     57.29578 * c.limit);
@@ -73,7 +78,7 @@ std::string found(ArmingCheckId id, const ArmingCheck& c, const RobotConfig& con
 
 const char* to_string(ArmingCheckId id) noexcept {
   constexpr std::array<const char*, kArmingChecks> names = {
-      "link", "motor_mode", "temperature", "quaternion", "gyroscope", "accelerometer",
+      "link", "motor_mode", "temperature", "quaternion", "gyroscope", "accelerometer", "attitude",
       "tilt", "joints",     "motor_order", "foot_force", "program",   "fault"};
   return names[static_cast<int>(id)];
 }

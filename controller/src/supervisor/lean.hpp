@@ -12,7 +12,12 @@ namespace surefoot {
 /// @param up the world's vertical, in base axes, of unit length
 inline double lean(const Vector3& up) noexcept { return std::acos(std::clamp(up.z(), -1.0, 1.0)); }
 
-/// The part of it by which the body has rolled, positive to its right [rad]. Real-time: yes.
+/// Angle between two directions of any length [rad]. Real-time: yes.
+inline double angle_between(const Vector3& a, const Vector3& b) noexcept {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// The part of lean() by which the body has rolled, positive to its right [rad]. Real-time: yes.
 inline double sideways(const Vector3& up) noexcept {
   return std::asin(std::clamp(up.y(), -1.0, 1.0));
 }
