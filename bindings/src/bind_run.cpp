@@ -116,13 +116,13 @@ void bind_runner(nb::module_& m) {
       .def(
           "__init__",
           [](RunOptions* o, double rate, double duration, int power_level, bool remote,
-             double patience, Start start, double operator_timeout) {
-            new (o)
-                RunOptions{rate, duration, power_level, remote, patience, start, operator_timeout};
+             double patience, Start start, double operator_timeout, double log_time) {
+            new (o) RunOptions{rate,     duration, power_level,      remote,
+                               patience, start,    operator_timeout, log_time};
           },
           "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
           "power_level"_a = 1, "remote"_a = true, "patience"_a = 5.0, "start"_a = Start::kStanding,
-          "operator_timeout"_a = std::numeric_limits<double>::infinity())
+          "operator_timeout"_a = std::numeric_limits<double>::infinity(), "log_time"_a = 0.0)
       .def_rw("rate", &RunOptions::rate, "[Hz] of the control loop.")
       .def_rw("duration", &RunOptions::duration,
               "[s] from when it stands first, then finish(); inf: until finish() or stop().")
@@ -132,7 +132,9 @@ void bind_runner(nb::module_& m) {
       .def_rw("start", &RunOptions::start, "STANDING: taken over at once; LYING: behind arming.")
       .def_rw("operator_timeout", &RunOptions::operator_timeout,
               "[s] without heartbeat(), which another thread calls, before the robot sits down; "
-              "inf: nobody need be there.");
+              "inf: nobody need be there.")
+      .def_rw("log_time", &RunOptions::log_time,
+              "[s] of ticks that log() keeps, the last ones; 0 .. 600, 1 MB each.");
   nb::class_<StandRunner>(m, "StandRunner",
                           "Runs a Supervisor over UDP at a fixed rate.\n\n"
                           "It begins and ends with damping frames; a latched damping is left by "
@@ -173,6 +175,9 @@ void bind_runner(nb::module_& m) {
           "set_body_reference", &StandRunner::set_body_reference, "target"_a,
           "As StandController's, with the next tick; the remote's sticks add to it. Forgotten when "
           "the robot stands anew. From any thread.")
+      .def("log", &StandRunner::log, nb::rv_policy::reference_internal,
+           "The last RunOptions.log_time of ticks, from the robot's first report on.\n\n"
+           "Raise Error unless run() has ended.")
       .def("snapshot", &StandRunner::snapshot, "What was last published, from any thread.")
       .def_prop_ro("real_time", &StandRunner::real_time, "Scheduling and memory it got, in words.")
       .def_prop_ro("local_port", &StandRunner::local_port, "Ours.");

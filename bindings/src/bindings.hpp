@@ -11,6 +11,7 @@ void bind_task(nanobind::module_& m);
 void bind_whole_body(nanobind::module_& m);
 void bind_link(nanobind::module_& m);
 void bind_run(nanobind::module_& m);
+void bind_run_log(nanobind::module_& m);
 void bind_estimator(nanobind::module_& m);
 void bind_stand(nanobind::module_& m);
 void bind_safety(nanobind::module_& m);

@@ -22,5 +22,6 @@ NB_MODULE(_core, m) {
   bind_link(m);
   bind_safety(m);
   bind_supervisor(m);
+  bind_run_log(m);
   bind_run(m);
 }

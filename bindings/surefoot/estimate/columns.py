@@ -70,6 +70,7 @@ COLUMNS: tuple[Column, ...] = (
 )
 BY_NAME = {column.name: column for column in COLUMNS}
 REPLAY = "replay_"  # begin of the names of arrays for surefoot replay, in the same file
+RUN = "run_"  # the same of those that surefoot run adds
 CLOCKS = ("tick", "time")
 SENSORS = ("gyroscope", "accelerometer", "quaternion", "q", "dq", "tauEst")
 FEET = ("footForce", "footForceEst")

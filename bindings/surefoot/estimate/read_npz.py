@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from surefoot._core import Error
-from surefoot.estimate.columns import REPLAY, Column
+from surefoot.estimate.columns import REPLAY, RUN, Column
 from surefoot.estimate.slots import Slots
 from surefoot.row_rotations import Array
 
@@ -31,7 +31,7 @@ def _take(path: Path, file: np.lib.npyio.NpzFile) -> tuple[dict[str, Array], lis
         raise Error(f"{path}: got an empty file, expected arrays of named columns")
     slots: Slots[Array] = Slots(str(path))
     lengths: dict[int, str] = {}
-    for name in (name for name in file.files if not name.startswith(REPLAY)):
+    for name in (name for name in file.files if not name.startswith((REPLAY, RUN))):
         found = slots.find(name)
         if found is None:
             continue

@@ -13,7 +13,7 @@ from surefoot.estimate.tables import check_table_name, write_table
 
 
 def write_log(
-    path: str | Path, log: SensorLog, replay: Mapping[str, np.ndarray] | None = None
+    path: str | Path, log: SensorLog, extras: Mapping[str, np.ndarray] | None = None
 ) -> None:
     """Write a log, as CSV or NPZ by the file's name.
 
@@ -23,7 +23,7 @@ def write_log(
     Args:
         path: The file.
         log: What the sensors said.
-        replay: What surefoot replay needs besides (see replay/file.py), for an NPZ.
+        extras: Arrays that an NPZ has besides, named replay_... (replay/file.py) or run_...
 
     Raises:
         Error: Another suffix.
@@ -35,8 +35,8 @@ def write_log(
         if column.name in log.columns:
             values = log.columns[column.name]
             table[column.name] = _as_carried(column.name, values, column.width)
-    if replay is not None and path.suffix.lower() == ".npz":
-        table.update(replay)
+    if extras is not None and path.suffix.lower() == ".npz":
+        table.update(extras)
     write_table(path, table)
 
 

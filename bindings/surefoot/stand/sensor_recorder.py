@@ -7,8 +7,9 @@ import numpy.typing as npt
 
 from surefoot._core import LowState
 from surefoot.estimate.clock import read_clock
+from surefoot.estimate.sensor_columns import sensor_columns
 from surefoot.estimate.sensor_log import SensorLog
-from surefoot.low_state_layout import LOW_STATE, MOTORS
+from surefoot.low_state_layout import LOW_STATE
 from surefoot.row_rotations import matrices_from_xyzw
 from surefoot.sim import Truth
 
@@ -37,16 +38,7 @@ class SensorRecorder:
 
     def log(self, source: str = "surefoot stand") -> SensorLog:
         """Return the rows so far, sensors to the last bit and truth_ columns; raises Error."""
-        states = self.reports.view(LOW_STATE)[:, 0]
-        motors = states["motorState"][:, :MOTORS]
-        columns = {"tick": states["tick"][:, None]}
-        for name in ("gyroscope", "accelerometer", "quaternion"):
-            columns[name] = states[name]
-        for name in ("q", "dq", "tauEst"):
-            columns[name] = motors[name]
-        for name in ("footForce", "footForceEst"):
-            columns[name] = states[name]
-        columns = {name: values.astype(np.float64) for name, values in columns.items()}
+        columns = sensor_columns(self.reports)
         columns.update(self._truth_columns())
         clock, time = read_clock(source, columns)
         return SensorLog(source, columns, time, clock)

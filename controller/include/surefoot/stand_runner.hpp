@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "surefoot/run_log.hpp"
 #include "surefoot/supervisor.hpp"
 #include "surefoot/udp_link.hpp"
 
@@ -21,6 +22,7 @@ struct RunOptions {
   Start start = Start::kStanding;  ///< kLying: behind arming checks; power_level 1 .. 10
   /// [s] without heartbeat() before the robot sits down; infinite: nobody need be there
   double operator_timeout = std::numeric_limits<double>::infinity();
+  double log_time = 0.0;  ///< [s] of ticks that log() keeps, the last ones; 0 .. 600, 1 MB each
 
   /// Throw surefoot::Error naming what is out of range.
   void validate() const;
@@ -144,6 +146,9 @@ class StandRunner {
   /// forgotten when it stands anew.
   void set_body_reference(const BodyReference& target);
 
+  /// The last RunOptions::log_time of ticks, from the robot's first report on. Throws
+  /// surefoot::Error unless run() has ended.
+  const RunLog& log() const;
   /// From any other thread; what was last published.
   RunSnapshot snapshot() const;
   std::string real_time()

@@ -19,6 +19,7 @@ void RunOptions::validate() const {
     check("power_level", power_level, 1, 10, " for a robot that is to get up");
   }
   check("patience", patience, 0.0, 1e6, " [s]");
+  check("log_time", log_time, 0.0, 600.0, " [s]");
   check("operator_timeout", operator_timeout, 0.01, std::numeric_limits<double>::infinity(),
         " [s]");
   if (!(duration > 0.0)) {

@@ -40,7 +40,8 @@ StandLoop::StandLoop(const Robot& robot, const Gains& gains, const StandOptions&
       supervisor_(robot, gains, supervised(options, stand)),
       link_(link),
       tau_max_(robot.config().tau_max),
-      damping_(damping_low_cmd(gains.damping_kd)) {}
+      damping_(damping_low_cmd(gains.damping_kd)),
+      log_(static_cast<std::size_t>(std::ceil(options.log_time * options.rate))) {}
 
 void StandLoop::tick(double time, double elapsed) noexcept {
   now_.time = time;
@@ -80,8 +81,13 @@ void StandLoop::supervise(bool newer, double elapsed) noexcept {
   if (link_.counts().restarts != restarts_) lose(RunReason::kRestart);
   const double age = link_.age();
   if (silent_ && newer && age < kStaleTime) forgive_or_lose();
-  link_.send(newer && age < kHoldTime ? control(link_.state()) : bridge(age, elapsed));
+  send(newer && age < kHoldTime ? control(link_.state()) : bridge(age, elapsed), newer);
   watch();
+}
+
+void StandLoop::send(const LowCmd& command, bool heard) noexcept {
+  link_.send(command);
+  log_.add({now_.time, heard, supervisor_.mode(), supervisor_.reason(), link_.state(), command});
 }
 
 // The supervisor gets the newest report of a tick; the link heard them all.

@@ -44,10 +44,12 @@ class StandLoop {
   /// Has its phase changed since this was asked last? Real-time: yes.
   bool has_news() noexcept;
   int local_port() const noexcept { return link_.local_port(); }
+  const RunLog& log() const noexcept { return log_; }
 
  private:
   void wait_for_robot() noexcept;
   void supervise(bool newer, double elapsed) noexcept;
+  void send(const LowCmd& command, bool heard) noexcept;
   void count_reports() noexcept;
   const LowCmd& control(const LowState& state) noexcept;
   const LowCmd& bridge(double age, double elapsed) noexcept;
@@ -75,6 +77,7 @@ class StandLoop {
   bool silent_ = false;                // the robot is; it may yet be forgiven
   RunReason lost_ = RunReason::kNone;  // why, when the supervisor damps for a lost link
   RunSnapshot now_;
+  RunLog log_;
   double counts_from_ = -1.0;              // [s] when the duration began; negative: it has not
   std::uint64_t restarts_ = 0;             // of the robot, that were taken in
   std::uint64_t valid_ = 0, missing_ = 0;  // reports that the supervisor was told of

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/stand_runner.hpp"
 
+#include <atomic>
+
 #include "clock.hpp"
 #include "run/latency_histogram.hpp"
 #include "run/real_time.hpp"
 #include "run/run_board.hpp"
 #include "run/stand_loop.hpp"
+#include "surefoot/error.hpp"
 
 namespace surefoot {
 
@@ -25,6 +28,7 @@ struct StandRunner::Impl {
   double period;
   LatencyHistogram ticks, wakes;
   RunBoard board;
+  std::atomic<bool> ended{false};
 };
 
 void StandRunner::run() {
@@ -51,6 +55,7 @@ void StandRunner::run() {
     timer.wait();
   }
   s.board.publish_last(s.loop.describe(), s.ticks, s.wakes, timer.missed());
+  s.ended.store(true);
 }
 
 StandRunner::StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
@@ -70,6 +75,10 @@ void StandRunner::set_body_reference(const BodyReference& target) {
   impl_->loop.set_body_reference(target);
 }
 int StandRunner::local_port() const noexcept { return impl_->loop.local_port(); }
+const RunLog& StandRunner::log() const {
+  if (!impl_->ended.load()) throw Error("log: got a run that has not ended, expected one that has");
+  return impl_->loop.log();
+}
 RunSnapshot StandRunner::snapshot() const { return impl_->board.look(); }
 std::string StandRunner::real_time() const { return impl_->board.real_time(); }
 

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What surefoot run keeps of its last ticks."""
+
+from __future__ import annotations
+
+import json
+import signal
+from pathlib import Path
+
+import numpy as np
+import pytest
+import surefoot
+from surefoot.cli import main
+from surefoot.estimate import read_log
+from virtual_robot_helpers import controller, start
+
+
+@pytest.mark.alone
+def test_the_last_second_of_a_run_is_in_a_log_that_the_estimator_reads(tmp_path: Path) -> None:
+    file = str(tmp_path / "run.npz")
+    script = tmp_path / "remote.txt"
+    script.write_text("2.5 press B\n")
+    robot, port = start("--remote", str(script))
+    run = controller(port, "--duration", "3", "--log", file, "--log-time", "1")
+    out, err = run.communicate(timeout=60)
+    robot.send_signal(signal.SIGTERM)
+    robot.wait(timeout=20)
+    assert (run.returncode, err) == (3, ""), out
+    assert file in out
+    log = np.load(file)
+    steps = np.diff(log["run_time"])
+    assert len(log["run_time"]) == 500 and (steps > 0.0).all() and steps.sum() < 1.2
+    assert log["run_heard"].mean() > 0.9
+    standing, damped = log["run_mode"] == "stand", log["run_mode"] == "damping"
+    assert (standing | damped).all() and (np.diff(damped.astype(int)) >= 0).all()
+    assert set(log["run_damping"][damped]) == {"button"}
+    assert standing.any() and damped.any()
+    # What was sent is what the motors say of it a period or two later, within their errors.
+    felt = np.abs(log["tauEst"] - log["run_tau"])[standing]
+    assert np.median(felt) < 1.0 < np.abs(log["run_tau"])[standing].max()
+    assert np.all(log["run_tau"][damped] == 0.0)
+    assert log["run_reports"].shape[1] == len(surefoot.LowState().raw)
+    assert log["run_commands"].shape[1] == len(surefoot.LowCmd().raw)
+    assert read_log(file).ignored == ()
+    assert main(["estimate", file, "--robot", "go1", "--json", str(tmp_path / "out.json")]) == 0
+    assert json.loads((tmp_path / "out.json").read_text())
+
+
+def test_a_log_is_not_read_while_it_is_written() -> None:
+    runner = surefoot.StandRunner(
+        surefoot.load_robot("go1"), port=1, options=surefoot.RunOptions(log_time=1.0, patience=0.1)
+    )
+    with pytest.raises(surefoot.Error, match="log: got a run that has not ended"):
+        runner.log()
+    runner.run()
+    assert len(runner.log()) == 0 and runner.log().reports.shape == (0, 937)
+
+
+def test_a_log_has_its_limits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for words, said in (
+        (["--log", str(tmp_path / "run.csv")], "expected a name that ends in .npz"),
+        (["--log", str(tmp_path / "no" / "run.npz")], "folder that can be written"),
+        (["--log", str(tmp_path / "a.npz"), "--log-time", "601"], "'log_time' out of range"),
+        (["--log", str(tmp_path / "a.npz"), "--log-time", "nan"], "'log_time' out of range"),
+    ):
+        assert main(["run", "--port", "1", *words]) == 2
+        assert said in capsys.readouterr().err
