@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+LEGS = ("FR", "FL", "RR", "RL")  # the SDK's order of legs: feet, and three motors each
 MOTORS = 12
 SLOTS = 20
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 from surefoot._core import Error
+from surefoot.low_state_layout import LEGS
 from surefoot.robot_table import suggest
 from surefoot.sim.checks import number, one_of
 
-FEET = ("FR", "FL", "RR", "RL")
 _RANGES = {
     "friction": (0.01, 10.0),
     "slope_deg": (0.0, 45.0),
@@ -91,7 +91,7 @@ class Condition:
         try:
             for name, (low, high) in _RANGES.items():
                 number(name, getattr(self, name), low, high)
-            one_of("step_foot", self.step_foot, ("", *FEET))
+            one_of("step_foot", self.step_foot, ("", *LEGS))
             _check_numbers("payload_offset_m", self.payload_offset_m, 1.0)
             if len(self.payload_offset_m) != 3:
                 raise Error(f"payload_offset_m: got {self.payload_offset_m!r}, expected x, y, z")

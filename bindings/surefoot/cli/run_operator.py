@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, RunSnapshot, StandRunner
 from surefoot.cli.run_keys import Keys
-from surefoot.cli.run_text import LEGS
+from surefoot.low_state_layout import LEGS
 from surefoot.terminal import has_keyboard
 
 _REFUSALS = {

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from surefoot._core import RiseStage, Robot, RunSnapshot, fault_table
+from surefoot.low_state_layout import LEGS
 
 _ON_THE_GROUND = {
     RiseStage.HOLD_LEGS: "legs hold themselves",
@@ -14,7 +15,6 @@ _ON_THE_GROUND = {
     RiseStage.WEIGH: "legs are weighed",
     RiseStage.PRESS: "rear legs press",
 }
-LEGS = ("FR", "FL", "RR", "RL")
 MOTORS = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
 
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 
-from surefoot.estimate.columns import COLUMNS, JOINTS, LEGS, MOTOR_NAMES, Column
+from surefoot.estimate.columns import COLUMNS, JOINTS, MOTOR_NAMES, Column
+from surefoot.low_state_layout import LEGS
 
 _PATH = re.compile(r"^/?(?:low_?state[._/])?(?:imu(?:_?state)?[._/]|motor_?state[._/](?=[a-z]))?")
 _MOTOR = re.compile(r"^motor_?state[._\[/]?(\d+)\]?[._/](\w+)$")

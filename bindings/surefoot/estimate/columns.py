@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-LEGS = ("FR", "FL", "RR", "RL")
+from surefoot.low_state_layout import LEGS
+
 JOINTS = ("hip", "thigh", "calf")
 MOTOR_NAMES = tuple(f"{leg}_{joint}" for leg in LEGS for joint in JOINTS)
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from surefoot.estimate.columns import LEGS
 from surefoot.estimate.result import Estimate
+from surefoot.low_state_layout import LEGS
 from surefoot.row_rotations import Array
 
 HALF = 0.5

@@ -8,8 +8,8 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import Robot
-from surefoot.estimate.columns import LEGS
 from surefoot.estimate.sensor_log import SensorLog
+from surefoot.low_state_layout import LEGS
 from surefoot.row_rotations import Array, matrices_from_xyzw, rpy_from_matrices
 
 IMU_SENSORS = ("gyroscope", "accelerometer", "quaternion")

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Status, Verdict
-from surefoot.estimate.columns import BY_NAME, LEGS
+from surefoot.estimate.columns import BY_NAME
 from surefoot.estimate.derive import METHOD
 from surefoot.estimate.events import row_lengths, slip_events, transitions
 from surefoot.estimate.result import SENSOR_NAMES, Estimate
 from surefoot.estimate.truth_summary import truth_summary
+from surefoot.low_state_layout import LEGS
 from surefoot.plain import plain
 from surefoot.row_rotations import Array
 

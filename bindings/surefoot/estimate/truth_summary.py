@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from surefoot.estimate.columns import LEGS
 from surefoot.estimate.events import Transition, transitions
 from surefoot.estimate.result import Estimate
+from surefoot.low_state_layout import LEGS
 from surefoot.row_rotations import Array, matrices_from_xyzw, rpy_from_matrices
 
 GRAVITY = 9.81

@@ -12,11 +12,12 @@ import mujoco
 import numpy as np
 
 from surefoot._core import Error, Robot
+from surefoot.low_state_layout import LEGS
 from surefoot.sim.checks import number, one_of
 from surefoot.sim.handles import Handles
 from surefoot.sim.rotations import Array
 
-PARTS = ("trunk", "FR", "FL", "RR", "RL")
+PARTS = ("trunk", *LEGS)
 TRUNK_RATE = 40.0  # [rad/s] of the critically damped hold
 TRUNK_GYRATION = 0.1  # [m^2] inertia per kilogram that the hold of the attitude reckons with
 FOOT_STIFFNESS = 250.0  # [N/m] per kilogram of robot: lifts a foot that pushes a quarter of it down

@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 
 from surefoot._core import Error, Robot
+from surefoot.low_state_layout import LEGS
 from surefoot.robots import RobotDescription, per_motor
 from surefoot.sim.backlash import add_backlash
 from surefoot.sim.moving_ground import BLOCK, PLATFORM, add_block, place_block
@@ -20,7 +21,7 @@ from surefoot.sim.scene import (
     add_light_and_sky,
     set_physics,
 )
-from surefoot.sim.settings import LEGS, PlantSettings
+from surefoot.sim.settings import PlantSettings
 from surefoot.sim.soft_ground import add_soft_contacts, soften
 from surefoot.sim.urdf import load_urdf, root_body
 

@@ -14,7 +14,8 @@ import mujoco
 import numpy as np
 
 from surefoot._core import Robot
-from surefoot.sim.settings import LEGS, PlantSettings
+from surefoot.low_state_layout import LEGS
+from surefoot.sim.settings import PlantSettings
 
 if TYPE_CHECKING:
     from surefoot.sim.plant import Plant

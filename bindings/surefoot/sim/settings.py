@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from surefoot._core import Error
+from surefoot.low_state_layout import LEGS
 from surefoot.sim.checks import number, one_of
 from surefoot.sim.flaws import Flaws
 
 COARSE_DT = 0.001  # [s], twice the usual physics step: limits come out the same (docs/assess.md)
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
-LEGS = ("FR", "FL", "RR", "RL")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
 LEAST_SINK, MOST_SINK = 1e-4, 0.1  # [m] of soft ground; rigid ground gives way by 20 um
 

@@ -10,12 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot._core import Error
-from surefoot.low_state_layout import MOTORS
+from surefoot.low_state_layout import LEGS, MOTORS
 from surefoot.sim.checks import number
 from surefoot.sim.rotations import Array
 
 _FORM = "JOINT:TORQUE:HZ@TIME[:DURATION]"
-_LEGS = ("FR", "FL", "RR", "RL")
 _JOINTS = ("hip", "thigh", "calf")
 
 
@@ -62,10 +61,10 @@ def find_motor(name: str) -> int:
     if re.fullmatch(r"\d{1,2}", name) and int(name) < MOTORS:
         return int(name)
     leg, _, joint = name.partition("_")
-    if leg in _LEGS and joint in _JOINTS:
-        return 3 * _LEGS.index(leg) + _JOINTS.index(joint)
-    if leg in _LEGS and joint in ("0", "1", "2"):
-        return 3 * _LEGS.index(leg) + int(joint)
+    if leg in LEGS and joint in _JOINTS:
+        return 3 * LEGS.index(leg) + _JOINTS.index(joint)
+    if leg in LEGS and joint in ("0", "1", "2"):
+        return 3 * LEGS.index(leg) + int(joint)
     raise Error(f"shake: got joint '{name}', expected FR_0 .. RL_2, FR_hip .. RL_calf or 0 .. 11")
 
 

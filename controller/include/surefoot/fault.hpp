@@ -82,6 +82,8 @@ struct FaultReport {
   FaultId last = FaultId::kNone;               ///< that began last
 
   bool has(FaultId id) const noexcept { return active[static_cast<int>(id)]; }
+  /// The first fault there is with a reaction, but for one, or kNone. Real-time: yes.
+  FaultId first(FaultReaction reaction, FaultId but = FaultId::kNone) const noexcept;
 };
 
 }  // namespace surefoot

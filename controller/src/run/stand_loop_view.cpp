@@ -29,13 +29,8 @@ void StandLoop::watch() noexcept {
 void StandLoop::judge_order(Mode before) noexcept {
   if (now_.mode == before) return;
   const bool let_go_of = now_.mode == Mode::kDamping && before != Mode::kPassive;
-  bool by_fault = false;
-  if (now_.mode == Mode::kSit) {
-    const FaultReport faults = supervisor_.faults();
-    for (const FaultInfo& info : fault_table()) {
-      by_fault = by_fault || (info.reaction == FaultReaction::kSit && faults.has(info.id));
-    }
-  }
+  const bool by_fault =
+      now_.mode == Mode::kSit && supervisor_.faults().first(FaultReaction::kSit) != FaultId::kNone;
   if (let_go_of || by_fault || now_.mode == Mode::kRise) in_order_ = false;
   if (now_.mode == Mode::kStand) in_order_ = true;
 }

@@ -35,13 +35,6 @@ class FaultLog {
     report_.active[k] = there;
   }
 
-  /// The first fault there is with a reaction, but for one, or kNone.
-  FaultId first(FaultReaction reaction, FaultId but = FaultId::kNone) const noexcept {
-    for (const FaultInfo& info : fault_table()) {
-      if (info.reaction == reaction && info.id != but && report_.has(info.id)) return info.id;
-    }
-    return FaultId::kNone;
-  }
   const FaultReport& report() const noexcept { return report_; }
 
  private:

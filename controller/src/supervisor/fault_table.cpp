@@ -108,6 +108,13 @@ static_assert(ordered());
 
 const std::array<FaultInfo, kFaults - 1>& fault_table() noexcept { return kRows; }
 
+FaultId FaultReport::first(FaultReaction reaction, FaultId but) const noexcept {
+  for (const FaultInfo& info : kRows) {
+    if (info.reaction == reaction && info.id != but && has(info.id)) return info.id;
+  }
+  return FaultId::kNone;
+}
+
 FaultInfo fault_info(FaultId id) noexcept {
   const int row = static_cast<int>(id) - 1;
   return row >= 0 && row < kFaults - 1 ? kRows[row] : FaultInfo();

@@ -110,10 +110,10 @@ void Supervisor::Impl::react() noexcept {
   }
   if (!drives()) return;
   // What is wrong with the report alone is bridged first: see tick().
-  const FaultId worst = log.first(FaultReaction::kDamp, bad);
+  const FaultId worst = log.report().first(FaultReaction::kDamp, bad);
   if (worst != FaultId::kNone) latch(worst);
   const bool up = now.mode == Mode::kStand || now.mode == Mode::kRise;
-  if (up && log.first(FaultReaction::kSit) != FaultId::kNone) enter(Mode::kSit);
+  if (up && log.report().first(FaultReaction::kSit) != FaultId::kNone) enter(Mode::kSit);
 }
 
 }  // namespace surefoot

@@ -13,7 +13,7 @@ bool Supervisor::Impl::read(const LowState& state, double step, double dt) noexc
   bad = step < 0.0 ? FaultId::kStaleTick : find_bad(state, step);
   if (bad != before) log.set(before, false);
   if (bad != FaultId::kNone) log.set(bad, true);
-  const FaultId sits = log.first(FaultReaction::kSit);
+  const FaultId sits = log.report().first(FaultReaction::kSit);
   const FaultId down = log.report().has(FaultId::kButton) ? FaultId::kButton : sits;
   arming.keep_down(bad != FaultId::kNone ? bad : down);
   // Who lies and was not heard for long, or began anew, may be another one than was armed.

@@ -8,8 +8,9 @@ import numpy as np
 
 from surefoot._core import Error, Robot
 from surefoot.estimate.checks.evidence import DEGREES, Windows, finite_median
-from surefoot.estimate.columns import LEGS, MOTOR_NAMES
+from surefoot.estimate.columns import MOTOR_NAMES
 from surefoot.estimate.sensor_log import SensorLog
+from surefoot.low_state_layout import LEGS
 from surefoot.row_rotations import Array
 
 OUTSIDE = 0.5  # [rad] beyond a limit: no joint gets there, whatever its calibration

@@ -10,8 +10,8 @@ import numpy as np
 from surefoot._core import Error, Robot
 from surefoot.estimate.checks.evidence import Windows, finite_median
 from surefoot.estimate.checks.torques import bears_weight
-from surefoot.estimate.columns import LEGS
 from surefoot.estimate.sensor_log import SensorLog
+from surefoot.low_state_layout import LEGS
 from surefoot.row_rotations import Array, matrices_from_xyzw
 
 _SIDES = np.array([[1, -1], [1, 1], [-1, -1], [-1, 1]])  # of x and y, FR FL RR RL

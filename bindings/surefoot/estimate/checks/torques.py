@@ -7,8 +7,8 @@ import numpy.typing as npt
 
 from surefoot._core import Error, Robot
 from surefoot.estimate.checks.evidence import finite_median
-from surefoot.estimate.columns import LEGS
 from surefoot.estimate.sensor_log import SensorLog
+from surefoot.low_state_layout import LEGS
 from surefoot.row_rotations import Array
 
 GRAVITY = 9.81
