@@ -134,7 +134,7 @@ void bind_runner(nb::module_& m) {
               "[s] without heartbeat(), which another thread calls, before the robot sits down; "
               "inf: nobody need be there.")
       .def_rw("log_time", &RunOptions::log_time,
-              "[s] of ticks that log() keeps, the last ones; 0 .. 600, 1 MB each.");
+              "[s] of ticks that log() keeps, 1.7 kB each; 0 .. 600.");
   nb::class_<StandRunner>(m, "StandRunner",
                           "Runs a Supervisor over UDP at a fixed rate.\n\n"
                           "It begins and ends with damping frames; a latched damping is left by "
@@ -177,7 +177,8 @@ void bind_runner(nb::module_& m) {
           "the robot stands anew. From any thread.")
       .def("log", &StandRunner::log, nb::rv_policy::reference_internal,
            "The last RunOptions.log_time of ticks, from the robot's first report on.\n\n"
-           "Raise Error unless run() has ended.")
+           "Until 5 s (half of log_time, where that is less) after it was last driven: what brakes "
+           "for longer has happened. Raise Error while run() runs.")
       .def("snapshot", &StandRunner::snapshot, "What was last published, from any thread.")
       .def_prop_ro("real_time", &StandRunner::real_time, "Scheduling and memory it got, in words.")
       .def_prop_ro("local_port", &StandRunner::local_port, "Ours.");

@@ -47,7 +47,8 @@ Bytes bytes(const RunLog& log, Struct RunTick::* member) {
 
 void bind_run_log(nb::module_& m) {
   nb::class_<RunLog>(m, "RunLog",
-                     "The last ticks of a run: what a StandRunner knew, and what it sent.")
+                     "The last ticks of a run: what a StandRunner knew, and what it sent.\n\n"
+                     "Every array is a copy, made when it is asked for.")
       .def("__len__", &RunLog::size)
       .def_prop_ro(
           "time",
@@ -78,5 +79,5 @@ void bind_run_log(nb::module_& m) {
           "(n, 937) bytes of the newest LowStates.")
       .def_prop_ro(
           "commands", [](const RunLog& log) { return bytes(log, &RunTick::command); },
-          "(n, 734) bytes of the LowCmds that left.");
+          "(n, 734) bytes of the LowCmds that the link was given.");
 }

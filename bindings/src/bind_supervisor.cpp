@@ -122,8 +122,8 @@ void bind_arming(nb::module_& m) {
             }
             return checks;
           },
-          "By name: link, motor_mode, temperature, quaternion, gyroscope, accelerometer, tilt, "
-          "joints, motor_order, foot_force, program, fault.")
+          "By name: link, motor_mode, temperature, quaternion, gyroscope, accelerometer, attitude, "
+          "tilt, joints, motor_order, foot_force, program, fault.")
       .def(
           "failures",
           [](const ArmingReport& report, const Robot& robot) {

@@ -1,16 +1,25 @@
-"""Text files that are whole or not there at all."""
+"""Files that are whole or not there at all."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+
+
+@contextmanager
+def whole_place(path: Path) -> Iterator[Path]:
+    """Yield a place beside a file's, and move there what was written; raises OSError."""
+    beside = path.with_name(path.name + ".part")
+    try:
+        yield beside
+        os.replace(beside, path)
+    finally:
+        beside.unlink(missing_ok=True)
 
 
 def write_whole(path: Path, text: str) -> None:
     """Write a text file beside its place first, then move it there; raises OSError."""
-    beside = path.with_name(path.name + ".part")
-    try:
+    with whole_place(path) as beside:
         beside.write_text(text, encoding="utf-8")
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)

@@ -19,7 +19,7 @@ from virtual_robot_helpers import controller, start
 def test_the_last_second_of_a_run_is_in_a_log_that_the_estimator_reads(tmp_path: Path) -> None:
     file = str(tmp_path / "run.npz")
     script = tmp_path / "remote.txt"
-    script.write_text("2.5 press B\n")
+    script.write_text("1.5 press B\n")
     robot, port = start("--remote", str(script))
     run = controller(port, "--duration", "3", "--log", file, "--log-time", "1")
     out, err = run.communicate(timeout=60)
@@ -29,12 +29,13 @@ def test_the_last_second_of_a_run_is_in_a_log_that_the_estimator_reads(tmp_path:
     assert file in out
     log = np.load(file)
     steps = np.diff(log["run_time"])
-    assert len(log["run_time"]) == 500 and (steps > 0.0).all() and steps.sum() < 1.2
+    assert len(log["run_time"]) == 500 and (steps > 0.0).all() and steps.sum() < 1.1
     assert log["run_heard"].mean() > 0.9
     standing, damped = log["run_mode"] == "stand", log["run_mode"] == "damping"
     assert (standing | damped).all() and (np.diff(damped.astype(int)) >= 0).all()
     assert set(log["run_damping"][damped]) == {"button"}
-    assert standing.any() and damped.any()
+    # It went on braking for a second: what it did before is kept all the same.
+    assert 230 < standing.sum() < 270
     # What was sent is what the motors say of it a period or two later, within their errors.
     felt = np.abs(log["tauEst"] - log["run_tau"])[standing]
     assert np.median(felt) < 1.0 < np.abs(log["run_tau"])[standing].max()

@@ -137,6 +137,17 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   expect("quaternion");
   report.imu.quaternion = {0.0F, 0.0F, 0.4794F, 0.8776F};  // x y z w of 1 rad of yaw
   expect("attitude: the quaternion leans 57.3 deg off the vertical");
+  const auto lean = [&](float felt, float said) {  // [rad] of pitch
+    report.imu.accelerometer = {-9.81F * std::sin(felt), 0.0F, 9.81F * std::cos(felt)};
+    report.imu.quaternion = {std::cos(0.5F * said), 0.0F, std::sin(0.5F * said), 0.0F};
+  };
+  lean(0.1F, -0.1F);  // world to IMU
+  expect("attitude: the quaternion leans 11.5 deg off the vertical");
+  lean(0.1F, -0.06F);
+  run(2.5);
+  BOOST_TEST(failures() == "");
+  lean(0.0F, 0.0F);
+  run(2.5);
   std::swap(report.motorState[FR_1].q, report.motorState[FR_2].q);
   expect("motor_order: FR_1 and FR_2 seem swapped");
   const auto stop = static_cast<float>(quadruped().config().q_lower[FR_2]);

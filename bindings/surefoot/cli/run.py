@@ -17,7 +17,7 @@ from surefoot._core import (
     Start,
 )
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.cli.run_log import check_log_place, write_run_log
+from surefoot.cli.run_log import LOG_TIME, check_log, write_run_log
 from surefoot.cli.run_operator import keys
 from surefoot.cli.run_text import closing_text, no_robot_text, run_summary
 from surefoot.cli.run_watch import supervise
@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
         generation answered, 3 anything else.
     """
     check_json_place(arguments.json)
-    check_log_place(arguments.log)
+    check_log(arguments.log, arguments.log_time)
     _check_operator(arguments)
     runner, robot, generation = _make_runner(arguments)
     say = Speaker(sys.stderr if arguments.json == "-" else sys.stdout)
@@ -50,10 +50,11 @@ def run(arguments: argparse.Namespace) -> int:
         + ("lies down and ends, twice it damps at once" if arguments.rise else "ends by damping")
     )
     end = supervise(runner, robot, say, arguments.rise, arguments.yes)
+    if arguments.log is not None:
+        _keep_log(arguments.log, runner.log(), say)
     result = run_summary(end, robot, generation, runner.real_time)
     write_json(arguments.json, result)
     say(closing_text(result))
-    _keep_log(arguments.log, runner.log(), say)
     where = f"{arguments.host}:{arguments.port}"
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
@@ -61,12 +62,13 @@ def run(arguments: argparse.Namespace) -> int:
     return 0 if end.stood_to_end else ENDED_DAMPED
 
 
-def _keep_log(file: str | None, log: RunLog, say: Callable[[str], None]) -> None:
-    """Write the log where one is wanted and something was heard; raises OSError."""
-    if file is None or not len(log):
+def _keep_log(file: str, log: RunLog, say: Callable[[str], None]) -> None:
+    """Write the log if something was heard; raises OSError."""
+    if not len(log):
+        say(f"no log: no LowState came; {file} is not written")
         return
-    write_run_log(file, log)
-    say(f"log of the last {log.time[-1] - log.time[0]:.1f} s: {file}")
+    lasted = write_run_log(file, log)
+    say(f"log of {lasted:.1f} s: {file}")
 
 
 def _check_operator(arguments: argparse.Namespace) -> None:
@@ -103,7 +105,7 @@ def _make_runner(arguments: argparse.Namespace) -> tuple[StandRunner, Robot, str
         remote=not arguments.no_remote,
         start=Start.LYING if arguments.rise else Start.STANDING,
         operator_timeout=arguments.operator_timeout,
-        log_time=0.0 if arguments.log is None else arguments.log_time,
+        log_time=0.0 if arguments.log is None else arguments.log_time or LOG_TIME,
     )
     stand = StandOptions(
         motor_damping=arguments.motor_damping,

@@ -14,22 +14,28 @@ from surefoot.estimate.sensor_columns import sensor_columns
 from surefoot.low_cmd_layout import LOW_CMD
 from surefoot.low_state_layout import MOTORS
 
+LOG_TIME = 60.0  # [s]
 
-def check_log_place(place: str | None) -> None:
-    """Raise Error for a place where no NPZ file can be written; None is none."""
+
+def check_log(place: str | None, time: float | None) -> None:
+    """Raise Error for a place where no NPZ file can be written, or a time of none."""
+    if place is None and time is not None:
+        raise Error("--log-time: got it without --log, expected both")
+    if time is not None and not time > 0.0:
+        raise Error(f"--log-time: got {time:g}, expected above 0, up to 600 [s]")
     check_place("--log", place)
     if place is not None and Path(place).suffix.lower() != ".npz":
         raise Error(f"--log: got '{place}', expected a name that ends in .npz")
 
 
-def write_run_log(path: str, log: RunLog) -> None:
-    """Write what a runner knew and sent, tick by tick; raises OSError.
+def write_run_log(path: str, log: RunLog) -> float:
+    """Write what a runner knew and sent, tick by tick, and return how long [s]; raises OSError.
 
     The columns are a sensor log's; arrays run_... say the rest (docs/estimation.md).
     """
-    reports, commands = log.reports, log.commands
+    time, reports, commands = log.time, log.reports, log.commands
     extras = {
-        "time": log.time,
+        "time": time,
         "heard": log.heard,
         "mode": _names(Mode, log.mode),
         "damping": _names(FaultId, log.damping),
@@ -37,8 +43,18 @@ def write_run_log(path: str, log: RunLog) -> None:
         "reports": reports,
         "commands": commands,
     }
-    sensors = SensorLog("surefoot run", sensor_columns(reports), log.time)
+    columns = sensor_columns(reports)
+    if _restarted(columns["tick"][:, 0]):  # one clock for both of the robot's lives
+        del columns["tick"]
+        columns["time"] = time[:, None]
+    sensors = SensorLog("surefoot run", columns, time)
     write_log(path, sensors, {f"{RUN}{name}": values for name, values in extras.items()})
+    return float(time[-1] - time[0])
+
+
+def _restarted(ticks: np.ndarray) -> bool:
+    """Return whether the robot's clock [ms], which wraps, went back."""
+    return bool((np.diff(ticks.astype(np.uint32)).astype(np.int32) < 0).any())
 
 
 def _names(kind: type[Mode] | type[FaultId], values: np.ndarray) -> np.ndarray:

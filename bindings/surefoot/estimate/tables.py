@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from surefoot._core import Error
+from surefoot.whole_file import whole_place
 
 _DIGITS = {np.dtype(np.float32): "%.9g", np.dtype(np.float64): "%.17g"}  # none is lost
 _CHUNK = 4096  # rows of text at a time
@@ -31,7 +32,8 @@ def write_table(path: Path, table: Mapping[str, np.ndarray]) -> None:
 
 def write_npz(path: Path, table: Mapping[str, np.ndarray]) -> None:
     """Write arrays (n,) or (n, k) under their names; raises OSError."""
-    with path.open("wb") as file:  # numpy would add a suffix to a name that ends in .NPZ
+    # A file, not its name: numpy would add a suffix to one that ends in .NPZ.
+    with whole_place(path) as place, place.open("wb") as file:
         np.savez_compressed(file, allow_pickle=False, **table)
 
 
@@ -45,7 +47,7 @@ def write_csv(path: Path, table: Mapping[str, np.ndarray]) -> None:
         formats += [_DIGITS.get(values.dtype, "%s" if values.dtype.kind == "U" else "%d")] * width
         columns += [parts[:, k] for k in range(width)]
     line = ",".join(formats)
-    with path.open("w", encoding="utf-8", newline="\n") as file:
+    with whole_place(path) as place, place.open("w", encoding="utf-8", newline="\n") as file:
         file.write(",".join(header) + "\n")
         for start in range(0, len(columns[0]), _CHUNK):
             block = (column[start : start + _CHUNK].tolist() for column in columns)

@@ -16,7 +16,7 @@ enum class ArmingCheckId : int {
   kQuaternion,     ///< the IMU's quaternion is of unit length
   kGyroscope,      ///< the body does not turn
   kAccelerometer,  ///< what it feels is gravity
-  kAttitude,       ///< the quaternion's vertical is the one that the accelerometer feels
+  kAttitude,       ///< the quaternion's vertical is the one that is felt; level, any heading fits
   kTilt,           ///< the body is near level
   kJoints,         ///< joints are inside this robot's limits
   kMotorOrder,     ///< angles fit the motors they are reported for

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "surefoot/fault.hpp"
@@ -12,15 +13,17 @@ namespace surefoot {
 
 /// One tick of a StandRunner: what it knew of the robot, and what it sent.
 struct RunTick {
-  double time = 0.0;                 ///< [s] since run() began
-  bool heard = false;                ///< did the LowState come with this tick?
-  Mode mode = Mode::kPassive;        ///< of the supervisor, after it
-  FaultId damping = FaultId::kNone;  ///< why the supervisor damped last
-  LowState state;                    ///< the newest
-  LowCmd command;                    ///< the one that left
+  double time = 0.0;                  ///< [s] since run() began
+  bool heard = false;                 ///< did the LowState come with this tick?
+  Mode mode = Mode::kPassive;         ///< of the supervisor, after it
+  FaultId damping = FaultId::kNone;   ///< why the supervisor damped last
+  LowState state = init_low_state();  ///< the newest
+  LowCmd command = init_low_cmd();    ///< given to the link, which sends one in every tick
 };
+static_assert(std::is_trivially_copyable_v<RunTick>);  // add() neither allocates nor throws
 
-/// The last ticks of a run, for who asks afterwards what happened. It never grows.
+/// The last ticks of a run, some 1.7 kB each, for who asks afterwards what happened. It never
+/// grows.
 class RunLog {
  public:
   /// @param capacity ticks that are kept; 0: none
@@ -34,7 +37,7 @@ class RunLog {
   }
 
   std::size_t size() const noexcept { return added_ < ticks_.size() ? added_ : ticks_.size(); }
-  /// Tick of index k < size(), the oldest first. Real-time: yes.
+  /// The oldest first; k must be below size(). Real-time: yes.
   const RunTick& operator[](std::size_t k) const noexcept {
     return ticks_[(added_ - size() + k) % ticks_.size()];
   }

@@ -22,7 +22,7 @@ struct RunOptions {
   Start start = Start::kStanding;  ///< kLying: behind arming checks; power_level 1 .. 10
   /// [s] without heartbeat() before the robot sits down; infinite: nobody need be there
   double operator_timeout = std::numeric_limits<double>::infinity();
-  double log_time = 0.0;  ///< [s] of ticks that log() keeps, the last ones; 0 .. 600, 1 MB each
+  double log_time = 0.0;  ///< [s] of ticks that log() keeps, 1.7 kB each; 0 .. 600
 
   /// Throw surefoot::Error naming what is out of range.
   void validate() const;
@@ -146,8 +146,9 @@ class StandRunner {
   /// forgotten when it stands anew.
   void set_body_reference(const BodyReference& target);
 
-  /// The last RunOptions::log_time of ticks, from the robot's first report on. Throws
-  /// surefoot::Error unless run() has ended.
+  /// The last RunOptions::log_time of ticks, from the robot's first report on, and until 5 s (half
+  /// of log_time, where that is less) after it was last driven: what brakes for longer has
+  /// happened. As long-lived as this. Throws surefoot::Error while run() runs.
   const RunLog& log() const;
   /// From any other thread; what was last published.
   RunSnapshot snapshot() const;

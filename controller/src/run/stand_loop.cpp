@@ -51,7 +51,7 @@ void StandLoop::tick(double time, double elapsed) noexcept {
   // Damped for something before, and asked for now: this is how it was wanted.
   if (damp_.exchange(false) && now_.phase == RunPhase::kDamping) now_.reason = RunReason::kAsked;
   if (ended()) {
-    send_damping();
+    send(damping_, newer);
   } else if (link_.known()) {
     supervise(newer, elapsed);
   } else {
@@ -87,7 +87,7 @@ void StandLoop::supervise(bool newer, double elapsed) noexcept {
 
 void StandLoop::send(const LowCmd& command, bool heard) noexcept {
   link_.send(command);
-  log_.add({now_.time, heard, supervisor_.mode(), supervisor_.reason(), link_.state(), command});
+  log(command, heard);
 }
 
 // The supervisor gets the newest report of a tick; the link heard them all.

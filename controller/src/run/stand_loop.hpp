@@ -50,6 +50,7 @@ class StandLoop {
   void wait_for_robot() noexcept;
   void supervise(bool newer, double elapsed) noexcept;
   void send(const LowCmd& command, bool heard) noexcept;
+  void log(const LowCmd& command, bool heard) noexcept;
   void count_reports() noexcept;
   const LowCmd& control(const LowState& state) noexcept;
   const LowCmd& bridge(double age, double elapsed) noexcept;
@@ -78,6 +79,7 @@ class StandLoop {
   RunReason lost_ = RunReason::kNone;  // why, when the supervisor damps for a lost link
   RunSnapshot now_;
   RunLog log_;
+  double driven_ = -1.0;                   // [s] when motors were last driven; negative: never
   double counts_from_ = -1.0;              // [s] when the duration began; negative: it has not
   std::uint64_t restarts_ = 0;             // of the robot, that were taken in
   std::uint64_t valid_ = 0, missing_ = 0;  // reports that the supervisor was told of

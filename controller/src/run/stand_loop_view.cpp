@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a loop says of itself.
+#include <algorithm>
+
 #include "run/run_view.hpp"
 #include "run/stand_loop.hpp"
 
 namespace surefoot {
+
+// A robot that brakes until somebody comes must not push out of the log why it does.
+void StandLoop::log(const LowCmd& command, bool heard) noexcept {
+  const Mode mode = supervisor_.mode();
+  const double aftermath = std::min(5.0, 0.5 * options_.log_time);  // [s]
+  if (mode != Mode::kPassive && mode != Mode::kDamping) driven_ = now_.time;
+  if (!link_.known() || (driven_ >= 0.0 && now_.time - driven_ > aftermath)) return;
+  log_.add({now_.time, heard, mode, supervisor_.reason(), link_.state(), command});
+}
 
 // What has become of it in this tick?
 void StandLoop::watch() noexcept {

@@ -17,6 +17,18 @@ namespace {
 constexpr double kFarewell = 0.2;     // [s] of damping frames at the end: UDP may lose some
 constexpr double kPublishing = 0.05;  // [s] between looks from outside
 
+/// Says that the loop runs, until it is left by whatever way.
+class Running {
+ public:
+  explicit Running(std::atomic<bool>& flag) : flag_(flag) { flag_.store(true); }
+  ~Running() { flag_.store(false); }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  std::atomic<bool>& flag_;
+};
+
 }  // namespace
 
 struct StandRunner::Impl {
@@ -28,11 +40,12 @@ struct StandRunner::Impl {
   double period;
   LatencyHistogram ticks, wakes;
   RunBoard board;
-  std::atomic<bool> ended{false};
+  std::atomic<bool> running{false};
 };
 
 void StandRunner::run() {
   Impl& s = *impl_;
+  const Running running(s.running);
   const RealTimeScope scope;
   s.board.set_real_time(scope.scheduling() + ", " + scope.memory());
   PeriodicTimer timer(s.period);
@@ -55,7 +68,6 @@ void StandRunner::run() {
     timer.wait();
   }
   s.board.publish_last(s.loop.describe(), s.ticks, s.wakes, timer.missed());
-  s.ended.store(true);
 }
 
 StandRunner::StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
@@ -76,7 +88,8 @@ void StandRunner::set_body_reference(const BodyReference& target) {
 }
 int StandRunner::local_port() const noexcept { return impl_->loop.local_port(); }
 const RunLog& StandRunner::log() const {
-  if (!impl_->ended.load()) throw Error("log: got a run that has not ended, expected one that has");
+  if (impl_->running.load())
+    throw Error("log: got a run that goes on, expected one that has ended");
   return impl_->loop.log();
 }
 RunSnapshot StandRunner::snapshot() const { return impl_->board.look(); }

@@ -2,6 +2,7 @@
 #include "estimator/contact/slip_detector.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace surefoot {
 
