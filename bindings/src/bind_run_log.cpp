@@ -55,29 +55,29 @@ void bind_run_log(nb::module_& m) {
           [](const RunLog& log) {
             return column<double>(log, [](const RunTick& t) { return t.time; });
           },
-          "(n,) [s] since run() began.")
+          nb::rv_policy::automatic, "(n,) [s] since run() began.")
       .def_prop_ro(
           "heard",
           [](const RunLog& log) {
             return column<bool>(log, [](const RunTick& t) { return t.heard; });
           },
-          "(n,) did the LowState come with this tick?")
+          nb::rv_policy::automatic, "(n,) did the LowState come with this tick?")
       .def_prop_ro(
           "mode",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.mode; });
           },
-          "(n,) values of Mode: the supervisor's, after the tick.")
+          nb::rv_policy::automatic, "(n,) values of Mode: the supervisor's, after the tick.")
       .def_prop_ro(
           "damping",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.damping; });
           },
-          "(n,) values of FaultId: why the supervisor damped last.")
+          nb::rv_policy::automatic, "(n,) values of FaultId: why the supervisor damped last.")
       .def_prop_ro(
           "reports", [](const RunLog& log) { return bytes(log, &RunTick::state); },
-          "(n, 937) bytes of the newest LowStates.")
+          nb::rv_policy::automatic, "(n, 937) bytes of the newest LowStates.")
       .def_prop_ro(
           "commands", [](const RunLog& log) { return bytes(log, &RunTick::command); },
-          "(n, 734) bytes of the LowCmds that the link was given.");
+          nb::rv_policy::automatic, "(n, 734) bytes of the LowCmds that the link was given.");
 }

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import json
 import signal
+import threading
+import time
 from pathlib import Path
 
 import numpy as np
@@ -47,13 +49,19 @@ def test_the_last_second_of_a_run_is_in_a_log_that_the_estimator_reads(tmp_path:
     assert json.loads((tmp_path / "out.json").read_text())
 
 
+@pytest.mark.alone
 def test_a_log_is_not_read_while_it_is_written() -> None:
     runner = surefoot.StandRunner(
-        surefoot.load_robot("go1"), port=1, options=surefoot.RunOptions(log_time=1.0, patience=0.1)
+        surefoot.load_robot("go1"), port=1, options=surefoot.RunOptions(log_time=1.0, patience=5.0)
     )
-    with pytest.raises(surefoot.Error, match="log: got a run that has not ended"):
+    loop = threading.Thread(target=runner.run)
+    loop.start()
+    while runner.real_time == "not running":
+        time.sleep(0.01)
+    with pytest.raises(surefoot.Error, match="log: got a run that goes on"):
         runner.log()
-    runner.run()
+    runner.stop()
+    loop.join()
     assert len(runner.log()) == 0 and runner.log().reports.shape == (0, 937)
 
 
@@ -62,7 +70,9 @@ def test_a_log_has_its_limits(tmp_path: Path, capsys: pytest.CaptureFixture[str]
         (["--log", str(tmp_path / "run.csv")], "expected a name that ends in .npz"),
         (["--log", str(tmp_path / "no" / "run.npz")], "folder that can be written"),
         (["--log", str(tmp_path / "a.npz"), "--log-time", "601"], "'log_time' out of range"),
-        (["--log", str(tmp_path / "a.npz"), "--log-time", "nan"], "'log_time' out of range"),
+        (["--log", str(tmp_path / "a.npz"), "--log-time", "nan"], "expected above 0, up to 600"),
+        (["--log", str(tmp_path / "a.npz"), "--log-time", "0"], "expected above 0, up to 600"),
+        (["--log-time", "10"], "--log-time: got it without --log"),
     ):
         assert main(["run", "--port", "1", *words]) == 2
         assert said in capsys.readouterr().err
