@@ -98,6 +98,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   state = estimator.state();
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;
+  torques.watch(state, dt);
   if (ramp.moving()) adopt(ramp.step(dt));
   const Dynamics& dynamics = estimator.dynamics();
   const Eigen::Vector4d& contact = estimator.state().contact;

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "dynamics/dynamics.hpp"
+#include "safety/flung_leg.hpp"
 #include "safety/holding_torques.hpp"
 #include "safety/power_limiter.hpp"
 #include "scenes.hpp"
@@ -153,6 +154,27 @@ BOOST_AUTO_TEST_CASE(a_controllers_command_keeps_to_its_limit_or_says_so) {
     options.power_limit = wrong;
     BOOST_CHECK_THROW(StandController(robot, Gains(), options), Error);
   }
+}
+
+// A leg whose torques fling it is let go of, and only that leg, and only while they do.
+BOOST_AUTO_TEST_CASE(a_leg_that_its_torques_fling_is_let_go_of) {
+  constexpr double kTick = 0.002;
+  const auto gathering = [](double ddq, double tau) {  // [rad/s^2] of FR's thigh, [N.m]
+    FlungLeg flung;
+    Vector12 dq = Vector12::Constant(0.1), torques = Vector12::Constant(5.0);
+    torques[1] = tau;
+    for (int k = 0; k < 10; ++k) {
+      dq[1] += ddq * kTick;
+      flung.update(dq, kTick);
+    }
+    BOOST_TEST(flung.keep(torques, 1) == 1.0);
+    return flung.keep(torques, 0);
+  };
+  BOOST_TEST(gathering(0.0, 10.0) == 1.0);
+  BOOST_TEST(gathering(40.0, 10.0) == 1.0);  // a body that falls
+  BOOST_TEST(std::abs(gathering(120.0, 10.0) - 0.5) < 0.05);
+  BOOST_TEST(gathering(-400.0, -10.0) == 0.0);
+  BOOST_TEST(gathering(400.0, -10.0) == 1.0);  // they brake it
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -37,8 +37,7 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
                          const Gains& gains) noexcept {
   damping_ = options_.motor_damping + damping;
   lost_damping_ = gains.damping_kd;
-  Vector12 dq;
-  for (int i = 0; i < kMotors; ++i) dq[i] = state.v[robot_.motor_to_v()[i]];
+  const Vector12 dq = speeds(state);
   const auto limit_to = [&](const Eigen::Vector4d& contact, double watts) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
@@ -56,6 +55,7 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
   // the power on its way. The command goes as it is; the protection is there for the rest.
   if (limited_.exceeds) limit_to(state.contact, kUnlimited);
+  if (options_.power_limit < kUnlimited) let_go_of_flung_legs(dq);
   // What was mixed in may be more than a motor has left at its speed.
   if (limited_.scale < 1.0) {
     for (int i = 0; i < kMotors; ++i) {
@@ -64,6 +64,23 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
     }
   }
   return limited_.scale < 1.0;
+}
+
+Vector12 TorqueCommand::speeds(const RobotState& state) const noexcept {
+  Vector12 dq;
+  for (int i = 0; i < kMotors; ++i) dq[i] = state.v[robot_.motor_to_v()[i]];
+  return dq;
+}
+
+// Its power is judged when it has its speed: later than any limit of what it takes now can help.
+void TorqueCommand::let_go_of_flung_legs(const Vector12& dq) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double keep = flung_.keep(limited_.torques, leg);
+    if (keep == 1.0) continue;
+    limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= keep;
+    limited_.scale = std::min(limited_.scale, keep);
+    limited_.power = (limited_.torques - damping_ * dq).cwiseProduct(dq).cwiseAbs().sum();
+  }
 }
 
 // What is left of the leg moves as little as it can, whichever of its motors is the dead one.

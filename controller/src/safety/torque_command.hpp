@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/dynamics.hpp"
+#include "safety/flung_leg.hpp"
 #include "safety/power_limiter.hpp"
 #include "surefoot/stand_controller.hpp"
 
@@ -17,6 +18,9 @@ class TorqueCommand {
  public:
   TorqueCommand(const Robot& robot, const StandOptions& options)
       : robot_(robot), options_(options) {}
+
+  /// Look at the joints, once a tick. @param state estimated @param dt [s] since the last
+  void watch(const RobotState& state, double dt) noexcept { flung_.update(speeds(state), dt); }
 
   /// Take the torques of a usable solution, less of them where the power is limited:
   /// limited().scale is the share of the planned motion that is left.
@@ -39,13 +43,18 @@ class TorqueCommand {
   const LimitedTorques& limited() const noexcept { return limited_; }
   void reset() noexcept {
     limited_ = {};
+    flung_.reset();
     faded_in_ = 0.0;
   }
 
  private:
+  Vector12 speeds(const RobotState& state) const noexcept;
+  void let_go_of_flung_legs(const Vector12& dq) noexcept;
+
   Robot robot_;
   StandOptions options_;
-  LimitedTorques limited_;                      // motor order
+  LimitedTorques limited_;  // motor order
+  FlungLeg flung_;
   Vector12 torque_share_ = Vector12::Ones();    // of each motor
   double damping_ = 0.0;                        // [N.m.s/rad]
   double lost_damping_ = 0.0, faded_in_ = 0.0;  // [N.m.s/rad] of the lost leg; its share by now
