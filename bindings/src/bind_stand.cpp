@@ -75,7 +75,8 @@ void bind_controller(nb::module_& m) {
       .def_rw("form", &StandOptions::form, "Of the whole-body program.")
       .def_rw("power_limit", &StandOptions::power_limit,
               "[W] most that a command may take, sum |tau dq| by the velocities reported; beyond\n"
-              "it torques are scaled towards those that hold still, unless these alone take more.\n"
+              "it torques are scaled towards those that hold still, unless these alone take more;\n"
+              "a leg that its own torques fling is let go of.\n"
               "> 0, infinite is off.");
   nb::class_<StandController>(
       m, "StandController",

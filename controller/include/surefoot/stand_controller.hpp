@@ -31,7 +31,8 @@ struct StandOptions {
   /// is off. Beyond it torques are scaled towards those that hold the robot against gravity; where
   /// these alone take more, the command goes unscaled, for letting go would make the robot fall and
   /// take more yet. Set it below what Safety::power_protect() allows (0.9 of it, say), and not far
-  /// below what the motions take: a controller held back for long lets the robot fall.
+  /// below what the motions take: a controller held back for long lets the robot fall. Where it is
+  /// finite, a leg that its own torques fling is let go of for that instant.
   double power_limit = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error naming what is out of range.
