@@ -8,7 +8,6 @@
 #include "surefoot/run_log.hpp"
 
 namespace nb = nanobind;
-using namespace nb::literals;
 using namespace surefoot;
 
 namespace {

@@ -8,12 +8,15 @@ import signal
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import surefoot
 from surefoot.cli import main
+from surefoot.cli.run_log import write_run_log
 from surefoot.estimate import read_log
+from surefoot.estimate.columns import CLOCKS
 from virtual_robot_helpers import controller, start
 
 
@@ -63,6 +66,31 @@ def test_a_log_is_not_read_while_it_is_written() -> None:
     runner.stop()
     loop.join()
     assert len(runner.log()) == 0 and runner.log().reports.shape == (0, 937)
+
+
+def test_a_log_across_a_restart_of_the_robot_has_the_runs_clock(tmp_path: Path) -> None:
+    ticks = [2**32 - 2, 0, 2, 4, 6]  # it wraps, which is no restart
+
+    def written(ticks: list[int]) -> list[str]:
+        reports = np.zeros((len(ticks), len(surefoot.LowState().raw)), dtype=np.uint8)
+        for report, tick in zip(reports, ticks, strict=True):
+            state = surefoot.LowState()
+            state.tick = tick
+            report[:] = state.raw
+        log = SimpleNamespace(
+            time=0.002 * np.arange(len(ticks)),
+            heard=np.ones(len(ticks), dtype=bool),
+            mode=np.full(len(ticks), surefoot.Mode.STAND.value),
+            damping=np.full(len(ticks), surefoot.FaultId.NONE.value),
+            reports=reports,
+            commands=np.zeros((len(ticks), len(surefoot.LowCmd().raw)), dtype=np.uint8),
+        )
+        write_run_log(str(tmp_path / "run.npz"), log)
+        return [name for name in np.load(tmp_path / "run.npz").files if name in CLOCKS]
+
+    assert written(ticks) == ["tick"]
+    assert written([*ticks, 2, 4]) == ["time"]
+    assert read_log(str(tmp_path / "run.npz")).time[-1] == pytest.approx(0.012)
 
 
 def test_a_log_has_its_limits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -114,14 +114,14 @@ BOOST_FIXTURE_TEST_CASE(a_fault_that_keeps_the_robot_down_is_named_among_the_che
 
 BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   const LowState good = report;
-  const auto expect = [&](const char* words) {
+  const auto expect = [&](const char* words, double rest = 1.3) {
     run(1.2);
     BOOST_TEST(failures().find(words) != std::string::npos, failures() << " has no " << words);
     BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
     const std::uint32_t tick = report.tick;
     report = good;
     report.tick = tick;
-    run(2.5);  // a jump of the attitude is remembered for a while
+    run(rest);
     BOOST_TEST(supervisor.arming().ready, failures());
   };
   run(0.1);
@@ -135,19 +135,20 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   expect("accelerometer");
   report.imu.quaternion = {0.9F, 0.0F, 0.0F, 0.0F};
   expect("quaternion");
+  constexpr double kJump = 2.5;  // [s] for which a jump of the attitude bars a robot from arming
   report.imu.quaternion = {0.0F, 0.0F, 0.4794F, 0.8776F};  // x y z w of 1 rad of yaw
-  expect("attitude: the quaternion leans 57.3 deg off the vertical");
+  expect("attitude: the quaternion leans 57.3 deg off the vertical", kJump);
   const auto lean = [&](float felt, float said) {  // [rad] of pitch
     report.imu.accelerometer = {-9.81F * std::sin(felt), 0.0F, 9.81F * std::cos(felt)};
     report.imu.quaternion = {std::cos(0.5F * said), 0.0F, std::sin(0.5F * said), 0.0F};
   };
   lean(0.1F, -0.1F);  // world to IMU
-  expect("attitude: the quaternion leans 11.5 deg off the vertical");
+  expect("attitude: the quaternion leans 11.5 deg off the vertical", kJump);
   lean(0.1F, -0.06F);
-  run(2.5);
+  run(kJump);
   BOOST_TEST(failures() == "");
   lean(0.0F, 0.0F);
-  run(2.5);
+  run(kJump);
   std::swap(report.motorState[FR_1].q, report.motorState[FR_2].q);
   expect("motor_order: FR_1 and FR_2 seem swapped");
   const auto stop = static_cast<float>(quadruped().config().q_lower[FR_2]);

@@ -32,8 +32,8 @@ class FlungLeg {
   void reset() noexcept { *this = {}; }
 
  private:
-  static constexpr double kFling =
-      80.0;  // [rad/s^2] it is let go of from here on, wholly at twice as much
+  // [rad/s^2] from which on it is let go of; wholly at twice as much.
+  static constexpr double kFling = 80.0;
   static constexpr double kSmooth = 0.002;  // [s] of the encoders' noise
 
   Vector12 dq_ = Vector12::Zero();   // [rad/s]

@@ -54,7 +54,7 @@ LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vect
   if (!(line.a.allFinite() && line.b.allFinite())) {
     out.torques = hold.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
     out.scale = 0.0;
-    out.power = (out.torques - damping * dq).cwiseProduct(dq).cwiseAbs().sum();
+    out.power = power_of(out.torques, dq, damping);
     out.exceeds = true;
     return out;
   }

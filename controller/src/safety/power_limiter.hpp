@@ -13,6 +13,11 @@ struct LimitedTorques {
   bool exceeds = false;                 ///< no s is within the limit
 };
 
+/// [W] sum |(tau - damping dq) dq|: what motors take. All shapes (12,). Real-time: yes.
+inline double power_of(const Vector12& tau, const Vector12& dq, double damping) noexcept {
+  return (tau - damping * dq).cwiseProduct(dq).cwiseAbs().sum();
+}
+
 /// Scale torques about those that hold the robot still, until they are within a power.
 ///
 ///   tau(s) = hold + s (tau - hold)    P(s) = sum over i of |(tau_i(s) - damping dq_i) dq_i|

@@ -79,7 +79,7 @@ void TorqueCommand::let_go_of_flung_legs(const Vector12& dq) noexcept {
     if (keep == 1.0) continue;
     limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= keep;
     limited_.scale = std::min(limited_.scale, keep);
-    limited_.power = (limited_.torques - damping_ * dq).cwiseProduct(dq).cwiseAbs().sum();
+    limited_.power = power_of(limited_.torques, dq, damping_);
   }
 }
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from surefoot.bench.peers.options import PeerOptions, PeerProblem
+from surefoot.whole_file import whole_place
 
 SOURCES = Path(__file__).parent / "cpp"
 # One compiler and one set of flags for every side; the wheels are built without -march as well.
@@ -70,13 +71,12 @@ def _key(words: list[str]) -> str:
 
 
 def _compile(words: list[str], out: Path) -> None:
-    part = out.with_suffix(".part")  # what is interrupted must not be taken for complete
-    done = _run([*words, "-o", str(part)])
-    if done.returncode != 0:
-        lines = done.stderr.decode(errors="replace").splitlines()
-        said = [line for line in lines if "error" in line] or lines or ["without a word"]
-        raise PeerProblem(f"could not be compiled: {said[0].strip()}")
-    part.replace(out)
+    with whole_place(out) as part:  # what is interrupted must not be taken for complete
+        done = _run([*words, "-o", str(part)])
+        if done.returncode != 0:
+            lines = done.stderr.decode(errors="replace").splitlines()
+            said = [line for line in lines if "error" in line] or lines or ["without a word"]
+            raise PeerProblem(f"could not be compiled: {said[0].strip()}")
 
 
 def _run(words: list[str]) -> subprocess.CompletedProcess[bytes]:
