@@ -76,8 +76,8 @@ void bind_controller(nb::module_& m) {
       .def_rw("power_limit", &StandOptions::power_limit,
               "[W] most that a command may take, sum |tau dq| by the velocities reported; beyond\n"
               "it torques are scaled towards those that hold still, unless these alone take more;\n"
-              "a leg that its own torques fling is let go of.\n"
-              "> 0, infinite is off.");
+              "a leg that gathers speed along its own torques gets no more of them than its power\n"
+              "rises by a quarter of the limit within 15 ms. > 0, infinite is off.");
   nb::class_<StandController>(
       m, "StandController",
       "Holds the body as it stands, or where it is asked to be: LowState in, LowCmd out.\n\n"

@@ -10,7 +10,14 @@ from pathlib import Path
 
 @contextmanager
 def whole_place(path: Path) -> Iterator[Path]:
-    """Yield a place beside a file's, and move there what was written; raises OSError."""
+    """Yield a place beside a file's, and move there what was written; raises OSError.
+
+    A link stays one; what is no file, a pipe or a device, is written to as it is.
+    """
+    path = path.resolve()
+    if path.exists() and not path.is_file():
+        yield path
+        return
     beside = path.with_name(path.name + ".part")
     try:
         yield beside

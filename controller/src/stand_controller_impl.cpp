@@ -67,9 +67,9 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
 const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept {
   const double kd = controller.gains().damping_kd;
   if (is_usable(tick)) {
-    keeper.accept(torques.command(reference.lost_leg(), elapsed));
+    keeper.accept(torques.command(elapsed));
   } else if (is_fresh(rung)) {
-    keeper.bridge(torques.command(reference.lost_leg(), elapsed), elapsed, kd);
+    keeper.bridge(torques.command(elapsed), elapsed, kd);
   } else {
     keeper.refuse(elapsed, kd);
   }
@@ -98,7 +98,6 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   state = estimator.state();
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;
-  torques.watch(state, dt);
   if (ramp.moving()) adopt(ramp.step(dt));
   const Dynamics& dynamics = estimator.dynamics();
   const Eigen::Vector4d& contact = estimator.state().contact;
@@ -113,6 +112,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
+  torques.watch(state, reference.lost_leg(), dt);
   if (predictor.active()) return solve_predicted(wanted, dt);
   state.friction = friction.update(dynamics, state, wanted, robot.mass(), dt);
   return solve(dynamics, state, wanted);

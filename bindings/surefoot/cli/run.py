@@ -50,11 +50,11 @@ def run(arguments: argparse.Namespace) -> int:
         + ("lies down and ends, twice it damps at once" if arguments.rise else "ends by damping")
     )
     end = supervise(runner, robot, say, arguments.rise, arguments.yes)
-    if arguments.log is not None:
-        _keep_log(arguments.log, runner.log(), say)
     result = run_summary(end, robot, generation, runner.real_time)
     write_json(arguments.json, result)
     say(closing_text(result))
+    if arguments.log is not None:
+        _keep_log(arguments.log, runner.log(), say)
     where = f"{arguments.host}:{arguments.port}"
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
@@ -63,11 +63,15 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _keep_log(file: str, log: RunLog, say: Callable[[str], None]) -> None:
-    """Write the log if something was heard; raises OSError."""
+    """Write the log if something was heard; one that cannot be written is told, no more."""
     if not len(log):
         say(f"no log: no LowState came; {file} is not written")
         return
-    lasted = write_run_log(file, log)
+    try:
+        lasted = write_run_log(file, log)
+    except OSError as error:
+        print(f"surefoot: error: --log: {error}", file=sys.stderr)
+        return
     say(f"log of {lasted:.1f} s: {file}")
 
 

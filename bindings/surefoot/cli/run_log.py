@@ -43,11 +43,10 @@ def write_run_log(path: str, log: RunLog) -> float:
         "reports": reports,
         "commands": commands,
     }
-    columns = sensor_columns(reports)
+    columns = sensor_columns(reports) | {"time": (time - time[0])[:, None]}
     if _restarted(columns["tick"][:, 0]):  # one clock for both of the robot's lives
         del columns["tick"]
-        columns["time"] = time[:, None]
-    sensors = SensorLog("surefoot run", columns, time)
+    sensors = SensorLog("surefoot run", columns, time - time[0], clock="time")
     write_log(path, sensors, {f"{RUN}{name}": values for name, values in extras.items()})
     return float(time[-1] - time[0])
 

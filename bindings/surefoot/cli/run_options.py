@@ -59,7 +59,12 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
         "terminal that takes no lines for example (2); 0.5 or more; inf: never",
     )
     add("--log", metavar="FILE.npz", help="keep the last ticks, and write them when it ends")
-    add("--log-time", type=float, metavar="S", help="that --log keeps, up to 600 (60)")
+    add(
+        "--log-time",
+        type=float,
+        metavar="S",
+        help="that --log keeps, up to 600 (60): 0.85 MB of memory a second at 500 Hz",
+    )
     add("--no-remote", action="store_true", help="do not obey the wireless remote")
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
 

@@ -76,11 +76,7 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
     if place == "-":
         sys.stdout.write(text)
         return
-    path = Path(place)
-    if path.exists() and not path.is_file():  # a pipe, a device
-        path.write_text(text, encoding="utf-8")
-        return
-    write_whole(path.resolve(), text)  # a second Ctrl-C may end this at any point
+    write_whole(Path(place), text)  # a second Ctrl-C may end this at any point
 
 
 def check_report_place(folder: str | None, command: str, module: str) -> None:

@@ -16,7 +16,7 @@ struct RunTick {
   double time = 0.0;                  ///< [s] since run() began
   bool heard = false;                 ///< did the LowState come with this tick?
   Mode mode = Mode::kPassive;         ///< of the supervisor, after it
-  FaultId damping = FaultId::kNone;   ///< why the supervisor damped last
+  FaultId damping = FaultId::kNone;   ///< why the supervisor damped since it was armed
   LowState state = init_low_state();  ///< the newest
   LowCmd command = init_low_cmd();    ///< given to the link, which sends one in every tick
 };

@@ -31,8 +31,9 @@ struct StandOptions {
   /// is off. Beyond it torques are scaled towards those that hold the robot against gravity; where
   /// these alone take more, the command goes unscaled, for letting go would make the robot fall and
   /// take more yet. Set it below what Safety::power_protect() allows (0.9 of it, say), and not far
-  /// below what the motions take: a controller held back for long lets the robot fall. Where it is
-  /// finite, a leg that its own torques fling is let go of for that instant.
+  /// below what the motions take: a controller held back for long lets the robot fall. Last,
+  /// a leg that gathers speed along its own torques, for its foot slides off or has lost the
+  /// ground, gets no more of them than its power rises by a quarter of the limit within 15 ms.
   double power_limit = std::numeric_limits<double>::infinity();
 
   /// Throw surefoot::Error naming what is out of range.
@@ -104,7 +105,8 @@ class StandController {
   /// was made for. Above the option power_limit only where holding still alone is above it.
   double power() const noexcept;
   /// How much of the torques' way from holding still was left to the last good tick, 0 .. 1; below
-  /// 1 (power_limit) status() is kSaturated, and solution() is what was planned.
+  /// 1 (power_limit) status() is kSaturated, and solution() is what was planned. It is kSaturated
+  /// at 1, too, where a leg that its torques fling got less of them.
   double power_scale() const noexcept;
   const Gains& gains() const noexcept;           ///< asked for; see set_gains()
   const Gains& gains_in_force() const noexcept;  ///< on their way to those

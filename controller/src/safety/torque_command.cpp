@@ -55,15 +55,14 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
   // the power on its way. The command goes as it is; the protection is there for the rest.
   if (limited_.exceeds) limit_to(state.contact, kUnlimited);
-  if (options_.power_limit < kUnlimited) let_go_of_flung_legs(dq);
+  const bool flung = limit_flung_legs(dq);
+  if (limited_.scale == 1.0 && !flung) return false;
   // What was mixed in may be more than a motor has left at its speed.
-  if (limited_.scale < 1.0) {
-    for (int i = 0; i < kMotors; ++i) {
-      double& torque = limited_.torques[i];
-      torque = within_motor_limits(robot_.config(), i, torque, dq[i], torque_share_[i]);
-    }
+  for (int i = 0; i < kMotors; ++i) {
+    double& torque = limited_.torques[i];
+    torque = within_motor_limits(robot_.config(), i, torque, dq[i], torque_share_[i]);
   }
-  return limited_.scale < 1.0;
+  return true;
 }
 
 Vector12 TorqueCommand::speeds(const RobotState& state) const noexcept {
@@ -72,24 +71,27 @@ Vector12 TorqueCommand::speeds(const RobotState& state) const noexcept {
   return dq;
 }
 
-// Its power is judged when it has its speed: later than any limit of what it takes now can help.
-void TorqueCommand::let_go_of_flung_legs(const Vector12& dq) noexcept {
+// None alone may gain more than its share of the power. @return did any?
+bool TorqueCommand::limit_flung_legs(const Vector12& dq) noexcept {
+  const double most = options_.power_limit / kLegs;
+  bool flung = false;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const double keep = flung_.keep(limited_.torques, leg);
-    if (keep == 1.0) continue;
-    limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= keep;
-    limited_.scale = std::min(limited_.scale, keep);
-    limited_.power = power_of(limited_.torques, dq, damping_);
+    const double rise = flung_.rise(limited_.torques, leg);
+    if (leg == lost_leg_ || !(rise > most)) continue;
+    limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= most / rise;
+    flung = true;
   }
+  if (flung) limited_.power = power_of(limited_.torques, dq, damping_);
+  return flung;
 }
 
 // What is left of the leg moves as little as it can, whichever of its motors is the dead one.
-LowCmd TorqueCommand::command(int lost_leg, double dt) noexcept {
+LowCmd TorqueCommand::command(double dt) noexcept {
   Vector12 tau = limited_.torques, kd = Vector12::Constant(damping_);
-  if (lost_leg >= 0) {
-    tau.segment<kLegJoints>(kLegJoints * lost_leg).setZero();
+  if (lost_leg_ >= 0) {
+    tau.segment<kLegJoints>(kLegJoints * lost_leg_).setZero();
     faded_in_ = std::min(faded_in_ + dt / kFadeTime, 1.0);
-    kd.segment<kLegJoints>(kLegJoints * lost_leg).setConstant(faded_in_ * lost_damping_);
+    kd.segment<kLegJoints>(kLegJoints * lost_leg_).setConstant(faded_in_ * lost_damping_);
   }
   return torque_low_cmd(tau, kd);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dynamics/dynamics.hpp"
-#include "safety/flung_leg.hpp"
+#include "safety/flung_legs.hpp"
 #include "safety/power_limiter.hpp"
 #include "surefoot/stand_controller.hpp"
 
@@ -19,8 +19,13 @@ class TorqueCommand {
   TorqueCommand(const Robot& robot, const StandOptions& options)
       : robot_(robot), options_(options) {}
 
-  /// Look at the joints, once a tick. @param state estimated @param dt [s] since the last
-  void watch(const RobotState& state, double dt) noexcept { flung_.update(speeds(state), dt); }
+  /// Look at the joints, once a tick, before its torques are taken. @param state estimated
+  /// @param lost_leg whose motors get no torques and damp, from 0 on; -1: none
+  /// @param dt [s] since the last
+  void watch(const RobotState& state, int lost_leg, double dt) noexcept {
+    flung_.update(speeds(state), dt);
+    lost_leg_ = lost_leg;
+  }
 
   /// Take the torques of a usable solution, less of them where the power is limited:
   /// limited().scale is the share of the planned motion that is left.
@@ -33,9 +38,8 @@ class TorqueCommand {
   bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
             const Reference& reference, const Gains& gains) noexcept;
 
-  /// @param lost_leg whose motors get no torques and damp, from 0 on; -1: none
   /// @param dt [s] since the last
-  LowCmd command(int lost_leg, double dt) noexcept;
+  LowCmd command(double dt) noexcept;
 
   /// See WholeBodyController::set_torque_share().
   void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }
@@ -44,17 +48,19 @@ class TorqueCommand {
   void reset() noexcept {
     limited_ = {};
     flung_.reset();
+    lost_leg_ = -1;
     faded_in_ = 0.0;
   }
 
  private:
   Vector12 speeds(const RobotState& state) const noexcept;
-  void let_go_of_flung_legs(const Vector12& dq) noexcept;
+  bool limit_flung_legs(const Vector12& dq) noexcept;
 
   Robot robot_;
   StandOptions options_;
   LimitedTorques limited_;  // motor order
-  FlungLeg flung_;
+  FlungLegs flung_;
+  int lost_leg_ = -1;
   Vector12 torque_share_ = Vector12::Ones();    // of each motor
   double damping_ = 0.0;                        // [N.m.s/rad]
   double lost_damping_ = 0.0, faded_in_ = 0.0;  // [N.m.s/rad] of the lost leg; its share by now

@@ -51,7 +51,7 @@ std::string found(ArmingCheckId id, const ArmingCheck& c, const RobotConfig& con
     case ArmingCheckId::kAttitude:
       return format(
           "the quaternion leans %.1f deg off the vertical that the accelerometer feels, expected "
-          "below %.0f: it is w x y z, from IMU to world",
+          "below %.0f: it is w x y z, from IMU to world, or one of the two sensors is wrong",
           57.29578 * c.value, 57.29578 * c.limit);
     case ArmingCheckId::kTilt:
       return format("%.1f deg off level, expected below %.0f", 57.29578 * c.value,
