@@ -222,11 +222,11 @@ BOOST_AUTO_TEST_CASE(noise_flings_no_leg) {
   BOOST_TEST(most < 0.9 * 90.0 / 4.0);
 }
 
-/// Two controllers, one of them with a limit, on a robot whose right fore thigh gathers speed.
+/// Two controllers, one of them with a limit, on a robot whose right fore calf gathers speed.
 struct Flung {
   explicit Flung(double watts) : free(robot), limited(robot, robot.config().gains, with(watts)) {
     for (int k = 0; k < 20; ++k) step(0.0);
-    along = command.motorCmd[FR_1].tau > 0.0F ? 1.0F : -1.0F;
+    along = command.motorCmd[FR_2].tau > 0.0F ? 1.0F : -1.0F;
   }
   static StandOptions with(double watts) {
     StandOptions options;
@@ -235,7 +235,7 @@ struct Flung {
   }
   void step(float dq) {
     report.tick += 2;
-    report.motorState[FR_1].dq = along * dq;
+    report.motorState[FR_2].dq = along * dq;
     whole = free.update(report);
     command = limited.update(report);
   }
