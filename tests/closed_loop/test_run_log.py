@@ -88,7 +88,7 @@ def test_a_log_across_a_restart_of_the_robot_has_the_runs_clock(tmp_path: Path) 
         write_run_log(str(tmp_path / "run.npz"), log)
         return [name for name in np.load(tmp_path / "run.npz").files if name in CLOCKS]
 
-    assert written(ticks) == ["tick"]
+    assert written(ticks) == ["tick", "time"]
     assert written([*ticks, 2, 4]) == ["time"]
     assert read_log(str(tmp_path / "run.npz")).time[-1] == pytest.approx(0.012)
 
@@ -104,3 +104,22 @@ def test_a_log_has_its_limits(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     ):
         assert main(["run", "--port", "1", *words]) == 2
         assert said in capsys.readouterr().err
+
+
+def test_a_log_that_cannot_be_written_does_not_take_the_runs_end_with_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> float:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("surefoot.cli.run.write_run_log", full)
+    out = tmp_path / "out.json"
+    robot, port = start()
+    log = str(tmp_path / "run.npz")
+    words = ["--port", str(port), "--duration", "0.5", "--log", log, "--json", str(out)]
+    status = main(["run", *words])
+    robot.send_signal(signal.SIGTERM)
+    robot.wait(timeout=20)
+    said = capsys.readouterr()
+    assert status == 0 and json.loads(out.read_text())["stood_to_end"]
+    assert "--log: [Errno 28] No space left on device" in said.err and "log of" not in said.out
