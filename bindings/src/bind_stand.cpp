@@ -136,7 +136,8 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro("power", &StandController::power,
                    "Sum |tau dq| [W] of the last command made from a report.")
       .def_prop_ro("power_scale", &StandController::power_scale,
-                   "How much of the torques' way from holding still power_limit left, 0 .. 1.")
+                   "How much of the torques' way from holding still power_limit left, 0 .. 1.\n"
+                   "It is 1, too, where a leg that its torques fling got less of them.")
       .def_prop_ro(
           "gains", [](const StandController& c) { return Gains(c.gains()); },
           "A copy of those asked for.")

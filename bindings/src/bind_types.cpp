@@ -28,7 +28,8 @@ void bind_status(nb::module_& m) {
       .value("SINGULAR", Status::kSingular, "A leg is straight or its foot near hip height.")
       .value("DAMPING", Status::kDamping, "Latched: the motors brake until reset().")
       .value("BAD_TASK", Status::kBadTask, "A task of yours failed or wrote no number.")
-      .value("SATURATED", Status::kSaturated, "Good to send; some motor is at its limit.")
+      .value("SATURATED", Status::kSaturated,
+             "Good to send; a motor, or the power, is at its limit.")
       .value("DIVERGED", Status::kDiverged, "The state estimate ran away.");
   m.def("is_usable", &is_usable, "status"_a, "Does this status come with a command to send?");
   nb::enum_<Form>(m, "Form", "How the program eliminates the equations of motion.")

@@ -78,7 +78,8 @@ const LowCmd& StandController::Impl::send(Status tick, double elapsed) noexcept 
   if (!keeper.controls()) rung = Rung::kDamping;
   if (is_fresh(rung)) {
     // What stands in for a solution makes the last one's motion, or nearly; torques that were
-    // limited make as much less of it as they are nearer to holding.
+    // limited make as much less of it as they are nearer to holding. A leg that is flung makes less
+    // of its share, for as long as its foot gives no hold anyway.
     const LimitedTorques& sent = torques.limited();
     predictor.remember(controller.solution().accelerations, sent.scale, sent.torques,
                        state.f_outside - state.f_lasting);
@@ -98,6 +99,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   state = estimator.state();
   if (estimated != Status::kOk) return estimated;
   since_estimate = 0.0;
+  torques.watch(state, dt);
   if (ramp.moving()) adopt(ramp.step(dt));
   const Dynamics& dynamics = estimator.dynamics();
   const Eigen::Vector4d& contact = estimator.state().contact;
@@ -112,7 +114,7 @@ Status StandController::Impl::think(const LowState& low_state, double dt) noexce
   }
   const Reference& wanted = reference.update(controller.gains(), dynamics, contact, dt);
   estimator.set_ground_normal(wanted.ground_normal);
-  torques.watch(state, reference.lost_leg(), dt);
+  torques.set_lost_leg(reference.lost_leg());
   if (predictor.active()) return solve_predicted(wanted, dt);
   state.friction = friction.update(dynamics, state, wanted, robot.mass(), dt);
   return solve(dynamics, state, wanted);

@@ -33,7 +33,12 @@ def add_run_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="of the power protection, N x 100 W: 1 .. 10; 0 switches it off (1: for beginners)",
     )
-    add("--power-limit", type=float, metavar="W", help="commands are scaled to take less (none)")
+    add(
+        "--power-limit",
+        type=float,
+        metavar="W",
+        help="commands are scaled to take less (0.9 of what the level allows)",
+    )
     add("--gains", metavar="FILE.toml", help="gains that differ from the robot's own")
     add(
         "--motor-damping",

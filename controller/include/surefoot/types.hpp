@@ -24,7 +24,7 @@ enum class Status : int {
   kSingular,       ///< a leg is too close to straight or to hip height for the condensed form
   kDamping,        ///< latched: the motors brake until reset()
   kBadTask,        ///< a task of the user's failed, or wrote a number that is not finite
-  kSaturated,      ///< the torques are good to send; some motor is at its limit
+  kSaturated,      ///< the torques are good to send; a motor, or the power, is at its limit
   kDiverged        ///< the state estimate ran away: reports that no motion explains
 };
 const char* to_string(Status status) noexcept;

@@ -18,8 +18,10 @@ class FlungLegs {
   /// Look at the joints, once a tick.
   /// @param dq shape (12,), motor order [rad/s] @param dt [s] since the last
   void update(const Vector12& dq, double dt) noexcept {
-    // Over a longer gap, which is told as this one, nothing is known of what they do now.
-    if (known_ && dt > 0.0 && dt < TickClock::kMaxStep) {
+    // Over a longer gap, which is told as this one, nothing is known of what they do now; speeds
+    // that leap there, and back in the next report, are a lie.
+    const bool near = known_ && dt > 0.0 && dt < TickClock::kMaxStep;
+    if (near && (dq - dq_).cwiseAbs().maxCoeff() < kLeap) {
       ddq_ += dt / (dt + kSmooth) * ((dq - dq_) / dt - ddq_);
     } else {
       ddq_.setZero();
@@ -28,7 +30,8 @@ class FlungLegs {
     known_ = dq.allFinite();
   }
   /// [W] by which a leg's power rises within kAhead if it goes on gathering speed, counting where
-  /// its torques drive it, not where they brake. @param tau shape (12,), motor order [N.m]
+  /// its torques drive it, not where they brake.
+  /// @param tau shape (12,), motor order, the motors' own damping included [N.m]
   double rise(const Vector12& tau, int leg) const noexcept {
     double watts = 0.0;
     for (int i = kLegJoints * leg; i < kLegJoints * (leg + 1); ++i) {
@@ -42,6 +45,7 @@ class FlungLegs {
  private:
   static constexpr double kAhead = 0.015;   // [s]
   static constexpr double kSmooth = 0.002;  // [s] of the encoders' noise
+  static constexpr double kLeap = 5.0;      // [rad/s] in a period: what a free leg can
 
   Vector12 dq_ = Vector12::Zero();   // [rad/s]
   Vector12 ddq_ = Vector12::Zero();  // [rad/s^2]

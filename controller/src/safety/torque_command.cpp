@@ -71,14 +71,16 @@ Vector12 TorqueCommand::speeds(const RobotState& state) const noexcept {
   return dq;
 }
 
-// None alone may gain more than its share of the power. @return did any?
+// The last word, whatever holding takes: none alone may gain more than its share of the power.
+// By the speeds measured, with a delay too, for it is what they were that tells. @return did any?
 bool TorqueCommand::limit_flung_legs(const Vector12& dq) noexcept {
-  const double most = options_.power_limit / kLegs;
+  const double share = options_.power_limit / kLegs;
+  const Vector12 made = limited_.torques - damping_ * dq;
   bool flung = false;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const double rise = flung_.rise(limited_.torques, leg);
-    if (leg == lost_leg_ || !(rise > most)) continue;
-    limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= most / rise;
+    const double rise = flung_.rise(made, leg);
+    if (leg == lost_leg_ || !(rise > share)) continue;
+    limited_.torques.segment<kLegJoints>(kLegJoints * leg) *= share / rise;
     flung = true;
   }
   if (flung) limited_.power = power_of(limited_.torques, dq, damping_);

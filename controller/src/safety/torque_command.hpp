@@ -19,16 +19,14 @@ class TorqueCommand {
   TorqueCommand(const Robot& robot, const StandOptions& options)
       : robot_(robot), options_(options) {}
 
-  /// Look at the joints, once a tick, before its torques are taken. @param state estimated
-  /// @param lost_leg whose motors get no torques and damp, from 0 on; -1: none
-  /// @param dt [s] since the last
-  void watch(const RobotState& state, int lost_leg, double dt) noexcept {
-    flung_.update(speeds(state), dt);
-    lost_leg_ = lost_leg;
-  }
+  /// Look at the joints, with every estimate. @param dt [s] since the last
+  void watch(const RobotState& state, double dt) noexcept { flung_.update(speeds(state), dt); }
+
+  /// @param leg whose motors get no torques and damp from now on, from 0 on; -1: none
+  void set_lost_leg(int leg) noexcept { lost_leg_ = leg; }
 
   /// Take the torques of a usable solution, less of them where the power is limited:
-  /// limited().scale is the share of the planned motion that is left.
+  /// limited().scale is the share of the planned motion that is left, but for legs that are flung.
   /// @return the solution's status, kSaturated where it was limited
   Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
               const Reference& reference, const Gains& gains) noexcept;

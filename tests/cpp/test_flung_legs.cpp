@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Legs whose foot slides off, or has lost the ground, and that their own torques fling.
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "safety/flung_legs.hpp"
+#include "scenes.hpp"
+#include "surefoot/stand_controller.hpp"
+
+using namespace surefoot;
+
+BOOST_AUTO_TEST_SUITE(flung_legs)
+
+constexpr double kTick = 0.002;  // [s]
+
+// FR's thigh gathers ddq [rad/s^2] from dq [rad/s] on for 10 ticks: by how much its power rises.
+double rise(double ddq, double tau, double dq = 0.0) {
+  FlungLegs legs;
+  Vector12 speeds = Vector12::Constant(0.1), torques = Vector12::Constant(5.0);
+  torques[1] = tau;
+  for (int k = 0; k < 10; ++k) {
+    speeds[1] = dq + k * kTick * ddq;
+    legs.update(speeds, kTick);
+  }
+  BOOST_TEST(legs.rise(torques, 1) == 0.0);
+  return legs.rise(torques, 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_leg_rises_in_power_where_its_torques_drive_it) {
+  const auto percent = boost::test_tools::tolerance(0.01);
+  BOOST_TEST(rise(0.0, 10.0) == 0.0);
+  BOOST_TEST(rise(200.0, 10.0) == 10.0 * 200.0 * 0.015, percent);
+  BOOST_TEST(rise(-200.0, -10.0) == 10.0 * 200.0 * 0.015, percent);
+  BOOST_TEST(rise(200.0, -10.0) == 0.0);        // they brake it
+  BOOST_TEST(rise(200.0, 10.0, -10.0) == 0.0);  // they still do in 15 ms
+  // -2.4 rad/s by now, 3.6 in 15 ms: they drive it from rest on.
+  BOOST_TEST(rise(400.0, 10.0, -9.6) == 10.0 * 3.6, percent);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_known_flings_no_leg) {
+  const Vector12 torques = Vector12::Constant(10.0);
+  FlungLegs legs;
+  const auto after = [&](double dq, double dt) {
+    legs.update(Vector12::Constant(dq), dt);
+    return legs.rise(torques, 2);
+  };
+  BOOST_TEST(after(3.0, kTick) == 0.0);  // the first
+  BOOST_TEST(after(3.5, kTick) > 10.0);
+  BOOST_TEST(after(4.0, 0.010) == 0.0);  // a gap, as long as a gap is ever told
+  BOOST_TEST(after(4.5, kTick) > 10.0);
+  BOOST_TEST(after(std::nan(""), kTick) == 0.0);
+  BOOST_TEST(after(4.5, kTick) == 0.0);
+  BOOST_TEST(after(5.0, kTick) > 10.0);
+  BOOST_TEST(after(17.0, kTick) == 0.0);  // a lie, and the truth after it
+  BOOST_TEST(after(5.1, kTick) == 0.0);
+  BOOST_TEST(after(5.6, kTick) > 10.0);
+  legs.reset();
+  BOOST_TEST(after(6.0, kTick) == 0.0);
+}
+
+// Noise of an encoder's speed, 0.05 rad/s, at the torques of a stand: far below a leg's share of
+// the least power there is, 90 W / 4.
+BOOST_AUTO_TEST_CASE(noise_flings_no_leg) {
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  double most = 0.0;
+  for (const double dt : {0.001, kTick}) {
+    FlungLegs legs;
+    for (int k = 0; k < 100000; ++k) {
+      Vector12 dq;
+      for (double& speed : dq) speed = noise(generator);
+      legs.update(dq, dt);
+      most = std::max(most, legs.rise(Vector12::Constant(8.0), 0));
+    }
+  }
+  BOOST_TEST(most < 0.9 * 90.0 / 4.0);
+}
+
+/// Two controllers, one of them with a limit [W], on a robot whose right fore calf gathers speed.
+struct Flung {
+  explicit Flung(double watts) : free(robot), limited(robot, robot.config().gains, with(watts)) {
+    for (int k = 0; k < 20; ++k) step(0.0);
+    along = command.motorCmd[FR_2].tau > 0.0F ? 1.0F : -1.0F;
+  }
+  static StandOptions with(double watts) {
+    StandOptions options;
+    options.power_limit = watts;
+    return options;
+  }
+  void step(float dq) {
+    report.tick += 2;
+    report.motorState[FR_2].dq = along * dq;
+    whole = free.update(report);
+    command = limited.update(report);
+    Vector12 speeds = Vector12::Zero(), torques;
+    speeds[FR_2] = report.motorState[FR_2].dq;
+    for (int i = 0; i < kMotors; ++i) torques[i] = whole.motorCmd[i].tau;
+    legs.update(speeds, kTick);
+    rise = legs.rise(torques, 0);
+  }
+  void fling() {
+    for (int k = 1; k <= 3; ++k) step(0.6F * static_cast<float>(k));
+  }
+  /// What a leg is left of its torques.
+  double left(int leg) const {
+    const int calf = kLegJoints * leg + 2;
+    return command.motorCmd[calf].tau / whole.motorCmd[calf].tau;
+  }
+  bool same(int motor) const { return command.motorCmd[motor].tau == whole.motorCmd[motor].tau; }
+
+  Robot robot = quadruped();
+  StandController free, limited;
+  FlungLegs legs;
+  LowState report = resting_report(robot, 0);
+  LowCmd whole, command;
+  double rise = 0.0;  // [W] of that leg, by the torques without a limit
+  float along = 1.0F;
+};
+
+BOOST_AUTO_TEST_CASE(a_flung_leg_and_no_other_is_left_its_share_and_only_while_it_is_flung) {
+  Flung robot(40.0);
+  robot.fling();
+  BOOST_TEST(robot.rise > 1.2 * 10.0);
+  BOOST_TEST(std::abs(robot.left(0) * robot.rise - 10.0) < 0.3);
+  BOOST_TEST((robot.limited.status() == Status::kSaturated));
+  BOOST_TEST(robot.limited.power_scale() == 1.0);
+  BOOST_TEST(robot.limited.power() < robot.free.power());
+  for (int leg = 1; leg < kLegs; ++leg) BOOST_TEST(std::abs(robot.left(leg) - 1.0) < 0.02);
+  for (int k = 0; k < 10; ++k) robot.step(1.8F);
+  BOOST_TEST(std::abs(robot.left(0) - 1.0) < 0.02);
+  BOOST_TEST((robot.limited.status() == Status::kOk));
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_above_what_a_leg_rises_by_changes_not_a_bit) {
+  Flung probe(1e6);
+  probe.fling();
+  Flung above(1.02 * kLegs * probe.rise), below(0.98 * kLegs * probe.rise);
+  above.fling();
+  below.fling();
+  for (int i = 0; i < kMotors; ++i) BOOST_TEST((probe.same(i) && above.same(i)));
+  BOOST_TEST(!below.same(FR_2));
+}
+
+BOOST_AUTO_TEST_CASE(a_leg_that_was_given_up_is_not_judged) {
+  Flung robot(40.0);
+  robot.free.give_up(0);
+  robot.limited.give_up(0);
+  robot.fling();
+  BOOST_TEST((robot.limited.status() == robot.free.status()));
+  BOOST_TEST(robot.limited.power() == robot.free.power());
+  for (int i = 0; i < kMotors; ++i) BOOST_TEST(robot.same(i));
+}
+
+// A leg that takes the body's weight from a fall brakes; by the time it drives, the body is slow.
+BOOST_AUTO_TEST_CASE(a_landing_flings_no_leg) {
+  FlungLegs legs;
+  double most = 0.0;
+  for (int k = 0; k < 200; ++k) {  // critically damped, from 5 rad/s of a 0.1 m drop, 20 N.m a leg
+    const double t = k * kTick, w = 20.0;
+    legs.update(Vector12::Constant(5.0 * (w * t - 1.0) * std::exp(-w * t)), kTick);
+    most = std::max(most, legs.rise(Vector12::Constant(10.0), 0));
+  }
+  BOOST_TEST(most < 90.0 / 4.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
