@@ -14,10 +14,10 @@ def whole_place(path: Path) -> Iterator[Path]:
 
     A link stays one; what is no file, a pipe or a device, is written to as it is.
     """
-    path = path.resolve()
-    if path.exists() and not path.is_file():
+    if path.exists() and not path.is_file():  # unresolved: what /dev/stdout leads to has no name
         yield path
         return
+    path = path.resolve()
     beside = path.with_name(path.name + ".part")
     try:
         yield beside

@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_leg_that_was_given_up_is_not_judged) {
 BOOST_AUTO_TEST_CASE(a_landing_flings_no_leg) {
   FlungLegs legs;
   double most = 0.0;
-  for (int k = 0; k < 200; ++k) {  // critically damped, from 5 rad/s of a 0.1 m drop, 20 N.m a leg
+  for (int k = 0; k < 200; ++k) {  // critically damped, from 5 rad/s, 10 N.m a motor
     const double t = k * kTick, w = 20.0;
     legs.update(Vector12::Constant(5.0 * (w * t - 1.0) * std::exp(-w * t)), kTick);
     most = std::max(most, legs.rise(Vector12::Constant(10.0), 0));

@@ -32,3 +32,11 @@ def test_a_link_stays_one_and_a_pipe_is_written_to(tmp_path: Path) -> None:
     write_whole(pipe, "through")
     reader.join(timeout=10)
     assert read == ["through"] and pipe.is_fifo()
+
+
+def test_what_has_no_name_of_its_own_is_written_to() -> None:
+    reading, writing = os.pipe()
+    write_whole(Path(f"/dev/fd/{writing}"), "through")
+    os.close(writing)
+    with open(reading) as end:
+        assert end.read() == "through"

@@ -43,12 +43,13 @@ def write_run_log(path: str, log: RunLog) -> float:
         "reports": reports,
         "commands": commands,
     }
-    columns = sensor_columns(reports) | {"time": (time - time[0])[:, None]}
+    since = time - time[0]
+    columns = sensor_columns(reports) | {"time": since[:, None]}
     if _restarted(columns["tick"][:, 0]):  # one clock for both of the robot's lives
         del columns["tick"]
-    sensors = SensorLog("surefoot run", columns, time - time[0], clock="time")
+    sensors = SensorLog("surefoot run", columns, since, clock="time")
     write_log(path, sensors, {f"{RUN}{name}": values for name, values in extras.items()})
-    return float(time[-1] - time[0])
+    return float(since[-1])
 
 
 def _restarted(ticks: np.ndarray) -> bool:
