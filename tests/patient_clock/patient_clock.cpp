@@ -111,6 +111,10 @@ Loop* slowest() noexcept {
   return found;
 }
 
+// PF_EXITING of the kernel's sched.h: a big process that was killed gives its memory back for some
+// hundred milliseconds, and is said to run meanwhile.
+constexpr unsigned kExiting = 0x4;
+
 bool lives(int process, int thread) noexcept {
   const int error = errno;  // clock_gettime() does not set it where it succeeds
   char path[64], text[512] = {};
@@ -119,14 +123,20 @@ bool lives(int process, int thread) noexcept {
   const ssize_t got = file < 0 ? -1 : read(file, text, sizeof(text) - 1);
   if (file >= 0) close(file);
   errno = error;
+  // pid (name) state ppid pgrp session tty_nr tpgid flags ...; see proc_pid_stat(5)
   const char* name_end = got > 0 ? std::strrchr(text, ')') : nullptr;
-  return name_end != nullptr && name_end[2] != 'Z' && name_end[2] != 'X';
+  char state = 'X';
+  unsigned flags = 0;
+  if (name_end == nullptr ||
+      std::sscanf(name_end + 2, "%c %*d %*d %*d %*d %*d %u", &state, &flags) != 2)
+    return false;
+  return state != 'Z' && state != 'X' && (flags & kExiting) == 0;
 }
 
 // Wait for a loop a little more, or no more.
 void wait_for(Loop& loop, Time more) noexcept {
   const Time before = loop.waited.fetch_add(more), after = before + more;
-  const bool doubtful = before <= kDoubt && after > kDoubt;
+  const bool doubtful = before / kDoubt != after / kDoubt;
   const bool gone = doubtful && !lives(loop.process.load(), loop.thread.load());
   if (!gone && after <= kPatience) return;
   loop.due.store(0);

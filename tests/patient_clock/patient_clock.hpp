@@ -26,7 +26,7 @@ inline constexpr Time kLongestPeriod = 12 * kMillisecond;
 /// How far the clock goes past the time at which a loop was to wake. [ns]
 inline constexpr Time kAhead = 3 * kMillisecond;
 
-/// After this it looks whether the one it waits for still lives. [ns]
+/// As often it looks whether the one it waits for still lives. [ns]
 inline constexpr Time kDoubt = 20 * kMillisecond;
 
 /// For how long it waits for a thread that lives, which may have something else to do. [ns]
