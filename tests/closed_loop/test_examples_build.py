@@ -1,13 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The C++ examples build: not alone, so that what runs them alone does not wait for it."""
+"""The C++ examples build: not alone, so that what runs them alone does not wait for it.
+
+One test, as two processes must not build in one folder.
+"""
 
 from __future__ import annotations
+
+import subprocess
+from pathlib import Path
 
 from example_builds import EXAMPLES, built
 
 
-def test_every_example_builds() -> None:
+def said(program: Path) -> str:
+    return subprocess.run(
+        [program, program.with_name("go1.robot")],
+        check=True,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    ).stdout
+
+
+def test_every_example_builds_and_those_that_need_no_robot_run() -> None:
     folder = built()
     names = {path.stem for path in EXAMPLES.glob("*.cpp")}
     assert len(names) >= 4
     assert {name for name in names if (folder / name).is_file()} == names
+    assert said(folder / "stand").startswith("ok:")
+    assert said(folder / "custom_task") == "camera at 0.080 m, wanted at 0.080 m\n"

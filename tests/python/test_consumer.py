@@ -75,11 +75,8 @@ def _run(command: list[str | Path], folder: Path) -> str:
     return done.stdout
 
 
-@pytest.mark.parametrize("source", ["readme", "stand", "custom_task"])
-def test_a_cpp_project_finds_builds_and_runs_the_wheel(source: str, tmp_path: Path) -> None:
-    text = _readme_block("cpp") if source == "readme" else _example(f"{source}.cpp")
-    said = _run([_build(tmp_path, text, surefoot.__path__[0])], tmp_path)
-    assert source != "custom_task" or said == CAMERA_IS_THERE
+def test_a_cpp_project_finds_builds_and_runs_the_wheel(tmp_path: Path) -> None:
+    _run([_build(tmp_path, _readme_block("cpp"), surefoot.__path__[0])], tmp_path)
 
 
 def test_a_cpp_project_finds_builds_and_runs_a_plain_cmake_install(tmp_path: Path) -> None:

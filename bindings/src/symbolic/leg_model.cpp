@@ -9,7 +9,26 @@
 
 namespace surefoot::symbolic {
 
+// Of Pinocchio's two dozen joints those of a base with a leg, as each costs seconds to compile, and
+// the mimic, which ModelTpl names.
+template <typename Scalar, int Options>
+struct LegJoints {
+  using JointModelVariant = boost::variant<
+      pinocchio::JointModelFreeFlyerTpl<Scalar, Options>,
+      pinocchio::JointModelRevoluteUnboundedTpl<Scalar, Options, 0>,
+      pinocchio::JointModelRevoluteUnboundedTpl<Scalar, Options, 1>,
+      boost::recursive_wrapper<pinocchio::JointModelMimicTpl<Scalar, Options, LegJoints>>>;
+  using JointDataVariant = boost::variant<
+      pinocchio::JointDataFreeFlyerTpl<Scalar, Options>,
+      pinocchio::JointDataRevoluteUnboundedTpl<Scalar, Options, 0>,
+      pinocchio::JointDataRevoluteUnboundedTpl<Scalar, Options, 1>,
+      boost::recursive_wrapper<pinocchio::JointDataMimicTpl<Scalar, Options, LegJoints>>>;
+};
+
 namespace {
+
+using LegModel = pinocchio::ModelTpl<SX, 0, LegJoints>;
+using LegData = pinocchio::DataTpl<SX, 0, LegJoints>;
 
 // Hands out a column's entries from first to last: the order of the calls is the data's layout.
 struct Reader {
@@ -42,14 +61,14 @@ std::vector<SX>& part(LegExpressions& out, const std::string& name, const std::s
 }
 
 // The joints are "unbounded": their configuration is (cos, sin), which the caller computes once.
-Model leg_model(Reader parameters, Vector3& p_calf_foot) {
-  Model model;
+LegModel leg_model(Reader parameters, Vector3& p_calf_foot) {
+  LegModel model;
   const Matrix3 level = Matrix3::Identity();
   auto parent =
-      model.addJoint(0, pinocchio::JointModelFreeFlyerTpl<SX>(), Model::SE3::Identity(), "base");
+      model.addJoint(0, pinocchio::JointModelFreeFlyerTpl<SX>(), LegModel::SE3::Identity(), "base");
   const auto add = [&](const auto& joint, const std::string& name) {
-    parent = model.addJoint(parent, joint, Model::SE3(level, parameters.vector()), name);
-    Model::Inertia& inertia = model.inertias[parent];
+    parent = model.addJoint(parent, joint, LegModel::SE3(level, parameters.vector()), name);
+    LegModel::Inertia& inertia = model.inertias[parent];
     inertia.mass() = parameters.scalar();
     inertia.lever() = parameters.vector();
     for (int i = 0; i < 6; ++i) inertia.inertia().data()[i] = parameters.scalar();
@@ -79,7 +98,7 @@ BaseState read_base(Reader base) {
   return out;
 }
 
-void add_dynamics(const Data& data, const Vector3& dq, LegExpressions& out) {
+void add_dynamics(const LegData& data, const Vector3& dq, LegExpressions& out) {
   const auto& body = data.oYcrb[2];
   const Eigen::Matrix<SX, 6, 3> M_base_leg = data.M.topRightCorner<6, 3>();
   append((body.mass() * body.lever()).eval(), part(out, "MassLever", "mass times centre of mass"));
@@ -94,7 +113,7 @@ void add_dynamics(const Data& data, const Vector3& dq, LegExpressions& out) {
 }
 
 // The rows of a sphere that rolls on the ground, as in PinocchioDynamics::update_leg().
-void add_contact(const Data& data, const BaseState& base, const Vector3& p_calf_foot,
+void add_contact(const LegData& data, const BaseState& base, const Vector3& p_calf_foot,
                  LegExpressions& out) {
   const auto& calf = data.oMi[4];
   const Vector3 p_contact = calf.act(p_calf_foot) - base.lever;
@@ -127,7 +146,7 @@ LegExpressions leg_expressions() {
   out.base = SX::sym("base", 21);
   out.leg = SX::sym("leg", 9);
   Vector3 p_calf_foot;
-  Model model = leg_model({out.parameters}, p_calf_foot);
+  LegModel model = leg_model({out.parameters}, p_calf_foot);
   const BaseState base = read_base({out.base});
   model.gravity.linear() = base.gravity;
 
@@ -136,7 +155,7 @@ LegExpressions leg_expressions() {
   for (int i = 0; i < 6; ++i) q[7 + i] = out.leg(i);
   const Vector3 dq(out.leg(6), out.leg(7), out.leg(8));
   v << base.v, base.w, dq;
-  Data data(model);
+  LegData data(model);
   pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
   pinocchio::nonLinearEffects(model, data, q, v);
 
