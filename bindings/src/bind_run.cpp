@@ -158,7 +158,7 @@ void bind_runner(nb::module_& m) {
       .def("run", &run_and_heed_signals,
            "Run until stop(), finish(), or a robot that cannot be controlled.\n\n"
            "The loop has a thread of its own; Ctrl-C is finish(), a second one stop(); then "
-           "KeyboardInterrupt is raised.")
+           "KeyboardInterrupt is raised. Raise Error if it was called before.")
       .def("request", &StandRunner::request, "mode"_a,
            "Ask for a mode as of a Supervisor; from any thread.")
       .def("arm", &StandRunner::arm, "As a Supervisor's; from any thread.")

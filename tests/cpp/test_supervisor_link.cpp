@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A supervisor whose reports come over a link: silence, other robots, robots that stand already.
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 
 #include "scenes.hpp"
 #include "surefoot/error.hpp"
@@ -110,8 +111,8 @@ BOOST_FIXTURE_TEST_CASE(without_reports_the_last_command_lives_ten_milliseconds,
     BOOST_TEST(!motors_brake(command));
     BOOST_TEST(!supervisor.fresh());
   }
-  BOOST_TEST(motors_brake(supervisor.bridge(0.0101)));
-  BOOST_TEST(motors_brake(supervisor.bridge(0.0201)));
+  for (const double age : {0.0101, -0.001, std::nan(""), 0.0201})
+    BOOST_TEST(motors_brake(supervisor.bridge(age)));
   BOOST_TEST((supervisor.request(Mode::kSit) == RequestStatus::kNoState));
   BOOST_TEST((supervisor.arm() == RequestStatus::kNoState));
   step();
@@ -319,6 +320,15 @@ BOOST_AUTO_TEST_CASE(a_real_robot_is_not_taken_over_unchecked) {
   make();
   run.power_level = 0;
   BOOST_CHECK_EXCEPTION(make(), Error, says("power_level"));
+}
+
+BOOST_AUTO_TEST_CASE(a_runner_runs_once) {
+  const Robot robot = quadruped();
+  RunOptions options;
+  options.patience = 0.01;  // nobody is there
+  StandRunner runner(robot, robot.config().gains, {}, {}, options);
+  runner.run();
+  BOOST_CHECK_THROW(runner.run(), Error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Status, Verdict
-from surefoot.estimate.columns import BY_NAME
+from surefoot.estimate.columns import BY_NAME, CLOCKS
 from surefoot.estimate.derive import METHOD
 from surefoot.estimate.events import row_lengths, slip_events, transitions
 from surefoot.estimate.result import SENSOR_NAMES, Estimate
@@ -36,7 +36,7 @@ def summarise(estimate: Estimate) -> dict[str, Any]:
 def _log(estimate: Estimate) -> dict[str, Any]:
     log = estimate.log
     names = [*log.columns]
-    other_clock = {"tick", "time"} - {log.clock}
+    other_clock = set(CLOCKS) - {log.clock}
     counts = Counter(Status(int(value)).name for value in estimate.status)
     counts["NON_FINITE"] += estimate.unclocked
     return {

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from surefoot.estimate.columns import CLOCKS
+
 
 def headline(s: dict[str, Any]) -> str:
     """Return in one sentence what was estimated."""
@@ -28,8 +30,9 @@ def log_line(s: dict[str, Any]) -> str:
 def doubts(s: dict[str, Any]) -> list[str]:
     """Return what ought to be looked at: warnings, columns that were ignored, rows refused."""
     lines = list(s["warnings"])
-    if s["ignored_columns"]:
-        lines.append(f"ignored columns: {', '.join(s['ignored_columns'])}")
+    ignored = [name for name in s["ignored_columns"] if name not in CLOCKS]  # one is enough
+    if ignored:
+        lines.append(f"ignored columns: {', '.join(ignored)}")
     refused = {name: count for name, count in s["statuses"].items() if name != "OK"}
     lines += [f"{count} rows {name}" for name, count in refused.items()]
     lines += [f"{n} rows of {name} not finite" for name, n in s["non_finite_rows"].items()]

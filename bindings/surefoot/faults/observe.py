@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from surefoot._core import FaultId, Mode, RequestStatus
 from surefoot.faults.approach import RISE_TIME
 from surefoot.faults.judge import is_damping
-from surefoot.faults.reaction import Expectation, Reaction
+from surefoot.faults.reaction import SLACK, Expectation, Reaction
 from surefoot.faults.scene import PERIOD, Scene
 from surefoot.sim.truth import has_fallen
 
@@ -16,7 +16,6 @@ QUIET = 0.6  # [s] that a latched damping, and a rest, are looked at
 STAND_TIME = 3.0  # [s] that standing is looked at, and waited for a fall
 LIE_TIME = 1.2  # [s] of lying
 SIT_TIME = 9.0  # [s] that sitting down may take
-ASK_EVERY = 25  # [periods]
 
 
 @dataclass
@@ -31,7 +30,7 @@ class Observed:
         stood: When it stood first.
         fell: When, while standing, something but a foot touched the ground, or it tilted beyond 60
             degrees.
-        refused: When arming and rising were refused.
+        refused: When arming and rising were refused first, in every period from the time stated on.
         accepted: When one of them was accepted.
         mode: At the end.
         speed: Greatest speed of the body downwards [m/s].
@@ -68,7 +67,7 @@ def observe(scene: Scene, expect: Expectation, mode: str) -> Observed:
     scene.begin()
     count = _count(scene, expect)
     for k in range(round(_longest(expect, mode) / PERIOD)):
-        if refuses and k % ASK_EVERY == 0 and (k * PERIOD >= expect.within or not scene.armed):
+        if refuses and (k * PERIOD >= expect.within - SLACK or not scene.armed):
             _ask(scene, seen, k * PERIOD)
         scene.step()
         if periods or scene.fault.judged(scene.plant):

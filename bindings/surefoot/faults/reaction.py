@@ -8,6 +8,7 @@ from enum import Enum
 from surefoot._core import Error, FaultReaction, fault_table
 
 HOLD = 0.010  # [s] the last good command is repeated at most this long
+SLACK = 1e-9  # [s] of rounding
 
 
 class Reaction(Enum):

@@ -6,11 +6,10 @@ import math
 
 from surefoot._core import Mode
 from surefoot.faults.observe import Observed
-from surefoot.faults.reaction import Expectation, Reaction
+from surefoot.faults.reaction import SLACK, Expectation, Reaction
 
 GRAVITY = 9.81  # [m/s^2]
 LYING_SHARE = 0.4  # of its standing height: legs that fold prop healthy bodies up by 0.36 at most
-SLACK = 1e-9  # [s] of rounding
 
 
 def fall_speed(height: float) -> float:
@@ -26,7 +25,7 @@ def reaction_time(seen: Observed, expect: Expectation) -> float | None:
         Reaction.REFUSE: seen.refused,
         Reaction.STAY: seen.damped,
         Reaction.WATCH: None,
-        Reaction.DEGRADE: None,
+        Reaction.DEGRADE: seen.told,
     }[expect.reaction]
 
 

@@ -126,7 +126,7 @@ class StandRunner {
   StandRunner& operator=(const StandRunner&) = delete;
 
   /// Run until stop(), the duration, or a robot that cannot be controlled; in the calling thread.
-  /// Call it once.
+  /// Throws surefoot::Error if it was called before.
   void run();
 
   // From any thread, and from a signal handler:

@@ -40,11 +40,13 @@ struct StandRunner::Impl {
   double period;
   LatencyHistogram ticks, wakes;
   RunBoard board;
-  std::atomic<bool> running{false};
+  std::atomic<bool> begun{false}, running{false};
 };
 
 void StandRunner::run() {
   Impl& s = *impl_;
+  if (s.begun.exchange(true))
+    throw Error("run: got a second call, expected one for every StandRunner: make another");
   const Running running(s.running);
   const RealTimeScope scope;
   s.board.set_real_time(scope.scheduling() + ", " + scope.memory());

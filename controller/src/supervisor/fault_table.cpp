@@ -19,7 +19,8 @@ constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
      "an operator's stop: stop() from any thread, x + Enter in surefoot run"},
     {FaultId::kButton, kDamp, 0.002, kArm, "B on the remote"},
     {FaultId::kStateNotFinite, kDamp, 0.020, kArm,
-     "a NaN or an infinity: the last good command for 10 ms, then damping"},
+     "a NaN, an infinity, more than 1e4 in any unit: the last good command for 10 ms, then "
+     "damping"},
     {FaultId::kStateImplausible, kDamp, 0.020, kArm,
      "beyond what the robot can do or measure: the last good command for 10 ms, then damping"},
     {FaultId::kStaleTick, kDamp, 0.020, kArm,

@@ -13,7 +13,7 @@ const LowCmd& Supervisor::Impl::bridge(double age) noexcept {
   if (age > kStaleTime) forget();
   publish();
   // Reports that were bad have not made the last command any younger.
-  if (drives() && age + keeper.age() <= kHoldTime) return keeper.last();
+  if (drives() && age >= 0.0 && age + keeper.age() <= kHoldTime) return keeper.last();
   motors.interrupted();
   rate.rest(damping_kd);  // torques come back from nothing
   return keeper.damp(damping_kd);

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What surefoot run tells its operator of a robot that is down."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import surefoot
+from surefoot import Mode
+from surefoot.cli.run_operator import Readiness
+
+
+def snapshot(phase: str, mode: Mode, ready: bool, armed: bool) -> SimpleNamespace:
+    arming = SimpleNamespace(checks={}, ready=ready)
+    return SimpleNamespace(time=1.0, phase=phase, mode=mode, armed=armed, arming=arming)
+
+
+def test_a_robot_that_has_just_fallen_silent_is_not_said_to_be_ready() -> None:
+    said: list[str] = []
+    readiness = Readiness(surefoot.load_robot("go1"), said.append)
+    readiness.look(snapshot("standing", Mode.STAND, ready=True, armed=True), False)
+    # Braked, not yet latched: its clock may have stood still.
+    readiness.look(snapshot("damping", Mode.STAND, ready=True, armed=True), False)
+    readiness.look(snapshot("damping", Mode.DAMPING, ready=False, armed=False), False)
+    assert said == []
+    readiness.look(snapshot("damping", Mode.DAMPING, ready=True, armed=False), False)
+    assert said == ["   1.00 s ready"]
