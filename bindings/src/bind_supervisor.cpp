@@ -194,9 +194,11 @@ void bind_machine(nb::module_& m) {
       .def(
           "bridge", [](Supervisor& s, double age) { return LowCmd(s.bridge(age)); }, "age"_a,
           "Go on without a LowState, the newest `age` seconds old: a copy of the LowCmd.\n\n"
-          "Up to 10 ms the last command, then damping, and after any damping the next update() has "
-          "torques again: nothing latches here and no fault is told. Call lose() once it has "
-          "lasted too long (surefoot run: 20 ms).")
+          "The last command while it is no older than 10 ms, then damping; after 20 ms requests "
+          "are "
+          "refused until update() is called again. Negative or NaN is too old. Nothing latches and "
+          "no fault is told but what stop() asks for: call lose() once the robot has been silent "
+          "for too long (surefoot run: 20 ms).")
       .def("lose", &Supervisor::lose, "The robot is not heard: latch, if armed.")
       .def("count_reports", &Supervisor::count_reports, "come"_a, "missing"_a,
            "Say what the link has counted since the last call, for the arming check.")

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 
 import surefoot
-from surefoot import Mode
+from surefoot import Mode, RequestStatus
 
 Change = Callable[[surefoot.LowCmd, "Forged"], None]
 
@@ -18,21 +18,28 @@ class Forged:
     Attributes:
         ticks: So far.
         damping: Ticks since it latched.
+        unready: Ticks since arming checks failed.
         torques: The last command that was not damping.
+        yields: Whether it says yes to every request.
     """
 
     def __init__(self, supervisor: surefoot.Supervisor, change: Change) -> None:
         self._supervisor, self._change = supervisor, change
-        self.ticks = self.damping = 0
+        self.ticks = self.damping = self.unready = 0
         self.torques = surefoot.LowCmd()
+        self.yields = False
 
     def __getattr__(self, name: str) -> object:
         return getattr(self._supervisor, name)
+
+    def request(self, mode: Mode) -> RequestStatus:
+        return RequestStatus.ACCEPTED if self.yields else self._supervisor.request(mode)
 
     def update(self, state: surefoot.LowState) -> surefoot.LowCmd:
         command = self._supervisor.update(state)
         self.ticks += 1
         self.damping = self.damping + 1 if self._supervisor.mode == Mode.DAMPING else 0
+        self.unready = 0 if self._supervisor.arming.ready else self.unready + 1
         if self._supervisor.mode in (Mode.RISE, Mode.STAND):
             self.torques.raw[:] = command.raw
         self._change(command, self)
@@ -84,6 +91,10 @@ def lies(command: surefoot.LowCmd, forged: Forged) -> None:
     command.raw[:] = surefoot.damping_low_cmd(3.0).raw
 
 
+def gives_in(command: surefoot.LowCmd, forged: Forged) -> None:
+    forged.yields = forged.unready == 15  # for one period, some 30 ms after the fault
+
+
 STALE, WELL = "stale_tick/stuck/standing", "healthy/off/lying"
 FORGERIES: dict[str, tuple[Change, str, str]] = {
     "sends no numbers": (no_number, "healthy/off/standing", "not finite"),
@@ -94,5 +105,6 @@ FORGERIES: dict[str, tuple[Change, str, str]] = {
     "asks for too much torque": (too_strong, WELL, "torque 1.01 of the limit"),
     "jumps": (jumps, WELL, "torque step"),
     "goes to position mode": (servo, WELL, "position mode"),
+    "gives in for a moment": (gives_in, "nan_in_state/garbage/lying", "not refused after"),
     "damps though nothing is wrong": (lies, "healthy/off/standing", "got no further"),
 }

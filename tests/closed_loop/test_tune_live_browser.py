@@ -35,6 +35,10 @@ FLAGS = [
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
     "--disable-dev-shm-usage",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--force-color-profile=srgb",
+    "--no-first-run",
 ]
 PATIENCE = 60_000.0  # [ms]; without a graphics card a picture takes a while
 PICTURE = Path(__file__).parents[2] / "out" / "tune-live.png"
@@ -67,15 +71,24 @@ def browser_process(path: str, profile: Path) -> Iterator[str]:
 
     Asked to close, it would first draw all the pictures it is behind with.
     """
+    profile.mkdir()
     command = [path, *FLAGS, f"--user-data-dir={profile}"]
-    quiet = subprocess.DEVNULL
-    process = subprocess.Popen(command, start_new_session=True, stdout=quiet, stderr=quiet)
+    said, chosen = profile / "stderr.txt", profile / "DevToolsActivePort"
+    with said.open("w") as file:
+        process = subprocess.Popen(
+            command, start_new_session=True, stdout=subprocess.DEVNULL, stderr=file
+        )
+
+    def listens() -> bool:
+        assert process.poll() is None, f"{path} has ended: {said.read_text()}"
+        return chosen.is_file() and "\n" in chosen.read_text()
+
     try:
-        chosen = profile / "DevToolsActivePort"
-        wait_until(lambda: chosen.is_file() and "\n" in chosen.read_text())
+        wait_until(listens)
         yield f"http://127.0.0.1:{chosen.read_text().split()[0]}"
     finally:
-        os.killpg(process.pid, signal.SIGKILL)
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
         process.wait()
 
 

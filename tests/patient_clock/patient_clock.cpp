@@ -120,27 +120,32 @@ bool lives(int process, int thread) noexcept {
   char path[64], text[512] = {};
   std::snprintf(path, sizeof(path), "/proc/%d/task/%d/stat", process, thread);
   const int file = open(path, O_RDONLY | O_CLOEXEC);
+  const bool unreadable = file < 0 && errno != ENOENT && errno != ESRCH;  // it may live
   const ssize_t got = file < 0 ? -1 : read(file, text, sizeof(text) - 1);
   if (file >= 0) close(file);
-  errno = error;
+  if (unreadable) {
+    errno = error;
+    return true;
+  }
   // pid (name) state ppid pgrp session tty_nr tpgid flags ...; see proc_pid_stat(5)
   const char* name_end = got > 0 ? std::strrchr(text, ')') : nullptr;
   char state = 'X';
   unsigned flags = 0;
-  if (name_end == nullptr ||
-      std::sscanf(name_end + 2, "%c %*d %*d %*d %*d %*d %u", &state, &flags) != 2)
-    return false;
-  return state != 'Z' && state != 'X' && (flags & kExiting) == 0;
+  const int read_fields =
+      name_end == nullptr ? 0
+                          : std::sscanf(name_end + 2, "%c %*d %*d %*d %*d %*d %u", &state, &flags);
+  errno = error;
+  return read_fields == 2 && state != 'Z' && state != 'X' && (flags & kExiting) == 0;
 }
 
 // Wait for a loop a little more, or no more.
 void wait_for(Loop& loop, Time more) noexcept {
+  int thread = loop.thread.load();
   const Time before = loop.waited.fetch_add(more), after = before + more;
   const bool doubtful = before / kDoubt != after / kDoubt;
-  const bool gone = doubtful && !lives(loop.process.load(), loop.thread.load());
+  const bool gone = doubtful && !lives(loop.process.load(), thread);
   if (!gone && after <= kPatience) return;
-  loop.due.store(0);
-  loop.thread.store(0);
+  loop.thread.compare_exchange_strong(thread, 0);  // unless the place is another's already
 }
 
 // False if somebody else was first.

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
+import pytest
 import surefoot
 from surefoot import Mode
 from surefoot.cli.run_operator import Readiness
@@ -15,12 +16,13 @@ def snapshot(phase: str, mode: Mode, ready: bool, armed: bool) -> SimpleNamespac
     return SimpleNamespace(time=1.0, phase=phase, mode=mode, armed=armed, arming=arming)
 
 
-def test_a_robot_that_has_just_fallen_silent_is_not_said_to_be_ready() -> None:
+@pytest.mark.parametrize("mode", [Mode.STAND, Mode.PASSIVE])
+def test_a_robot_that_has_just_fallen_silent_is_not_said_to_be_ready(mode: Mode) -> None:
     said: list[str] = []
     readiness = Readiness(surefoot.load_robot("go1"), said.append)
     readiness.look(snapshot("standing", Mode.STAND, ready=True, armed=True), False)
     # Braked, not yet latched: its clock may have stood still.
-    readiness.look(snapshot("damping", Mode.STAND, ready=True, armed=True), False)
+    readiness.look(snapshot("damping", mode, ready=True, armed=True), False)
     readiness.look(snapshot("damping", Mode.DAMPING, ready=False, armed=False), False)
     assert said == []
     readiness.look(snapshot("damping", Mode.DAMPING, ready=True, armed=False), False)

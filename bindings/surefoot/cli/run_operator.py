@@ -117,8 +117,7 @@ class Readiness:
     def look(self, now: RunSnapshot, due: bool) -> None:
         """Say what has changed; `due`: say what fails once more."""
         # A robot that is silent is braked before it is known whether it is to be let go of.
-        down = now.mode in (Mode.PASSIVE, Mode.DAMPING)
-        if not down or now.phase not in ("passive", "damping"):
+        if (now.phase, now.mode) not in (("passive", Mode.PASSIVE), ("damping", Mode.DAMPING)):
             self._failing, self._ready = "", False
             return
         failing = " ".join(name for name, check in now.arming.checks.items() if fails(check))

@@ -30,8 +30,9 @@ class Observed:
         stood: When it stood first.
         fell: When, while standing, something but a foot touched the ground, or it tilted beyond 60
             degrees.
-        refused: When arming and rising were refused first, in every period from the time stated on.
-        accepted: When one of them was accepted.
+        refused: When arming and rising were refused first; asked in every period from the time
+            stated on.
+        accepted: When one of them was accepted; then it is asked no more.
         mode: At the end.
         speed: Greatest speed of the body downwards [m/s].
         lowest: Of the body's height [m].
@@ -67,7 +68,8 @@ def observe(scene: Scene, expect: Expectation, mode: str) -> Observed:
     scene.begin()
     count = _count(scene, expect)
     for k in range(round(_longest(expect, mode) / PERIOD)):
-        if refuses and (k * PERIOD >= expect.within - SLACK or not scene.armed):
+        due = k * PERIOD >= expect.within - SLACK or not scene.armed
+        if refuses and due and seen.accepted is None:
             _ask(scene, seen, k * PERIOD)
         scene.step()
         if periods or scene.fault.judged(scene.plant):

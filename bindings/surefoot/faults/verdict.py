@@ -18,13 +18,16 @@ def fall_speed(height: float) -> float:
 
 
 def reaction_time(seen: Observed, expect: Expectation) -> float | None:
-    """Return when the reaction expected came [s], or None."""
+    """Return when the reaction expected came [s]; None too of one that has no moment.
+
+    A refusal is asked for from the time stated on, not looked for before.
+    """
     return {
         Reaction.DAMP: seen.damped,
         Reaction.SIT: seen.sat,
-        Reaction.REFUSE: seen.refused,
+        Reaction.REFUSE: None,
         Reaction.STAY: seen.damped,
-        Reaction.WATCH: None,
+        Reaction.WATCH: seen.told,
         Reaction.DEGRADE: seen.told,
     }[expect.reaction]
 

@@ -108,7 +108,7 @@ class Supervisor {
   /// Go on for a period that brought no LowState: the last command while it is no older than 10 ms,
   /// then damping; after 20 ms requests are refused until update() is called again. Nothing latches
   /// but what stop() asks for: see lose(). Real-time: yes.
-  /// @param age [s] of the newest LowState, which the caller measures; negative or NaN damps
+  /// @param age [s] of the newest LowState, which the caller measures; negative or NaN: too old
   const LowCmd& bridge(double age) noexcept;
   /// The robot was not heard for too long, or what is heard now is another: what was armed damps
   /// and latches, and what waits is forgotten. Real-time: yes.

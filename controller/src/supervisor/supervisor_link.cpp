@@ -10,10 +10,11 @@ const LowCmd& Supervisor::Impl::bridge(double age) noexcept {
     latch(FaultId::kStop);
   }
   fresh = false;
-  if (age > kStaleTime) forget();
+  const bool known_age = age >= 0.0;  // neither negative nor NaN
+  if (!known_age || age > kStaleTime) forget();
   publish();
   // Reports that were bad have not made the last command any younger.
-  if (drives() && age >= 0.0 && age + keeper.age() <= kHoldTime) return keeper.last();
+  if (drives() && known_age && age + keeper.age() <= kHoldTime) return keeper.last();
   motors.interrupted();
   rate.rest(damping_kd);  // torques come back from nothing
   return keeper.damp(damping_kd);
