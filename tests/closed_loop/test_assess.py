@@ -12,6 +12,7 @@ import time
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import pytest
 import surefoot
 from surefoot import Error, cli
@@ -22,7 +23,7 @@ from surefoot.assess.ground import plant_of
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.push_run import Outcome, judge
 from surefoot.assess.rollout import roll_out
-from surefoot.assess.sweep import as_rows, from_rows, sweep
+from surefoot.assess.sweep import as_rows, first_level, from_rows, sweep
 from surefoot.assess.unit import PushUnit, StandUnit, run_unit
 
 LEVEL = Condition("level ground")
@@ -41,16 +42,28 @@ def contestant(name: str) -> Contestant:
 # The sweep.
 
 
-def test_a_sweep_finds_the_last_level_below_which_all_pass() -> None:
-    done = sweep(lambda level: Outcome(level <= 93.0, level <= 47.0, 0.0, 0.0, 0.0))
-    assert done.largest("survived") == 92.5
-    assert done.largest("strict") == 45.0
-    assert {10.0, 50.0, 92.5, 95.0, 42.5} <= set(done.tried)
+@pytest.mark.parametrize("first", [10.0, 20.0])
+@pytest.mark.parametrize("survives", [*np.arange(0.0, 202.5, 2.5)])
+def test_a_sweep_finds_the_last_level_below_which_all_pass(first: float, survives: float) -> None:
+    strict = min(47.0, 0.8 * survives)
+    done = sweep(lambda level: Outcome(level <= survives, level <= strict, 0.0, 0.0, 0.0), first)
+    assert done.largest("survived") == survives
+    assert strict - 2.5 < done.largest("strict") <= strict
+    assert set(np.arange(first, min(survives + 20.0, 200.0), 20.0)) <= set(done.tried)
+    assert len(done.tried) <= survives / 20.0 + 10
+
+
+def test_seeds_take_turns_at_the_coarse_levels() -> None:
+    tried = set[float]()
+    for seed in (6, 7):
+        passes = Outcome(True, True, 0.0, 0.0, 0.0)
+        tried |= set(sweep(lambda level: passes, first_level(seed)).tried)
+    assert tried == set(np.arange(10.0, 210.0, 10.0))
 
 
 def test_a_sweep_stops_the_count_at_a_weak_push_that_fails_where_a_strong_one_passes() -> None:
-    done = sweep(lambda level: Outcome(level < 120.0, not 38.0 < level < 42.0, 0.0, 0.0, 0.0))
-    assert done.tried[110.0].strict
+    done = sweep(lambda level: Outcome(level < 120.0, not 38.0 < level < 42.0, 0.0, 0.0, 0.0), 20.0)
+    assert done.tried[100.0].strict
     assert done.largest("strict") == 37.5
 
 

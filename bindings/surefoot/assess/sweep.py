@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
 from surefoot.assess.push_run import Outcome
 
-COARSE = 10.0  # [%] of the robot's own limit
-FINE = 2.5  # [%]
-LOWEST = 10.0  # [%]
+LOWEST = 10.0  # [%] of the robot's own limit
 HIGHEST = 200.0  # [%]
+COARSE = 20.0  # [%]
+FINE = 5.0, 2.5  # [%] one after the other
 
 
 @dataclass
@@ -38,37 +39,47 @@ class Sweep:
         return best
 
 
-def sweep(run: Callable[[float], Outcome]) -> Sweep:
+def first_level(seed: int) -> float:
+    """Return where a seed's sweep begins [%]: what one of two seeds steps over the other tries."""
+    return LOWEST * (1 + seed % 2)
+
+
+def sweep(run: Callable[[float], Outcome], first: float = LOWEST) -> Sweep:
     """Push harder and harder: coarse until the robot does not survive, then fine where it tipped.
 
-    Levels go up in steps of COARSE from LOWEST until one is not survived, to HIGHEST at most; then
-    the steps of FINE between each last pass and the first failure, upwards until one fails, for
-    survival and for the strict criterion apart. It is no bisection: a weak push that fails where a
-    strong one passes ends the count there.
+    Levels go up in steps of COARSE until one is not survived, to HIGHEST at most; then in each step
+    of FINE from the last pass towards the first failure, upwards until one fails, for survival and
+    for the strict criterion apart. It is no bisection: a weak push that fails where a strong one
+    passes ends the count there.
 
     Args:
         run: Runs one level, in percent of the robot's own limit.
+        first: Level to begin with.
     """
     done = Sweep()
-    for level in _steps(LOWEST, HIGHEST, COARSE):
+    for level in (*_steps(first, HIGHEST - FINE[-1], COARSE), HIGHEST):
         done.tried[level] = run(level)
         if not done.tried[level].survived:
             break
     for kind in ("survived", "strict"):
-        last = done.largest(kind)
-        above = [level for level in done.tried if level > last]
-        if not above:
-            continue
-        for level in _steps(last + FINE, min(above) - FINE, FINE):
-            if level not in done.tried:
-                done.tried[level] = run(level)
-            if not getattr(done.tried[level], kind):
-                break
+        for step in FINE:
+            _climb(done, run, kind, step)
     return done
 
 
+def _climb(done: Sweep, run: Callable[[float], Outcome], kind: str, step: float) -> None:
+    """Go up from the last pass, to below the first failure."""
+    last = done.largest(kind)
+    above = [level for level in done.tried if level > last]
+    for level in _steps(last + step, min(above, default=last) - step, step):
+        if level not in done.tried:
+            done.tried[level] = run(level)
+        if not getattr(done.tried[level], kind):
+            break
+
+
 def _steps(low: float, high: float, step: float) -> Iterator[float]:
-    for k in range(1 + round((high - low) / step)):
+    for k in range(1 + math.floor((high - low) / step)):
         yield low + k * step
 
 

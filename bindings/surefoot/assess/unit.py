@@ -14,7 +14,7 @@ from surefoot.assess.ground import Source, delay_of, describe, move_time, plant_
 from surefoot.assess.push_run import Outcome, judge, run_length
 from surefoot.assess.rollout import Track, Watch, roll_out
 from surefoot.assess.stand_run import HOLD, judge_stand
-from surefoot.assess.sweep import as_rows, sweep
+from surefoot.assess.sweep import as_rows, first_level, sweep
 from surefoot.faults.run import attempt
 from surefoot.faults.setting import Setup, set_up
 from surefoot.gain_files import gains_of
@@ -62,7 +62,7 @@ class PushUnit:
 
         plant_of(source, self.condition)
         beat()  # the deadline is for runs
-        return {"rows": as_rows(sweep(push))}
+        return {"rows": as_rows(sweep(push, first_level(self.seed)))}
 
     def play(
         self, source: Source, contestant: Contestant, level: float, watch: Watch | None = None
