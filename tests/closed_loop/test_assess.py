@@ -153,7 +153,7 @@ def test_a_stall_costs_a_contestant_nothing_that_has_returned_before(
     card = Card("few", directions=3, seeds=1, condition_seeds=0, faults="none")
     result = run_assess(AssessSettings("go1", contestant("stalls_once"), card, deadline=2.0))
     assert result["push"]["broken"] == []
-    assert len(list(tmp_path.iterdir())) == 8  # two runs a unit; the second unit's came again
+    assert len(list(tmp_path.iterdir())) == 10  # three a unit; the second unit began again
 
 
 def test_a_robot_that_falls_before_its_push_has_survived_nothing() -> None:
