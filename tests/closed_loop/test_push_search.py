@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""benchmarks/push_search.py: a robot's own values are its controller, others are told from it."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("optuna")
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+
+from push_worth import HOPELESS, LEVEL, Pushed, own_values, score
+from surefoot import load_robot
+from surefoot.assess import Contestant
+from surefoot.assess.push_limits import Limits
+from surefoot.assess.push_run import judge
+from surefoot.assess.unit import PushUnit
+
+BENCHMARKS = Path(__file__).resolve().parents[2] / "benchmarks"
+
+
+@pytest.mark.parametrize("robot", ["go1", "b1"])
+def test_own_values_push_as_the_scorecard_does(robot: str) -> None:
+    limit = Limits(load_robot(robot)).of(LEVEL, 157.5, 0.1, 0.0).own
+    unit = PushUnit(LEVEL, 157.5, 0.1, 0.0, 1, limit)
+    expected = judge(unit.play(robot, Contestant(), 80.0), LEVEL.quiet_s, 0.1)
+    outcome, upright = Pushed(robot, own_values(robot)).push(157.5, 1, 80.0)
+    assert outcome == expected and outcome.survived and upright == 1.0
+
+
+def test_a_set_that_lets_feet_move_is_worth_less_than_none() -> None:
+    slippery = {**own_values("b1"), "penalty_hold_down": 0.05, "weight_com_vertical": 0.05}
+    worth, survived = score("b1", slippery, 95.0)
+    assert worth < -HOPELESS and survived == []
+
+
+def test_the_search_says_the_robot_s_own_values_first() -> None:
+    command = [sys.executable, "push_search.py", "--robot", "go1", "--trials", "1"]
+    said = subprocess.run(command, cwd=BENCHMARKS, capture_output=True, text=True, check=True)
+    first, *rows = said.stdout.splitlines()
+    assert first.startswith("# trial 0: ") and "survives" in first
+    told = dict(row.split(" = ") for row in rows)
+    own = own_values("go1")
+    assert {name: float(value) for name, value in told.items()} == pytest.approx(own, rel=1e-3)
