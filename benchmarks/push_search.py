@@ -31,7 +31,7 @@ SIGMA = 0.1  # first step of CMA-ES, as a share of the logarithmic ranges
 
 
 def search(robot: str, trials: int, jobs: int, seed: int, strict: float) -> None:
-    """Try sets of values, some at a time, and say each that is better than those before."""
+    """Try sets of values, four a process at a time, and say each that beats those before."""
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     # x0 and sigma0 go with Optuna 6, which pyproject.toml excludes.
     warnings.filterwarnings("ignore", "`(x0|sigma0)`", FutureWarning)
