@@ -73,6 +73,8 @@ void bind_config(nb::module_& m) {
       .def_rw("quat_base_imu", &RobotConfig::quat_base_imu, "w x y z; maps IMU axes to base axes.")
       .def_rw("q_lower", &RobotConfig::q_lower, "[rad] SDK and URDF limits, intersected.")
       .def_rw("q_upper", &RobotConfig::q_upper, "[rad] SDK and URDF limits, intersected.")
+      .def_rw("hip_inward", &RobotConfig::hip_inward,
+              "[rad] under the trunk, where a thigh meets it: no controller goes there.")
       .def_rw("dq_max", &RobotConfig::dq_max, "[rad/s].")
       .def_rw("tau_max", &RobotConfig::tau_max, "[N.m] up to corner_speed.")
       .def_rw("corner_speed", &RobotConfig::corner_speed, "[rad/s] torque starts to fall here.")

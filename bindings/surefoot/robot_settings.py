@@ -86,6 +86,7 @@ def _set_limits(
         speed[i] = model.velocityLimit[joint.idx_v]
         effort[i] = model.effortLimit[joint.idx_v]
     config.q_lower, config.q_upper = lower, upper
+    config.hip_inward = float(limits.get("hip_inward", config.hip_inward))
     config.dq_max, config.no_load_speed, config.tau_max = speed, speed, effort
     config.corner_speed = corner_fraction * speed
 

@@ -52,7 +52,12 @@ _KEYS: dict[str, dict[str, tuple[_Check, str]]] = {
         "position": (_numbers(3), "3 numbers in metres"),
         "quaternion": (_numbers(4), "4 numbers, w x y z"),
     },
-    "limits": {"hip": _LIMITS, "thigh": _LIMITS, "calf": _LIMITS},
+    "limits": {
+        "hip": _LIMITS,
+        "thigh": _LIMITS,
+        "calf": _LIMITS,
+        "hip_inward": (_number, "a number in rad"),
+    },
     "motors": {"armature": _MOTORS, "corner_fraction": (_number, "a number")},
     "simulation": {
         "joint_friction": _MOTORS,

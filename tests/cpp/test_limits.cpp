@@ -51,6 +51,17 @@ BOOST_FIXTURE_TEST_CASE(torque_falls_with_speed_only_while_the_motor_drives, Lim
   }
 }
 
+BOOST_AUTO_TEST_CASE(hips_alone_end_where_their_thighs_meet_the_trunk_and_only_inward) {
+  RobotConfig config = quadruped_config();
+  config.hip_inward = 0.3;
+  const JointTable joints = make_joint_table(quadruped(config));
+  for (int i = 0; i < kMotors; ++i) {
+    const bool hip = i % 3 == 0, left = i / 3 % 2 == 1;
+    BOOST_TEST(joints[i].q_lower == (hip && left ? -0.3 : config.q_lower[i]));
+    BOOST_TEST(joints[i].q_upper == (hip && !left ? 0.3 : config.q_upper[i]));
+  }
+}
+
 // A joint that takes all the bounds allow: full speed ahead, and yet it stops before the end.
 BOOST_FIXTURE_TEST_CASE(a_joint_that_takes_all_it_may_stops_before_its_limit, Limited) {
   const double dt = 0.002;

@@ -26,6 +26,7 @@ ARMATURE = {
     "go2": [0.00448, 0.00448, 0.01646],
     "b1": [0.0251, 0.0588, 0.1323],
 }
+FRICTION = {"a1": 0.7, "go1": 0.65, "go2": 0.7, "b1": 0.72}
 IMU_MOUNT = {
     "a1": [0.0, 0.0, 0.0],
     "go1": [-0.01592, -0.06659, -0.00617],
@@ -104,6 +105,12 @@ def test_position_limits_never_leave_the_urdfs_and_hold_the_pose(body) -> None:
     assert (config.q_standing < config.q_upper).all()
 
 
+def test_a_standing_pose_beyond_hip_inward_is_refused(load, toml: str) -> None:
+    pose = changed(toml, "[0.0, 0.8, -1.6]", "[-0.3, 0.8, -1.6]")
+    with pytest.raises(surefoot.Error, match=r"hip_inward: got 0.2.*FL_hip_joint, -0.3"):
+        load(changed(pose, "[limits]", "[limits]\nhip_inward = 0.2"))
+
+
 def test_the_standing_pose_is_level_with_bent_knees(body) -> None:
     np.testing.assert_array_equal(body.robot.config.q_standing, [0.0, 0.8, -1.6] * 4)
     q = body.robot.q_standing()
@@ -139,7 +146,7 @@ def test_the_imu_sits_where_the_urdf_mounts_it(name: str) -> None:
     config = surefoot.load_robot(name).config
     np.testing.assert_allclose(config.p_base_imu, IMU_MOUNT[name], atol=1e-6)
     np.testing.assert_allclose(config.quat_base_imu, [1.0, 0.0, 0.0, 0.0], atol=1e-6)
-    assert config.friction == (0.65 if name == "go1" else 0.7)
+    assert config.friction == FRICTION[name]
 
 
 def test_motor_torque_falls_linearly_with_speed_only_while_driving(go1) -> None:
@@ -221,6 +228,9 @@ def test_half_a_description_is_refused(arguments) -> None:
         ("[0.0, 0.8, -1.6]", "[0.0, 0.8]", ["robot.standing: got [0.0, 0.8], expected 3 numbers"]),
         ("hip = [-1.047, 1.047]", "hip = [1.0, -1.0]", ["limits of FR_hip_joint", "lower < upper"]),
         ("hip = [-1.047, 1.047]", "hp = [-1.0, 1.0]", ["limits.hp", "mean 'hip'"]),
+        ("[limits]", "[limits]\nhip_inward = 0.0", ["hip_inward: got 0", "a number > 0, in rad"]),
+        ("[limits]", "[limits]\nhip_inward = nan", ["hip_inward: got nan", "a number > 0"]),
+        ("[limits]", "[limits]\nhip_inward = [1]", ["limits.hip_inward: got [1]", "in rad"]),
         ("armature = [0.00403,", "armature = [-0.004,", ["armature of FR_hip_joint: got -0.004"]),
         ("corner_fraction = 0.5", "corner_fraction = 1.5", ["corner_speed", "no_load_speed"]),
         ("corner_fraction = 0.5", "corner_fraction = nan", ["corner_speed", "got nan"]),

@@ -22,6 +22,7 @@ struct RobotConfig {
 
   Vector12 q_lower = Vector12::Zero();        ///< [rad] SDK and URDF limits, intersected
   Vector12 q_upper = Vector12::Zero();        ///< [rad]
+  double hip_inward = 3.2;                    ///< [rad] under the trunk, where a thigh meets it
   Vector12 dq_max = Vector12::Zero();         ///< [rad/s]
   Vector12 tau_max = Vector12::Zero();        ///< [N.m] up to corner_speed
   Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] torque starts to fall here ...
@@ -35,6 +36,17 @@ struct RobotConfig {
   /// Throw surefoot::Error naming the field, what was got and what is expected.
   void validate() const;
 };
+
+/// Range of a joint [rad].
+struct JointRange {
+  double lower, upper;
+};
+
+/// Where a controller may take motor `i`: q_lower .. q_upper, a hip no further inward than
+/// hip_inward. What judges or protects has q_lower and q_upper: beyond hip_inward nothing breaks
+/// and no sensor lies, but the trunk bears on a thigh that the dynamics take for free.
+/// Real-time: yes.
+JointRange motion_range(const RobotConfig& config, int i) noexcept;
 
 /// Greatest torque of motor `i` in the direction of `sign` at joint velocity `dq`.
 ///

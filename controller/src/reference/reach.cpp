@@ -39,7 +39,8 @@ ReachVerdict Reach::judge(const Gains& gains, const Vector3& p_base, const Quate
   const RobotConfig& config = robot_.config();
   for (int i = 0; i < kMotors; ++i) {
     const double q = kinematics_.q()[robot_.motor_to_q()[i]];
-    const double room = std::min(q - config.q_lower[i], config.q_upper[i] - q);
+    const JointRange range = motion_range(config, i);
+    const double room = std::min(q - range.lower, range.upper - q);
     const double missing = gains.reach_joint_margin - room;
     if (missing > worst.violation) worst = {{ReachLimit::kJoint, i}, missing};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/robot_config.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "surefoot/error.hpp"
@@ -59,6 +60,11 @@ void check_positions(const RobotConfig& config) {
       fail(config, "standing pose of " + config.joint_names[i], to_text(q),
            "a value inside " + to_text(lower) + " .. " + to_text(upper));
     }
+    const JointRange range = motion_range(config, i);
+    if (!(q >= range.lower && q <= range.upper)) {
+      fail(config, "hip_inward", to_text(config.hip_inward),
+           "more than the standing pose of " + config.joint_names[i] + ", " + to_text(q));
+    }
     if (!(config.corner_speed[i] < config.no_load_speed[i])) {
       fail(config, "corner_speed of " + config.joint_names[i], to_text(config.corner_speed[i]),
            "less than no_load_speed " + to_text(config.no_load_speed[i]));
@@ -79,6 +85,9 @@ void RobotConfig::validate() const {
   if (!(std::isfinite(foot_radius) && foot_radius >= 0.0 && foot_radius < 0.2)) {
     fail(*this, "foot radius", to_text(foot_radius), "0 .. 0.2 m");
   }
+  if (!(std::isfinite(hip_inward) && hip_inward > 0.0)) {
+    fail(*this, "hip_inward", to_text(hip_inward), "a number > 0, in rad");
+  }
   if (!(std::isfinite(friction) && friction > 0.0 && friction <= 2.0)) {
     fail(*this, "friction", to_text(friction), "0 < friction <= 2");
   }
@@ -87,6 +96,19 @@ void RobotConfig::validate() const {
     fail(*this, "IMU quaternion norm", to_text(quat_base_imu.norm()), "1");
   }
   gains.validate();
+}
+
+JointRange motion_range(const RobotConfig& config, int i) noexcept {
+  JointRange range{config.q_lower[i], config.q_upper[i]};
+  if (i % kLegJoints != 0) return range;
+  // About the axis that points forward a left leg comes under the trunk by negative angles.
+  const bool left = i / kLegJoints % 2 == 1;
+  if (left) {
+    range.lower = std::max(range.lower, -config.hip_inward);
+  } else {
+    range.upper = std::min(range.upper, config.hip_inward);
+  }
+  return range;
 }
 
 double motor_torque_limit(const RobotConfig& config, int i, double dq, double sign) noexcept {

@@ -65,6 +65,7 @@ std::vector<Field> fields_of(RobotConfig& config) {
       vector_field("quat_base_imu", config.quat_base_imu),
       vector_field("q_lower", config.q_lower),
       vector_field("q_upper", config.q_upper),
+      number_field("hip_inward", config.hip_inward),
       vector_field("dq_max", config.dq_max),
       vector_field("tau_max", config.tau_max),
       vector_field("corner_speed", config.corner_speed),

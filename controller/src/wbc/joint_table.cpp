@@ -15,8 +15,9 @@ JointRow motor_row(const Robot& robot, int motor) {
   row.q = robot.motor_to_q()[motor];
   row.motor = motor;
   row.group = motor / kLegJoints;
-  row.q_lower = c.q_lower[motor];
-  row.q_upper = c.q_upper[motor];
+  const JointRange range = motion_range(c, motor);
+  row.q_lower = range.lower;
+  row.q_upper = range.upper;
   row.dq_max = c.dq_max[motor];
   row.tau_max = c.tau_max[motor];
   row.q_standing = c.q_standing[motor];
