@@ -108,6 +108,21 @@ BOOST_FIXTURE_TEST_CASE(a_foot_off_its_anchor_is_pulled_back_and_damped, Pushed)
   BOOST_TEST((wanted.col(RR_) - expected).norm() < 1e-9);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_foot_far_off_its_anchor_is_pulled_back_at_foot_speed_and_no_faster,
+                        Pushed) {
+  Reference reference = reference_at(robot, state);
+  const Vector3 offset(0.1, -0.2, 0.2);
+  reference.feet[RR_].p_world += offset;
+  Gains gains;
+  gains.foot_speed = 1.0;
+  const Vector3 expected =
+      gains.foot_kd * (offset / offset.norm() - now.legs()[RR_].v_world_contact);
+  BOOST_TEST((feet_accelerations(gains, reference, now).col(RR_) - expected).norm() < 1e-9);
+  gains.foot_kd = 0.0;
+  const Vector3 spring = gains.foot_kp * offset;
+  BOOST_TEST((feet_accelerations(gains, reference, now).col(RR_) - spring).norm() < 1e-9);
+}
+
 // Order is what can go wrong here: q, v, posture and the table each have their own.
 BOOST_FIXTURE_TEST_CASE(joints_that_obey_the_posture_task_end_at_the_posture_each_at_its_own,
                         Pushed) {

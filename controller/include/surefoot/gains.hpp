@@ -23,6 +23,7 @@ struct Gains {
   // Feet: how a stance foot is kept where it stands.
   double foot_kp = 2500.0;
   double foot_kd = 50.0;
+  double foot_speed = 100.0;
   // Joints: those that nothing else decides, and how softly their limits are met.
   double posture_kp = 100.0;
   double posture_kd = 20.0;

@@ -35,6 +35,8 @@ constexpr GainInfo kRows[] = {
     {kFeet, "foot_kp", "1/s^2", 0, 5000, &G::foot_kp,
      "stiffness that returns a foot to its anchor"},
     {kFeet, "foot_kd", "1/s", 0, 500, &G::foot_kd, "damping of a foot that moves"},
+    {kFeet, "foot_speed", "m/s", 0.01, 100, &G::foot_speed,
+     "no foot is returned faster, however far it is off: a leg that is thrown throws the body"},
     {kJoints, "posture_kp", "1/s^2", 0, 5000, &G::posture_kp, "stiffness of the posture task"},
     {kJoints, "posture_kd", "1/s", 0, 500, &G::posture_kd, "damping of the posture task"},
     {kJoints, "joint_limit_rate", "1/s", 1, 200, &G::joint_limit_rate,

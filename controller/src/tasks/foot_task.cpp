@@ -3,13 +3,24 @@
 
 namespace surefoot {
 
+namespace {
+
+// No more than what damping balances at foot_speed; without damping there is no such speed.
+Vector3 pull(const Gains& gains, const Vector3& way) noexcept {
+  const Vector3 pull = gains.foot_kp * way;
+  const double size = pull.norm(), most = gains.foot_kd * gains.foot_speed;
+  return gains.foot_kd > 0.0 && size > most ? Vector3(most / size * pull) : pull;
+}
+
+}  // namespace
+
 FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
                               const Dynamics& dynamics) noexcept {
   FeetMatrix a;
   for (int leg = 0; leg < kLegs; ++leg) {
     const FootReference& foot = reference.feet[leg];
     const LegDynamics& L = dynamics.legs()[leg];
-    a.col(leg) = foot.a_world + gains.foot_kp * (foot.p_world - L.p_world_contact) +
+    a.col(leg) = foot.a_world + pull(gains, foot.p_world - L.p_world_contact) +
                  gains.foot_kd * (foot.v_world - L.v_world_contact);
   }
   return a;
