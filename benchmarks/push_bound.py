@@ -7,9 +7,10 @@ Pushes of 0.1 s through the centre of mass, as those of surefoot assess. Motors 
 torques for one knot of 10 ms (sensors, two periods of the link, motors), then give what brings the
 body to rest in 0.8 s with all feet where they are: torques within their limits, forces within the
 friction cone, the trunk within --tilt of level. It knows when the push ends and its motors have no
-lag, which no controller has; feet that slide or step, a trunk that tilts further and friction in
-the joints, which brakes beyond the motors' torque, may add to it. IPOPT finds a local optimum;
-where it finds none it is said why, without a figure. A minute each; needs CasADi.
+lag, which no controller has, and its joints' angles no limits; feet that slide or step, a trunk
+that tilts further and friction in the joints, which brakes beyond the motors' torque, may add to
+it. IPOPT finds a local optimum; where it finds none it is said why, without a figure. A minute
+each; needs CasADi.
 """
 
 from __future__ import annotations

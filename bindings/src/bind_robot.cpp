@@ -8,6 +8,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
+#include "surefoot/error.hpp"
 #include "surefoot/robot.hpp"
 
 namespace nb = nanobind;
@@ -74,7 +75,7 @@ void bind_config(nb::module_& m) {
       .def_rw("q_lower", &RobotConfig::q_lower, "[rad] SDK and URDF limits, intersected.")
       .def_rw("q_upper", &RobotConfig::q_upper, "[rad] SDK and URDF limits, intersected.")
       .def_rw("hip_inward", &RobotConfig::hip_inward,
-              "[rad] under the trunk, where a thigh meets it: no controller goes there.")
+              "[rad] that hips may turn legs under the trunk: motion_range().")
       .def_rw("dq_max", &RobotConfig::dq_max, "[rad/s].")
       .def_rw("tau_max", &RobotConfig::tau_max, "[N.m] up to corner_speed.")
       .def_rw("corner_speed", &RobotConfig::corner_speed, "[rad/s] torque starts to fall here.")
@@ -84,6 +85,18 @@ void bind_config(nb::module_& m) {
       .def_rw("friction", &RobotConfig::friction, "Coefficient that the controller assumes.")
       .def_rw("gains", &RobotConfig::gains, "This robot's default gains.")
       .def("validate", &RobotConfig::validate, "Raise Error naming the field that is wrong.");
+  m.def(
+      "motion_range",
+      [](const RobotConfig& config, int motor) {
+        if (motor < 0 || motor >= kMotors) {
+          throw Error("motion_range: got motor " + std::to_string(motor) + ", expected 0 .. 11");
+        }
+        const JointRange range = motion_range(config, motor);
+        return std::make_tuple(range.lower, range.upper);
+      },
+      "config"_a, "motor"_a,
+      "Where the program takes a motor, and a body reference: (lower, upper) [rad].\n\n"
+      "q_lower .. q_upper, a hip no further inward than hip_inward. Raises Error.");
   m.def("motor_torque_limit", &motor_torque_limit, "config"_a, "motor"_a, "dq"_a, "sign"_a,
         "Greatest torque [N.m] of a motor in the direction of sign at joint velocity dq [rad/s].");
 }

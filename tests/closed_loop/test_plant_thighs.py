@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a hip's leg comes under the trunk, by the shapes of the model."""
+"""How far b1's hips turn their legs under its trunk, by the shapes of its URDF."""
 
 from __future__ import annotations
 
 import mujoco
-import numpy as np
 import pytest
 import surefoot
 from surefoot.sim import Plant, PlantSettings
 
-MEETS = 0.03  # [rad] beyond hip_inward that b1's thighs meet its trunk within
-THIGHS = np.arange(-0.4, 1.1, 0.1)  # [rad] of the hind legs' that bear, fold or trail
+MEETS = 0.03  # [rad] beyond hip_inward that thighs meet the trunk within
+MET = [0.1 * k for k in range(-4, 6)]  # [rad] angles at which they do, of fore and hind thighs
+CLEAR = [0.1 * k for k in range(-10, 36)]  # [rad] their whole range
 
 
 def touches_trunk(plant: Plant, leg: str, hip: float, thigh: float) -> bool:
@@ -26,10 +26,9 @@ def touches_trunk(plant: Plant, leg: str, hip: float, thigh: float) -> bool:
 
 
 @pytest.mark.parametrize("leg", ["FR", "FL", "RR", "RL"])
-def test_b1s_thighs_stay_clear_of_its_trunk_up_to_hip_inward_and_not_much_further(leg: str) -> None:
+def test_thighs_stay_clear_of_the_trunk_up_to_hip_inward_and_not_much_further(leg: str) -> None:
     plant = Plant("b1", PlantSettings())
-    inward = surefoot.load_robot("b1").config.hip_inward * (1.0 if leg[1] == "R" else -1.0)
-    for thigh in THIGHS:
-        assert not touches_trunk(plant, leg, inward, thigh)
-        if thigh < 0.7:
-            assert touches_trunk(plant, leg, inward + np.sign(inward) * MEETS, thigh)
+    sign = 1.0 if leg[1] == "R" else -1.0
+    inward = surefoot.load_robot("b1").config.hip_inward
+    assert not any(touches_trunk(plant, leg, sign * inward, thigh) for thigh in CLEAR)
+    assert all(touches_trunk(plant, leg, sign * (inward + MEETS), thigh) for thigh in MET)

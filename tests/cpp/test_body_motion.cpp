@@ -21,7 +21,7 @@ Vector6 vector_of(const BodyReference& r) {
 
 // The support frame of a robot that stands level is below its base.
 struct Level {
-  Robot robot = quadruped();
+  Robot robot;
   Gains gains;
   RobotState state = standing_state(robot);
   FeetMatrix feet = contact_points(robot, state.q);
@@ -29,7 +29,8 @@ struct Level {
   StanceKinematics legs{robot};
   double fastest = 0.0, fastest_turn = 0.0, hardest = 0.0;  // of what was seen
   Vector6 last_speed = Vector6::Zero();
-  Level() {
+  Level() : Level(quadruped()) {}
+  explicit Level(const Robot& of) : robot(of) {
     legs.start_from(state.q);
     motion.latch({state.q.head<3>(), Quaternion::Identity()}, center_of_mass(robot, state.q),
                  state.q);
@@ -54,6 +55,11 @@ struct Level {
       room = std::min({room, q - robot.config().q_lower[i], robot.config().q_upper[i] - q});
     }
     return room;
+  }
+  // How far a hip has turned its leg under the trunk, in the pose that is asked for now.
+  double hip_inward(int motor) const {
+    const double q = legs.q()[robot.motor_to_q()[motor]];
+    return motor / 3 % 2 == 1 ? -q : q;
   }
   double support_room() const {
     return SupportPolygon(feet, {true, true, true, true}).margin(motion.p_com().head<2>());
@@ -115,6 +121,20 @@ BOOST_FIXTURE_TEST_CASE(too_low_stops_at_a_knee_and_says_which, Level) {
   BOOST_TEST(joint_room() >= gains.reach_joint_margin - 1e-9);
   BOOST_TEST(joint_room() < gains.reach_joint_margin + 2e-3);
   BOOST_TEST(motion.v_com().norm() == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(sideways_it_stops_at_a_hip_that_may_turn_no_further_inward) {
+  RobotConfig config = quadruped_config();
+  config.hip_inward = 0.3;
+  Level level(quadruped(config));
+  level.motion.set_target({0.0, 0.0, 0.0, 0.45, 0.0, 0.0});
+  level.run(4.0);
+  const ReachStatus status = level.motion.status();
+  BOOST_TEST((status.limit == ReachLimit::kJoint));
+  BOOST_TEST(status.motor % 3 == 0);
+  const double inward = level.gains.reach_joint_margin + level.hip_inward(status.motor);
+  BOOST_TEST(inward <= 0.3 + 1e-9);
+  BOOST_TEST(inward > 0.3 - 2e-3);
 }
 
 BOOST_FIXTURE_TEST_CASE(too_low_stops_where_a_foot_comes_near_its_hips_height, Level) {

@@ -63,6 +63,7 @@ def test_what_was_changed_is_what_is_saved(go1, tmp_path) -> None:
         setattr(gains, info.name, (1 - share) * info.default + share * info.maximum)
     quat = np.array([0.1, 0.2, 0.3, 0.4]) / np.linalg.norm([0.1, 0.2, 0.3, 0.4])
     changes = {"name": "rex", "friction": 1 / 3, "quat_base_imu": quat, "p_base_imu": quat[1:]}
+    changes["hip_inward"] = 0.7
     robot = go1.with_config(gains=gains, **changes).robot
     robot.save(str(tmp_path / "rex.robot"))
     twin = Robot.load(str(tmp_path / "rex.robot")).config

@@ -37,7 +37,15 @@ def test_a_robot_from_a_model_is_the_one_from_its_urdf(name):
     theirs = surefoot.load_robot(name)
     assert ours.serialized_model() == theirs.serialized_model()
     assert ours.config.gains == theirs.config.gains
-    for field in ("q_lower", "q_upper", "tau_max", "p_base_imu", "quat_base_imu", "armature"):
+    for field in (
+        "q_lower",
+        "q_upper",
+        "hip_inward",
+        "tau_max",
+        "p_base_imu",
+        "quat_base_imu",
+        "armature",
+    ):
         np.testing.assert_array_equal(getattr(ours.config, field), getattr(theirs.config, field))
 
 

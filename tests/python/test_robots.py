@@ -105,9 +105,21 @@ def test_position_limits_never_leave_the_urdfs_and_hold_the_pose(body) -> None:
     assert (config.q_standing < config.q_upper).all()
 
 
+def test_the_program_takes_hips_no_further_inward_than_hip_inward(go1) -> None:
+    config = go1.robot.config
+    config.hip_inward = 0.4
+    lower, upper = config.q_lower, config.q_upper
+    upper[[0, 6]], lower[[3, 9]] = 0.4, -0.4  # right legs come under the trunk by positive angles
+    ranges = [surefoot.motion_range(config, motor) for motor in range(12)]
+    assert ranges == list(zip(lower, upper, strict=True))
+    assert surefoot.load_robot("b1").config.hip_inward == 0.4
+    with pytest.raises(surefoot.Error, match=r"got motor 12, expected 0 \.\. 11"):
+        surefoot.motion_range(config, 12)
+
+
 def test_a_standing_pose_beyond_hip_inward_is_refused(load, toml: str) -> None:
     pose = changed(toml, "[0.0, 0.8, -1.6]", "[-0.3, 0.8, -1.6]")
-    with pytest.raises(surefoot.Error, match=r"hip_inward: got 0.2.*FL_hip_joint, -0.3"):
+    with pytest.raises(surefoot.Error, match=r"hip_inward: got 0\.2.*least 0\.3, where FL_hip"):
         load(changed(pose, "[limits]", "[limits]\nhip_inward = 0.2"))
 
 
@@ -230,6 +242,7 @@ def test_half_a_description_is_refused(arguments) -> None:
         ("hip = [-1.047, 1.047]", "hp = [-1.0, 1.0]", ["limits.hp", "mean 'hip'"]),
         ("[limits]", "[limits]\nhip_inward = 0.0", ["hip_inward: got 0", "a number > 0, in rad"]),
         ("[limits]", "[limits]\nhip_inward = nan", ["hip_inward: got nan", "a number > 0"]),
+        ("[limits]", "[limits]\nhip_inward = -0.4", ["hip_inward: got -0.4", "a number > 0"]),
         ("[limits]", "[limits]\nhip_inward = [1]", ["limits.hip_inward: got [1]", "in rad"]),
         ("armature = [0.00403,", "armature = [-0.004,", ["armature of FR_hip_joint: got -0.004"]),
         ("corner_fraction = 0.5", "corner_fraction = 1.5", ["corner_speed", "no_load_speed"]),

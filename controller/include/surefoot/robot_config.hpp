@@ -22,7 +22,7 @@ struct RobotConfig {
 
   Vector12 q_lower = Vector12::Zero();        ///< [rad] SDK and URDF limits, intersected
   Vector12 q_upper = Vector12::Zero();        ///< [rad]
-  double hip_inward = 3.2;                    ///< [rad] under the trunk, where a thigh meets it
+  double hip_inward = 3.2;                    ///< [rad] that hips may turn legs under the trunk
   Vector12 dq_max = Vector12::Zero();         ///< [rad/s]
   Vector12 tau_max = Vector12::Zero();        ///< [N.m] up to corner_speed
   Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] torque starts to fall here ...
@@ -42,9 +42,9 @@ struct JointRange {
   double lower, upper;
 };
 
-/// Where a controller may take motor `i`: q_lower .. q_upper, a hip no further inward than
-/// hip_inward. What judges or protects has q_lower and q_upper: beyond hip_inward nothing breaks
-/// and no sensor lies, but the trunk bears on a thigh that the dynamics take for free.
+/// Where the program takes motor `i`, and a body reference: q_lower .. q_upper, a hip no further
+/// inward than hip_inward. Beyond it the trunk bears on a thigh that the dynamics take for free.
+/// What judges angles or protects has q_lower and q_upper: a joint may well be pushed there.
 /// Real-time: yes.
 JointRange motion_range(const RobotConfig& config, int i) noexcept;
 

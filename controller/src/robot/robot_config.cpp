@@ -63,7 +63,7 @@ void check_positions(const RobotConfig& config) {
     const JointRange range = motion_range(config, i);
     if (!(q >= range.lower && q <= range.upper)) {
       fail(config, "hip_inward", to_text(config.hip_inward),
-           "more than the standing pose of " + config.joint_names[i] + ", " + to_text(q));
+           "at least " + to_text(std::abs(q)) + ", where " + config.joint_names[i] + " stands");
     }
     if (!(config.corner_speed[i] < config.no_load_speed[i])) {
       fail(config, "corner_speed of " + config.joint_names[i], to_text(config.corner_speed[i]),
@@ -81,12 +81,12 @@ void RobotConfig::validate() const {
   check_positive(*this, "corner_speed", corner_speed, true);
   check_positive(*this, "no_load_speed", no_load_speed, false);
   check_positive(*this, "armature", armature, true);
+  if (!(std::isfinite(hip_inward) && hip_inward > 0.0)) {
+    fail(*this, "hip_inward", to_text(hip_inward), "a number > 0, in rad");
+  }
   check_positions(*this);
   if (!(std::isfinite(foot_radius) && foot_radius >= 0.0 && foot_radius < 0.2)) {
     fail(*this, "foot radius", to_text(foot_radius), "0 .. 0.2 m");
-  }
-  if (!(std::isfinite(hip_inward) && hip_inward > 0.0)) {
-    fail(*this, "hip_inward", to_text(hip_inward), "a number > 0, in rad");
   }
   if (!(std::isfinite(friction) && friction > 0.0 && friction <= 2.0)) {
     fail(*this, "friction", to_text(friction), "0 < friction <= 2");

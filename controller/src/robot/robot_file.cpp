@@ -115,7 +115,10 @@ void read_config(const std::string& path, std::istream& in, RobotConfig& config)
     std::getline(in, line);
     std::istringstream words(line);
     words >> key;
-    if (key != field.key) fail(path, "got field '" + key + "', expected '" + field.key + "'");
+    if (key != field.key) {
+      fail(path, "got field '" + key + "', expected '" + field.key +
+                     "'; if another version wrote it, write it again with 'surefoot export'");
+    }
     field.read(words);
     if (words.fail()) fail(path, "field '" + key + "' cannot be read: '" + line + "'");
   }

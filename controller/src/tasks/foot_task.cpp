@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tasks/foot_task.hpp"
 
+#include <algorithm>
+
 namespace surefoot {
 
 namespace {
 
-// No more than what damping balances at foot_speed; without damping there is no such speed.
+constexpr double kLeastDamping = 1.0;  // [1/s] for which a foot that is not damped is taken
+
+// No more than what damping balances at foot_speed.
 Vector3 pull(const Gains& gains, const Vector3& way) noexcept {
   const Vector3 pull = gains.foot_kp * way;
-  const double size = pull.norm(), most = gains.foot_kd * gains.foot_speed;
-  return gains.foot_kd > 0.0 && size > most ? Vector3(most / size * pull) : pull;
+  const double most = std::max(gains.foot_kd, kLeastDamping) * gains.foot_speed;
+  const double size = pull.norm();
+  return size > most ? Vector3(most / size * pull) : pull;
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ struct JointRow {
 /// The joints in the program's order: SDK motors first, then any others of the model.
 using JointTable = std::vector<JointRow>;
 
-/// Limits of the twelve come from the configuration, of the others from the model.
+/// Limits of the twelve come from the configuration, ranges as motion_range() has them, of the
+/// others from the model.
 JointTable make_joint_table(const Robot& robot);
 
 }  // namespace surefoot
