@@ -37,8 +37,7 @@ constexpr GainInfo kRows[] = {
     {kFeet, "foot_kd", "1/s", 0, 500, &G::foot_kd, "damping of a foot that moves"},
     {kFeet, "foot_speed", "m/s", 0.01, 100, &G::foot_speed,
      "the return's greatest speed, however far a foot is off: a leg that is thrown throws the "
-     "body; "
-     "100: as fast as foot_kp has it"},
+     "body; 100: as fast as foot_kp has it"},
     {kJoints, "posture_kp", "1/s^2", 0, 5000, &G::posture_kp, "stiffness of the posture task"},
     {kJoints, "posture_kd", "1/s", 0, 500, &G::posture_kd, "damping of the posture task"},
     {kJoints, "joint_limit_rate", "1/s", 1, 200, &G::joint_limit_rate,
