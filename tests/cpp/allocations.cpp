@@ -67,6 +67,8 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   options.power_limit = 150.0;
   Gains gains;
   gains.weight_momentum = gains.weight_posture = gains.weight_smooth = 0.01;
+  gains.foot_step = 0.2;
+  gains.edge_rise = 0.8;
   StandController controller(robot, gains, options);
   controller.add_task(std::make_shared<UserTask>());
   Weather weather(robot);

@@ -110,22 +110,43 @@ BOOST_FIXTURE_TEST_CASE(a_tilted_body_is_turned_back_slowly_at_the_edge, Pressin
   BodyDemand demand;
   demand.alpha = Vector3(-300.0, 400.0, 50.0);
   const Vector3 asked = demand.alpha;
-  bound_at_edge(gains, 1.0, length, demand);
+  bound_at_edge(gains, 1.0, length, 0.0, demand);
   BOOST_TEST((demand.alpha == asked));
   double before = std::numeric_limits<double>::infinity();
   for (double fade = 1.0; fade >= 0.0; fade -= 0.1) {
-    bound_at_edge(gains, fade, length, demand);
+    bound_at_edge(gains, fade, length, 0.0, demand);
     const double turning = demand.alpha.head<2>().norm();
     BOOST_TEST(turning <= before);
     BOOST_TEST(std::abs(demand.alpha.x() * asked.y() - demand.alpha.y() * asked.x()) < 1e-9);
     before = turning;
   }
   BOOST_TEST(demand.alpha.z() == asked.z());
-  bound_at_edge(gains, 0.0, length, demand);
+  bound_at_edge(gains, 0.0, length, 0.0, demand);
   BOOST_TEST(demand.alpha.head<2>().norm() == slowly, boost::test_tools::tolerance(1e-9));
   demand.alpha = Vector3(0.5 * slowly, 0.0, 0.0);
-  bound_at_edge(gains, 0.0, length, demand);
+  bound_at_edge(gains, 0.0, length, 0.0, demand);
   BOOST_TEST(demand.alpha.x() == 0.5 * slowly);
+}
+
+// Feet that turn it back throw it up, and off the ground nothing brakes.
+BOOST_FIXTURE_TEST_CASE(a_tilted_body_that_rises_fast_is_not_turned_back, Pressing) {
+  const double length = 0.3;
+  const Vector3 asked(-300.0, 400.0, 50.0);
+  const auto turning = [&](double v_up) {
+    BodyDemand demand;
+    demand.alpha = 1e6 * asked;
+    bound_at_edge(gains, 0.0, length, v_up, demand);
+    BOOST_TEST(demand.alpha.z() == 1e6 * asked.z());
+    return demand.alpha.head<2>().norm() * length / kGravity;
+  };
+  const auto close = boost::test_tools::tolerance(1e-9);
+  BOOST_TEST(turning(2.0) == 1.0, close);  // the default's edge_rise: as ever
+  gains.edge_rise = 0.8;
+  BOOST_TEST(turning(-1.0) == 1.0, close);
+  BOOST_TEST(turning(0.3) == 1.0, close);
+  BOOST_TEST(turning(0.55) == 0.5, close);
+  BOOST_TEST(turning(0.8) == 0.0);
+  BOOST_TEST(turning(2.0) == 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -24,6 +24,7 @@ struct Gains {
   double foot_kp = 2500.0;
   double foot_kd = 50.0;
   double foot_speed = 100.0;
+  double foot_step = 0.0;
   // Joints: those that nothing else decides, and how softly their limits are met.
   double posture_kp = 100.0;
   double posture_kd = 20.0;
@@ -48,6 +49,7 @@ struct Gains {
   double edge_margin = 0.06;
   double edge_tilt = 0.05;
   double edge_load = 0.3;
+  double edge_rise = 100.0;
   double force_max_contact = 3.0;
   double force_lost_contact = 0.3;
   double share_lost_contact = 0.3;

@@ -19,7 +19,7 @@ struct ReachVerdict {
 /// every foot at least reach_foot_depth below its hip axis; the centre of mass, projected along
 /// gravity, at least reach_support_margin inside the polygon of the feet. For standing this stands
 /// in for self-collision constraints: legs that keep their feet in place and their joints in range
-/// do not meet. Real-time: yes.
+/// do not meet (those of a robot that steps, foot_step, may). Real-time: yes.
 class Reach {
  public:
   explicit Reach(const Robot& robot) : robot_(robot), kinematics_(robot) {}

@@ -10,12 +10,14 @@ namespace surefoot {
 namespace {
 
 constexpr double kAirTime = 0.2;    // [s] how slowly legs that hang in the air come to their pose
+constexpr double kHeld = 0.8;       // share in the air from which on a robot is carried, not thrown
 constexpr double kAirReach = 0.15;  // of the standing height that they reach further down
 
 }  // namespace
 
 void StandReference::latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept {
   rolling_.reset();
+  steps_.reset();
   support_.latch(contact_points(dynamics));
   const Matrix3 R = support_.R_world_support().transpose();
   const LatchedPose pose{R * (dynamics.p_world_base() - support_.origin()),
@@ -29,7 +31,16 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   Eigen::Vector4d contact = believed;
   if (three_.lost() != ThreeFeet::kNone) contact[three_.lost()] = 0.0;
   rolling_.update(dynamics, support_.normal(), contact, dt);
-  support_.update(contact_points(dynamics) - rolling_.way(), contact, dt);
+  const FeetMatrix p = contact_points(dynamics) - rolling_.way();
+  FeetMatrix seen = p;
+  Eigen::Vector4d standing = contact;
+  steps_.hide_swinging(support_, seen, standing);
+  support_.update(seen, standing, dt);
+  if (three_.lost() == ThreeFeet::kNone && airborne_ < kHeld) {
+    steps_.update(gains, dynamics, p, contact, support_, dt);
+  } else {
+    steps_.stop(dt);
+  }
   const Matrix3& R = support_.R_world_support();
   motion_.step(gains, support_.places(), -R.row(2).transpose(), dt);
   three_.step(support_.places(), motion_.p_com(), dt);
@@ -45,8 +56,8 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   reference_.w_world_base = R * motion_.w_base();
   reference_.ground_normal = support_.normal();
   for (int leg = 0; leg < kLegs; ++leg) {
-    reference_.feet[leg].p_world =
-        support_.origin() + R * support_.places().col(leg) + rolling_.way().col(leg);
+    reference_.feet[leg].p_world = support_.origin() + R * support_.places().col(leg) +
+                                   steps_.way().col(leg) + rolling_.way().col(leg);
   }
   if (three_.lost() != ThreeFeet::kNone) leave(three_.lost(), dynamics);
   reference_.alpha_world_base = R * motion_.alpha_base();

@@ -3,6 +3,7 @@
 
 #include "dynamics/dynamics.hpp"
 #include "reference/body_motion.hpp"
+#include "reference/foot_steps.hpp"
 #include "reference/rolling.hpp"
 #include "reference/support_frame.hpp"
 #include "reference/three_feet.hpp"
@@ -16,7 +17,8 @@ namespace surefoot {
 /// rolled in the last seconds: base pose, centre of mass and the feet's own places. The IMU's slow
 /// errors move that frame and the body together and so cannot lean the robot. While no foot bears
 /// anything the frame goes with the body, and the legs of a robot that is lifted come back to its
-/// standing pose. Real-time: yes.
+/// standing pose. Feet that a push throws up near the edge of balance step, see FootSteps.
+/// Real-time: yes.
 class StandReference {
  public:
   explicit StandReference(const Robot& robot)
@@ -29,6 +31,7 @@ class StandReference {
     reference_ = {};
     motion_.reset();
     three_.reset();
+    steps_.reset();
     airborne_ = 0.0;
   }
   /// From now on this leg's foot bears nothing; until reset().
@@ -50,6 +53,7 @@ class StandReference {
   BodyMotion motion_;
   SupportFrame support_;
   Rolling rolling_;
+  FootSteps steps_;
   ThreeFeet three_;
   double airborne_ = 0.0;  // share by which the frame goes with the body
   Reference reference_;

@@ -27,10 +27,14 @@ class SupportFrame {
     origin_ += share * (p_world_body - R_ * place - origin_);
   }
 
+  /// Move a foot's place. @param way world
+  void move(int leg, const Vector3& way) noexcept { places_.col(leg) += R_.transpose() * way; }
+
   const Vector3& origin() const noexcept { return origin_; }  ///< [m] world
   const Matrix3& R_world_support() const noexcept { return R_; }
   Vector3 normal() const noexcept { return R_.col(2); }
   const FeetMatrix& places() const noexcept { return places_; }  ///< [m] support axes
+  FeetMatrix p_world_places() const noexcept { return (R_ * places_).colwise() + origin_; }
 
  private:
   void tilt(const FeetMatrix& from_mean, const FeetMatrix& places, const Eigen::Vector4d& weight,

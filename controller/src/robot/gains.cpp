@@ -38,6 +38,9 @@ constexpr GainInfo kRows[] = {
     {kFeet, "foot_speed", "m/s", 0.01, 100, &G::foot_speed,
      "the return's greatest speed, however far a foot is off: a leg that is thrown throws the "
      "body; 100: as fast as foot_kp has it"},
+    {kFeet, "foot_step", "m", 0, 0.5, &G::foot_step,
+     "farthest that a foot thrown off the ground is put down from its place, towards the capture "
+     "point near the support's edge; 0: it comes back to its place"},
     {kJoints, "posture_kp", "1/s^2", 0, 5000, &G::posture_kp, "stiffness of the posture task"},
     {kJoints, "posture_kd", "1/s", 0, 500, &G::posture_kd, "damping of the posture task"},
     {kJoints, "joint_limit_rate", "1/s", 1, 200, &G::joint_limit_rate,
@@ -80,6 +83,9 @@ constexpr GainInfo kRows[] = {
     {kProgram, "edge_load", "m g", 0, 0.9, &G::edge_load,
      "least load planned for all feet at the edge (0.35 less away from it): a body on its way down "
      "again brakes no push"},
+    {kProgram, "edge_rise", "m/s", 0.1, 100, &G::edge_rise,
+     "upward speed at which a tilted body is no longer asked back nor its turning damped, and from "
+     "3/8 of which on less: that would throw it further up; 100: however fast it rises"},
     {kProgram, "force_max_contact", "m g", 0.3, 10, &G::force_max_contact,
      "greatest normal force of a foot in contact"},
     {kProgram, "force_lost_contact", "m g", 0.05, 1, &G::force_lost_contact,

@@ -19,9 +19,11 @@ double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& 
 /// brakes: the feet keep edge_load, and little less away from the edge, for a body that was asked
 /// to fall there is still falling as it comes near. They tilt it as well, and turning it back at
 /// once takes the very force that brakes, or more: it comes back slowly until the body is inside
-/// again.
+/// again. The feet that turn it back also throw it further up: not while it rises fast.
 /// @param fade as edge_fade() has it
 /// @param length [m] hips over the ground: angles are asked back by g / length at most
-void bound_at_edge(const Gains& gains, double fade, double length, BodyDemand& demand) noexcept;
+/// @param v_up [m/s] of the centre of mass: a body that rises is asked back less, see edge_rise
+void bound_at_edge(const Gains& gains, double fade, double length, double v_up,
+                   BodyDemand& demand) noexcept;
 
 }  // namespace surefoot

@@ -86,7 +86,7 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
                              const Reference& reference, double fade) noexcept {
   const bool base = reference.body_point == BodyPoint::kBase;
   BodyDemand demand = body_demand(gains, robot_.mass(), dynamics, state, reference);
-  bound_at_edge(gains, fade, units_.length, demand);
+  bound_at_edge(gains, fade, units_.length, dynamics.v_world_com().z(), demand);
   auto& [position, orientation, momentum] = terms_.body;
   position = base ? base_position_task(gains, demand.a, dynamics)
                   : com_task(gains, demand.a, state.f_outside, robot_.mass());

@@ -115,6 +115,7 @@ def same_gains(gains: Gains) -> Gains:
     gains.weight_posture = WEIGHT_POSTURE
     gains.edge_tilt = 1.0
     gains.edge_load = 0.0
+    gains.edge_rise = 100.0
     gains.hold_down = 0.0
     return gains
 

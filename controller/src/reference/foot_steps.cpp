@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference/foot_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/capture_margin.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kNear = 0.65;       // share of edge_margin inside the edge from which on feet step
+constexpr double kMoving = 0.1;      // [h] that the capture point is ahead of a body to step for
+constexpr double kLeft = 0.3;        // belief under which a foot has left the ground
+constexpr double kLanded = 0.5;      // and over which it is back
+constexpr double kSwing = 0.6;       // [sqrt(h / g)] until it is pressed down; h: of the body
+constexpr double kLift = 0.08;       // [h] that it is lifted by
+constexpr double kPress = 0.1;       // [h] under the ground that it is pressed to
+constexpr double kSpeed = 1.0;       // [sqrt(g h)] of a foot's goal
+constexpr double kPlaceTime = 0.05;  // [s] how slowly a place comes to a foot that has stepped
+constexpr double kStopTime = 0.2;    // [s] how slowly feet come back that are not to step
+
+double height_over(const FeetMatrix& p_world_feet, const Dynamics& dynamics) noexcept {
+  return std::max(dynamics.p_world_com().z() - p_world_feet.row(2).mean(), 0.05);
+}
+
+// Its share in the plane of the feet.
+Vector3 flat(const Vector3& way, const Vector3& normal) noexcept {
+  return way - normal.dot(way) * normal;
+}
+
+}  // namespace
+
+void FootSteps::update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& p_world_feet,
+                       const Eigen::Vector4d& contact, SupportFrame& support, double dt) noexcept {
+  if (gains.foot_step <= 0.0) return stop(dt);
+  const FeetMatrix from_place = p_world_feet - support.p_world_places();
+  const double height = height_over(p_world_feet, dynamics);
+  judge_edge(gains, dynamics, support, height);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    judge_foot(leg, contact[leg], flat(from_place.col(leg), support.normal()));
+    if (swinging_[leg]) {
+      swing(leg, from_place.col(leg), support.normal(), height, dt);
+    } else {
+      const Vector3 come = dt / (dt + kPlaceTime) * way_.col(leg);
+      support.move(leg, come);
+      way_.col(leg) -= come;
+    }
+  }
+}
+
+void FootSteps::stop(double dt) noexcept {
+  swinging_.fill(false);
+  way_ *= 1.0 - dt / (dt + kStopTime);
+}
+
+void FootSteps::hide_swinging(const SupportFrame& support, FeetMatrix& p_world_feet,
+                              Eigen::Vector4d& contact) const noexcept {
+  const FeetMatrix places = support.p_world_places();
+  p_world_feet -= way_;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!swinging_[leg]) continue;
+    p_world_feet.col(leg) = places.col(leg);
+    contact[leg] = 0.0;
+  }
+}
+
+// How near the capture point is to the edge of the places, and the stride that this asks for.
+void FootSteps::judge_edge(const Gains& gains, const Dynamics& dynamics,
+                           const SupportFrame& support, double height) noexcept {
+  const Eigen::Vector2d capture = capture_point(dynamics);
+  const SupportPolygon polygon(support.p_world_places(), {true, true, true, true});
+  near_ = 1.0 - std::clamp(polygon.margin(capture) / gains.edge_margin, 0.0, 1.0);
+  const Vector3 p_com = dynamics.p_world_com();
+  moving_ = (capture - p_com.head<2>()).norm() > kMoving * height;
+  Vector3 gone = Vector3::Zero();
+  gone.head<2>() = capture - support.origin().head<2>();
+  stride_ = near_ * flat(gone, support.normal());
+  stride_ *= std::min(1.0, gains.foot_step / std::max(stride_.norm(), 1e-6));
+}
+
+// Has it left the ground, or landed? Where it landed it stays.
+void FootSteps::judge_foot(int leg, double contact, const Vector3& from_place) noexcept {
+  if (!swinging_[leg] && moving_ && contact < kLeft && near_ > 1.0 - kNear) {
+    swinging_[leg] = true;
+    age_[leg] = 0.0;
+  } else if (swinging_[leg] && contact > kLanded) {
+    swinging_[leg] = false;
+    way_.col(leg) = from_place;
+  }
+}
+
+void FootSteps::swing(int leg, const Vector3& from_place, const Vector3& normal, double height,
+                      double dt) noexcept {
+  age_[leg] += dt;
+  Vector3 along = flat(way_.col(leg), normal);
+  double up = -kPress * height;
+  if (age_[leg] < kSwing * std::sqrt(height / kGravity)) {
+    const Vector3 left = stride_ - along;
+    const double most = kSpeed * std::sqrt(kGravity * height) * dt;
+    along += left * std::min(1.0, most / std::max(left.norm(), most));
+    up = std::min(kLift * height, flat(stride_ - from_place, normal).norm() + up);
+  }
+  way_.col(leg) = along + up * normal;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "dynamics/dynamics.hpp"
+#include "reference/support_frame.hpp"
+#include "surefoot/gains.hpp"
+
+namespace surefoot {
+
+/// Where a foot that was thrown off the ground is put down.
+///
+/// While it can be afforded, at its place. With the capture point near the support's edge the feet
+/// that stand have nothing left to brake with: a foot that bears next to nothing is lifted, goes
+/// the way that the capture point has gone, by foot_step at most, and is pressed to the ground
+/// before the body has got much further. Where it lands it stays, and its place in the support
+/// comes to it. No foot is unloaded for that: the push does it, and the program's answer to the
+/// push. All feet that are free go the same way, so the legs do not cross. Real-time: yes. Source:
+/// Pratt et al. 2006, of stepping where the capture point is.
+class FootSteps {
+ public:
+  void reset() noexcept { *this = {}; }
+
+  /// @param p_world_feet contact points, less what they rolled
+  /// @param contact belief per foot, 0 .. 1
+  /// @param support its places are moved to where feet have landed
+  void update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& p_world_feet,
+              const Eigen::Vector4d& contact, SupportFrame& support, double dt) noexcept;
+
+  /// Of a robot that hangs in the air, or has lost a leg: no foot swings, and those that do come
+  /// back to their places.
+  void stop(double dt) noexcept;
+
+  /// [m] from each foot's place to where it belongs now, world
+  const FeetMatrix& way() const noexcept { return way_; }
+
+  /// What the feet tell of the support: those that swing nothing, they are not where they belong.
+  void hide_swinging(const SupportFrame& support, FeetMatrix& p_world_feet,
+                     Eigen::Vector4d& contact) const noexcept;
+
+ private:
+  void judge_edge(const Gains& gains, const Dynamics& dynamics, const SupportFrame& support,
+                  double height) noexcept;
+  void judge_foot(int leg, double contact, const Vector3& from_place) noexcept;
+  void swing(int leg, const Vector3& from_place, const Vector3& normal, double height,
+             double dt) noexcept;
+
+  FeetMatrix way_ = FeetMatrix::Zero();
+  Vector3 stride_ = Vector3::Zero();  // [m] that the capture point asks for, world, in the support
+  double near_ = 0.0;                 // share: 1 with the capture point at the edge, 0 far inside
+  bool moving_ = false;               // fast enough that where it goes is not where it is
+  std::array<bool, kLegs> swinging_{};
+  std::array<double, kLegs> age_{};  // [s] of a swing
+};
+
+}  // namespace surefoot

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""b1 puts feet that a push threw off the ground where they catch it, and only if it must."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from surefoot import StandController, load_robot
+from surefoot.assess import Condition, Contestant
+from surefoot.assess.push_limits import Limits
+from surefoot.assess.push_run import Outcome, judge
+from surefoot.assess.rollout import Track
+from surefoot.assess.unit import PushUnit
+from surefoot.gain_files import gain_values, gains_of
+
+LEVEL = Condition("level ground")
+STILL = 0.002  # [m] that feet and base move by at most in the last half second
+HARD = ((157.5, 1), (202.5, 2))  # heading [deg] and seed
+
+
+def pushed(heading: float, seed: int, level: float, foot_step: float) -> tuple[Track, Outcome]:
+    """Push b1 for 0.1 s by a share of its own limit [%]."""
+    robot = load_robot("b1")
+    gains = gains_of({**gain_values(robot.config.gains), "foot_step": foot_step})
+    limit = Limits(robot).of(LEVEL, heading, 0.1, 0.0).own
+    unit = PushUnit(LEVEL, heading, 0.1, 0.0, seed, limit)
+    contestant = Contestant("stepping", factory=lambda _: StandController(robot, gains))
+    track = unit.play("b1", contestant, level)
+    return track, judge(track, LEVEL.quiet_s, 0.1)
+
+
+@pytest.mark.parametrize(("heading", "seed"), HARD)
+def test_a_push_that_throws_its_feet_up_is_survived_by_stepping(heading: float, seed: int) -> None:
+    foot_step = load_robot("b1").config.gains.foot_step
+    track, outcome = pushed(heading, seed, 97.5, foot_step)
+    assert outcome.survived and outcome.foot_mm > 50.0
+    last = slice(-round(0.5 * track.rate), None)
+    assert np.ptp(track.base[last, :3], axis=0).max() < STILL
+    assert np.ptp(track.feet[last], axis=0).max() < STILL
+
+
+def test_with_its_feet_called_back_to_where_they_were_it_falls() -> None:
+    assert not any(pushed(*push, 97.5, 0.0)[1].survived for push in HARD)
+
+
+@pytest.mark.parametrize("heading", [0.0, 22.5, 157.5, 202.5])
+def test_what_feet_that_stay_can_brake_moves_none(heading: float) -> None:
+    foot_step = load_robot("b1").config.gains.foot_step
+    assert pushed(heading, 0, 75.0, foot_step)[1].strict
