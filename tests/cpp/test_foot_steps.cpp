@@ -2,7 +2,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include "leaning.hpp"
-#include "reference/capture_margin.hpp"
 #include "reference/foot_steps.hpp"
 
 using namespace surefoot;

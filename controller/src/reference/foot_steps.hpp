@@ -16,8 +16,9 @@ namespace surefoot {
 /// the way that the capture point has gone, by foot_step at most, and is pressed to the ground
 /// before the body has got much further. Where it lands it stays, and its place in the support
 /// comes to it. No foot is unloaded for that: the push does it, and the program's answer to the
-/// push. All feet that are free go the same way, so the legs do not cross. Real-time: yes. Source:
-/// Pratt et al. 2006, of stepping where the capture point is.
+/// push. All free feet are given the same stride; nothing keeps a leg from meeting one that stands.
+/// Real-time: yes.
+/// Source: Pratt et al. 2006, of stepping where the capture point is.
 class FootSteps {
  public:
   void reset() noexcept { *this = {}; }
