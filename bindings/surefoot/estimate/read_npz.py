@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +9,7 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.estimate.columns import REPLAY, RUN, Column
 from surefoot.estimate.slots import Slots
+from surefoot.npz_damage import DAMAGED_NPZ
 from surefoot.row_rotations import Array
 
 
@@ -22,7 +22,7 @@ def read_npz(path: Path) -> tuple[dict[str, Array], list[str]]:
     try:
         with np.load(path, allow_pickle=False) as file:
             return _take(path, file)
-    except (ValueError, EOFError, zipfile.BadZipFile) as problem:
+    except DAMAGED_NPZ as problem:
         raise Error(f"{path}: got no NPZ file of numbers ({problem}), expected one") from None
 
 

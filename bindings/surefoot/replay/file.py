@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import zipfile
-import zlib
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -14,19 +12,11 @@ import numpy as np
 from surefoot._core import Error, LowCmd, LowState
 from surefoot.estimate.columns import REPLAY
 from surefoot.estimate.tables import write_npz
+from surefoot.npz_damage import DAMAGED_NPZ
 from surefoot.replay.tape import Call, Tape
 
 _REPORTS, _COMMANDS, _HEAD = (f"{REPLAY}{name}" for name in ("reports", "commands", "head"))
 _FORMAT = 1
-# What numpy and the modules below it raise at files that are damaged.
-_DAMAGED = (
-    ValueError,
-    KeyError,
-    EOFError,
-    RuntimeError,  # NotImplementedError is one: a compression that there is not
-    zipfile.BadZipFile,
-    zlib.error,
-)
 _KEYS = {"kind": str, "robot": str, "gains": dict, "options": dict, "build": str, "calls": list}
 
 
@@ -61,7 +51,7 @@ def read_tape(path: str | Path) -> Tape:
             reports, commands, head = file[_REPORTS], file[_COMMANDS], json.loads(str(file[_HEAD]))
     except OSError as problem:
         raise Error(f"log: cannot read '{path}': {problem.strerror or problem}") from None
-    except _DAMAGED as problem:
+    except DAMAGED_NPZ as problem:
         raise Error(f"{path}: got no NPZ file of a replay ({problem}), expected one") from None
     return _check(path, reports, commands, head)
 

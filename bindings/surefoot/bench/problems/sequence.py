@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import Error, QpProblem
+from surefoot.npz_damage import DAMAGED_NPZ
 
 Array = npt.NDArray[np.float64]
 FORMAT = "surefoot-qp-sequence-1"
@@ -86,7 +87,7 @@ def load_sequence(path: Path) -> Sequence:
             meta = json.loads(str(file["meta"]))
             arrays = {name: file[name] for name in _ARRAYS}
             tick = file["tick"]
-    except (OSError, ValueError, KeyError) as problem:
+    except (OSError, *DAMAGED_NPZ) as problem:
         raise Error(f"{path}: got {problem}, expected a sequence of programs (.npz)") from None
     if meta.get("format") != FORMAT:
         raise Error(f"{path}: got the format {meta.get('format')!r}, expected '{FORMAT}'")
