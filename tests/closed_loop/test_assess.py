@@ -42,7 +42,7 @@ def contestant(name: str) -> Contestant:
 # The sweep.
 
 
-@pytest.mark.parametrize("first", [10.0, 20.0])
+@pytest.mark.parametrize("first", [10.0, 20.0, 60.0])
 @pytest.mark.parametrize("survives", [*np.arange(0.0, 202.5, 2.5)])
 def test_a_sweep_finds_the_last_level_below_which_all_pass(first: float, survives: float) -> None:
     strict = min(47.0, 0.8 * survives)
@@ -50,12 +50,20 @@ def test_a_sweep_finds_the_last_level_below_which_all_pass(first: float, survive
     assert done.largest("survived") == survives
     assert strict - 2.5 < done.largest("strict") <= strict
     assert set(np.arange(first, min(survives + 20.0, 200.0), 20.0)) <= set(done.tried)
-    assert len(done.tried) <= survives / 20.0 + 10
+    # A sweep that begins above what passes goes up from nothing.
+    missed = ((survives < first) + (strict < first)) * first / 5.0
+    assert len(done.tried) <= survives / 20.0 + 10 + missed
+
+
+def test_a_sweep_is_as_fine_as_is_asked() -> None:
+    done = sweep(lambda level: Outcome(level < 109.0, level < 71.0, 0.0, 0.0, 0.0), finest=5.0)
+    assert (done.largest("survived"), done.largest("strict")) == (105.0, 70.0)
+    assert all(level % 5.0 == 0.0 for level in done.tried)
 
 
 def test_seeds_take_turns_at_the_coarse_levels() -> None:
     passes, tried = Outcome(True, True, 0.0, 0.0, 0.0), set[float]()
-    for seed in (6, 7):
+    for seed in range(6, 12):
         tried |= set(sweep(lambda level: passes, first_level(seed)).tried)
     assert tried == set(np.arange(10.0, 210.0, 10.0))
 

@@ -10,10 +10,12 @@ from surefoot.assess.contestant import REFERENCES, Contestant
 from surefoot.assess.crew import Work
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.settings import AssessSettings
+from surefoot.assess.sweep import FINEST
 from surefoot.assess.unit import FaultUnit, PushUnit, StandUnit
 from surefoot.faults import choose_cells
 
 LENGTH, LIFT = 0.1, 0.0  # [s], [m] of the pushes under further conditions and of references
+OTHER = 5.0  # [%] step of sweeps with other lengths and lifts, which are most of a full card
 BRIEF = ("*/standing",)  # cells of the matrix of faults in brief
 
 
@@ -91,10 +93,10 @@ def _around(
     seeds: range,
     limits: Limits,
 ) -> list[PushUnit]:
+    finest = FINEST if (duration, lift) == (LENGTH, LIFT) else OTHER
+    limit = {angle: limits.of(condition, angle, duration, lift).own for angle in degrees}
     return [
-        PushUnit(
-            condition, angle, duration, lift, seed, limits.of(condition, angle, duration, lift).own
-        )
+        PushUnit(condition, angle, duration, lift, seed, limit[angle], finest)
         for angle in degrees
         for seed in seeds
     ]

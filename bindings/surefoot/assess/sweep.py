@@ -12,7 +12,9 @@ from surefoot.assess.push_run import Outcome
 LOWEST = 10.0  # [%] of the robot's own limit
 HIGHEST = 200.0  # [%]
 COARSE = 20.0  # [%]
+TURNS = 6  # seeds begin at LOWEST and up to so many times it, in turns
 FINE = 5.0, 2.5  # [%] one after the other
+FINEST = FINE[-1]
 
 
 @dataclass
@@ -40,11 +42,11 @@ class Sweep:
 
 
 def first_level(seed: int) -> float:
-    """Return where a seed's sweep begins [%]: what one of two seeds steps over the other tries."""
-    return LOWEST * (1 + seed % 2)
+    """Return where a seed's sweep begins [%]; TURNS seeds try all multiples of LOWEST."""
+    return LOWEST * (1 + seed % TURNS)
 
 
-def sweep(run: Callable[[float], Outcome], first: float = LOWEST) -> Sweep:
+def sweep(run: Callable[[float], Outcome], first: float = LOWEST, finest: float = FINEST) -> Sweep:
     """Push harder and harder: coarse until the robot does not survive, then fine where it tipped.
 
     Levels go up in steps of COARSE until one is not survived, to HIGHEST at most; then in each step
@@ -55,14 +57,15 @@ def sweep(run: Callable[[float], Outcome], first: float = LOWEST) -> Sweep:
     Args:
         run: Runs one level, in percent of the robot's own limit.
         first: Level to begin with.
+        finest: Last of FINE that is gone in.
     """
     done = Sweep()
-    for level in (*_steps(first, HIGHEST - FINE[-1], COARSE), HIGHEST):
+    for level in (*_steps(first, HIGHEST - FINEST, COARSE), HIGHEST):
         done.tried[level] = run(level)
         if not done.tried[level].survived:
             break
     for kind in ("survived", "strict"):
-        for step in FINE:
+        for step in (step for step in FINE if step >= finest):
             _climb(done, run, kind, step)
     return done
 

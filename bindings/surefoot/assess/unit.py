@@ -14,7 +14,7 @@ from surefoot.assess.ground import Source, delay_of, describe, move_time, plant_
 from surefoot.assess.push_run import Outcome, judge, run_length
 from surefoot.assess.rollout import Track, Watch, roll_out
 from surefoot.assess.stand_run import HOLD, judge_stand
-from surefoot.assess.sweep import as_rows, first_level, sweep
+from surefoot.assess.sweep import FINEST, as_rows, first_level, sweep
 from surefoot.faults.run import attempt
 from surefoot.faults.setting import Setup, set_up
 from surefoot.gain_files import gains_of
@@ -36,6 +36,7 @@ class PushUnit:
         lift: Of its line of action above the centre of mass [m].
         seed: Of sensors and motors.
         limit: The robot's own, which is 100 % [N.s].
+        finest: Step that its limit is told in [%].
     """
 
     condition: Condition
@@ -44,6 +45,7 @@ class PushUnit:
     lift: float
     seed: int
     limit: float
+    finest: float = FINEST
     patience: ClassVar[float] = 1.0
 
     @property
@@ -62,7 +64,7 @@ class PushUnit:
 
         plant_of(source, self.condition)
         beat()  # the deadline is for runs
-        return {"rows": as_rows(sweep(push, first_level(self.seed)))}
+        return {"rows": as_rows(sweep(push, first_level(self.seed), self.finest))}
 
     def play(
         self, source: Source, contestant: Contestant, level: float, watch: Watch | None = None
