@@ -24,6 +24,7 @@ import numpy as np
 from scipy.optimize import nnls
 
 from surefoot._core import LowCmd, LowState, Robot, StateEstimator
+from surefoot.low_cmd_layout import LOW_CMD
 from surefoot.low_state_layout import LOW_STATE, MOTORS
 from surefoot.sim.rotations import Array
 from surefoot.sim.support import GRAVITY
@@ -36,6 +37,7 @@ U = np.full(12, 3.0)
 ALPHA, BETA = 0.001, 0.1
 KP_JOINT, KD_JOINT = 0.8, 0.8  # [N.m/rad], [N.m.s/rad]
 SERVO = 0x0A
+_ROOT_S, _NEAR = np.sqrt(S), np.sqrt(BETA * U)
 _EDGES = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
 
 
@@ -61,7 +63,11 @@ class ForceQp:
         pinocchio.ccrba(self._model, self._data, robot.q_standing(), np.zeros(robot.nv))
         self._inertia = np.array(self._data.Ig.inertia)
         self._estimator = StateEstimator(robot)
+        self._skew = pinocchio.skew
         self._rays = _pyramids(robot.config.friction)
+        self._A = np.vstack([np.tile(np.eye(3), 4), np.zeros((3, 12))])
+        still = np.vstack([np.diag(np.sqrt(ALPHA * W)), np.diag(_NEAR)]) @ self._rays
+        self._rows = np.vstack([np.zeros((6, 16)), still])
         self._forces = np.zeros(12)
         self._tick: int | None = None
         self._place, self._attitude = np.zeros(3), np.eye(3)
@@ -75,18 +81,18 @@ class ForceQp:
         believed = self._estimator.state
         pin, model, data = self._pin, self._model, self._data
         pin.computeJointJacobians(model, data, believed.q)
-        pin.updateFramePlacements(model, data)
+        for frame in self._feet:
+            pin.updateFramePlacement(model, data, frame)
         R, place = data.oMi[1].rotation, believed.q[:3]
         com = pin.centerOfMass(model, data, believed.q, False)
         if first:
             self._place, self._attitude = np.array(place), np.array(R)
         wanted = self._wrench(place, R, R @ believed.v[:3], R @ believed.v[3:6])
-        jacobians = [self._jacobian(frame) for frame in self._feet]
-        arms = [data.oMf[frame].translation - self._radius - com for frame in self._feet]
-        self._forces = self._solve(np.array(arms), wanted)
+        feet = np.array([data.oMf[frame].translation for frame in self._feet]) - self._radius
+        self._forces = self._solve(feet - com, wanted)
         torque = np.zeros(MOTORS)
-        for leg, J in enumerate(jacobians):
-            torque -= J.T @ self._forces[3 * leg : 3 * leg + 3]
+        for leg, frame in enumerate(self._feet):
+            torque -= self._force_to_torque(frame, self._forces[3 * leg : 3 * leg + 3])
         return self._command(state, np.clip(torque, -self._tau_max, self._tau_max))
 
     def _wrench(self, place: Array, R: Array, v: Array, w: Array) -> Array:
@@ -96,32 +102,31 @@ class ForceQp:
         up = np.array([0.0, 0.0, GRAVITY])
         return np.concatenate([self._mass * (a + up), R @ self._inertia @ R.T @ dw])
 
-    def _jacobian(self, frame: int) -> Array:
+    def _force_to_torque(self, frame: int, force: Array) -> Array:
+        """Return J' f (12,) of a force that acts where a foot meets the ground."""
         J = self._pin.getFrameJacobian(
             self._model, self._data, frame, self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         )
-        roll = self._pin.skew(self._radius)
-        return np.asarray((J[:3] + roll @ J[3:])[:, self._motors])
+        moment = -self._skew(self._radius) @ force  # about the frame
+        return np.asarray((np.concatenate([force, moment]) @ J)[self._motors])
 
     def _solve(self, arms: Array, wanted: Array) -> Array:
         """Return the forces (12,): edges of the pyramids with weights that are not negative."""
-        A = np.zeros((6, 12))
+        A = self._A
         for leg, arm in enumerate(arms):
-            A[:3, 3 * leg : 3 * leg + 3] = np.eye(3)
-            A[3:, 3 * leg : 3 * leg + 3] = self._pin.skew(arm)
-        near = np.sqrt(BETA * U)
-        rows = np.vstack([np.sqrt(S)[:, None] * A, np.diag(np.sqrt(ALPHA * W)), np.diag(near)])
-        goal = np.concatenate([np.sqrt(S) * wanted, np.zeros(12), near * self._forces])
-        weights, _ = nnls(rows @ self._rays, goal)
+            A[3:, 3 * leg : 3 * leg + 3] = self._skew(arm)
+        # The rows below those of the wrench are the same in every tick.
+        self._rows[:6] = _ROOT_S[:, None] * (A @ self._rays)
+        goal = np.concatenate([_ROOT_S * wanted, np.zeros(12), _NEAR * self._forces])
+        weights, _ = nnls(self._rows, goal)
         return np.asarray(self._rays @ weights)
 
     def _command(self, state: LowState, torque: Array) -> LowCmd:
-        angles = state.raw.view(LOW_STATE)[0]["motorState"]["q"][:MOTORS]
         command = LowCmd()
-        for i in range(MOTORS):
-            motor = command.motorCmd[i]
-            motor.mode, motor.q, motor.dq, motor.tau = SERVO, angles[i], 0.0, torque[i]
-            motor.Kp, motor.Kd = KP_JOINT, KD_JOINT
+        motors = command.raw.view(LOW_CMD)[0]["motorCmd"][:MOTORS]
+        motors["mode"], motors["dq"], motors["tau"] = SERVO, 0.0, torque
+        motors["q"] = state.raw.view(LOW_STATE)[0]["motorState"]["q"][:MOTORS]
+        motors["Kp"], motors["Kd"] = KP_JOINT, KD_JOINT
         return command
 
 
