@@ -63,6 +63,7 @@ def test_a_sweep_is_as_fine_as_is_asked() -> None:
 
 def test_seeds_take_turns_at_the_coarse_levels() -> None:
     passes, tried = Outcome(True, True, 0.0, 0.0, 0.0), set[float]()
+    assert [first_level(seed) for seed in range(6, 12)] == [10.0, 20.0, 30.0, 40.0, 50.0, 60.0]
     for seed in range(6, 12):
         tried |= set(sweep(lambda level: passes, first_level(seed)).tried)
     assert tried == set(np.arange(10.0, 210.0, 10.0))
