@@ -23,6 +23,17 @@ def throws(robot: surefoot.Robot):
     return update
 
 
+def gives_up(robot: surefoot.Robot):
+    controller = surefoot.StandController(robot)
+
+    def update(state):
+        if np.linalg.norm(state.imu.gyroscope) > 1.0:
+            raise RuntimeError("too far")
+        return controller.update(state)
+
+    return update
+
+
 def leaves(robot: surefoot.Robot):
     def update(state):
         raise SystemExit(3)

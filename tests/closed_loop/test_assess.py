@@ -52,20 +52,22 @@ def test_a_sweep_finds_the_last_level_below_which_all_pass(first: float, survive
     assert set(np.arange(first, min(survives + 20.0, 200.0), 20.0)) <= set(done.tried)
     # A sweep that begins above what passes goes up from nothing.
     missed = ((survives < first) + (strict < first)) * first / 5.0
-    assert len(done.tried) <= survives / 20.0 + 10 + missed
+    assert len(done.tried) <= max(0.0, survives - first) / 20.0 + 10 + missed
 
 
 def test_a_sweep_is_as_fine_as_is_asked() -> None:
     done = sweep(lambda level: Outcome(level < 109.0, level < 71.0, 0.0, 0.0, 0.0), finest=5.0)
     assert (done.largest("survived"), done.largest("strict")) == (105.0, 70.0)
     assert all(level % 5.0 == 0.0 for level in done.tried)
+    with pytest.raises(Error, match=r"finest: got 3 %, expected 5 or 2\.5"):
+        sweep(lambda level: Outcome(True, True, 0.0, 0.0, 0.0), finest=3.0)
 
 
 def test_seeds_take_turns_at_the_coarse_levels() -> None:
     passes, tried = Outcome(True, True, 0.0, 0.0, 0.0), set[float]()
-    assert [first_level(seed) for seed in range(6, 12)] == [10.0, 20.0, 30.0, 40.0, 50.0, 60.0]
-    for seed in range(6, 12):
-        tried |= set(sweep(lambda level: passes, first_level(seed)).tried)
+    assert [first_level(turn) for turn in range(7)] == [10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 10.0]
+    for turn in range(6):
+        tried |= set(sweep(lambda level: passes, first_level(turn)).tried)
     assert tried == set(np.arange(10.0, 210.0, 10.0))
 
 
@@ -99,6 +101,7 @@ def test_a_sweep_of_a_robot_that_falls_by_itself_is_nothing() -> None:
         ("seeds = true", "seeds: got True"),
         ("lengths_s = []", "lengths_s: got ()"),
         ("lengths_s = 0.1", "lengths_s: got 0.1"),
+        ("lengths_s = [0.1, 0.1]", "lengths_s: got 0.1, 0.1, expected each once"),
         ("faults = 'some'", "expected none, brief or all"),
         ("seeds = ", "not valid TOML"),
     ],
@@ -138,7 +141,17 @@ def test_the_cards_that_ship_have_what_the_protocol_asks_for() -> None:
     ],
 )
 def test_a_controller_that_is_none_is_marked_with_the_reason(name: str, words: str) -> None:
-    assert words in run_unit(push_unit(), "go1", contestant(name))["broken"]
+    found = run_unit(push_unit(), "go1", contestant(name))
+    assert words in found["broken"]
+    assert not any(survived for _, survived, *_ in found["rows"])
+
+
+def test_a_controller_that_breaks_under_hard_pushes_has_survived_the_others() -> None:
+    found = run_unit(push_unit(), "go1", contestant("gives_up"))
+    assert found["broken"] == "threw RuntimeError: too far"
+    done = from_rows(json.loads(json.dumps(found["rows"])))
+    assert 10.0 <= done.largest("survived") < 100.0
+    assert all(o.survived == (o.foot_mm is not None) for o in done.tried.values())
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 import surefoot
 from surefoot.assess import AssessSettings, Card, Condition, Contestant, assess_text
-from surefoot.assess.plan import works
+from surefoot.assess.card import standard_card
+from surefoot.assess.plan import pushes, works
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.push_run import Outcome
 from surefoot.assess.push_score import low_end, statistic
@@ -122,6 +123,33 @@ def test_seeds_that_nobody_was_tuned_on_can_be_asked_for() -> None:
     units = [w.unit for w in works(AssessSettings("go1", Contestant("pd"), card), LIMITS)]
     assert {u.seed for u in units if isinstance(u, PushUnit)} == {100, 101}
     assert {u.seed for u in units if isinstance(u, StandUnit)} == {100, 101, 102}
+    assert [u.first for u in pushes(card, LIMITS)][:2] == [10.0, 20.0]
+
+
+def test_the_full_card_is_fine_where_its_summary_is_and_known_in_length() -> None:
+    settings = AssessSettings("go1", card=standard_card("full"))
+    units = [w.unit for w in works(settings, LIMITS)]
+    pushed = [u for u in units if isinstance(u, PushUnit)]
+    assert (len(units), len(pushed)) == (5244, 4640)  # docs/assess.md says so
+    assert all((u.finest == 2.5) == ((u.duration, u.lift) == (0.1, 0.0)) for u in pushed)
+    assert {u.first for u in pushed} == {10.0, 20.0, 30.0, 40.0, 50.0, 60.0}
+
+
+def test_what_broke_under_conditions_and_references_is_told() -> None:
+    settings = AssessSettings("go1", card=CARD)
+    results = {(w.contestant.name, w.unit.key): result_of(w.unit) for w in works(settings, LIMITS)}
+    for key in results:
+        if "push | icy" in key[1] and key[1].endswith("| 2"):
+            results[key]["broken"] = "threw OSError"
+        if key[0] == "pd" and key[1].endswith("| 19"):
+            results[key] = {"broken": "its process died"}
+    card = score(settings, ROBOT, LIMITS, results)
+    assert card["conditions"][1]["push"]["survive_percent_of_limit_p5"] == 60.0
+    assert card["references"]["pd"]["broken"] == ["its process died"]
+    text = assess_text(card)
+    assert "  broken: threw OSError" in text and "  broken: its process died" in text
+    assert "reference pd, 5th percentile of 20 seeds" in text
+    assert "5th percentile of 20 seeds, in steps of 2.5 %" in text
 
 
 def test_a_cell_of_the_matrix_of_faults_is_a_unit() -> None:

@@ -12,6 +12,7 @@ from surefoot.robot_table import read_toml, suggest
 from surefoot.sim.checks import number
 
 USUAL = "level ground"
+STANDARD = (0.1, 0.0)  # [s] length, [m] height: of the pushes that the summary is about
 MOST_SEEDS = 1000
 LAST_SEED = 1_000_000
 _FOLDER = Path(__file__).parent
@@ -29,7 +30,7 @@ class Card:
         seeds: Runs of every push, each with other sensors and motors.
         first_seed: The first of pushes' and stands' seeds: who was tuned on some shows by others
             what he can.
-        condition_directions: Of pushes under each further condition, 0.1 s through the centre.
+        condition_directions: Of STANDARD pushes under each further condition.
         condition_seeds: Their seeds, and those of quiet stands.
         faults: Is the matrix of faults run? "none", "brief" or "all".
         references: Are the reference controllers pushed as well?
@@ -42,7 +43,7 @@ class Card:
     heights_m: tuple[float, ...] = (0.0,)
     seeds: int = 20
     condition_directions: int = 8
-    condition_seeds: int = 20
+    condition_seeds: int = 10
     first_seed: int = 0
     faults: str = "brief"
     references: bool = False
@@ -139,3 +140,5 @@ def _numbers(name: str, values: Any, low: float, high: float) -> None:
         raise Error(f"{name}: got {values!r}, expected numbers")
     for value in values:
         number(name, value, low, high)
+    if len(set(values)) < len(values):
+        raise Error(f"{name}: got {', '.join(f'{v:g}' for v in values)}, expected each once")

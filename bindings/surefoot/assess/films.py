@@ -10,11 +10,12 @@ from typing import Any, ClassVar
 import numpy as np
 
 from surefoot.assess import plan
+from surefoot.assess.card import STANDARD
 from surefoot.assess.contestant import Contestant
 from surefoot.assess.crew import Work, run_all
 from surefoot.assess.ground import Source
 from surefoot.assess.push_limits import Limits
-from surefoot.assess.push_score import KINDS, STANDARD, Found
+from surefoot.assess.push_score import KINDS, Found
 from surefoot.assess.settings import AssessSettings
 from surefoot.assess.sweep import from_rows
 from surefoot.assess.unit import Beat, PushUnit, StandUnit

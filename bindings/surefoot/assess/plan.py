@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from surefoot.assess.card import Card
+from surefoot.assess.card import STANDARD, Card
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import REFERENCES, Contestant
 from surefoot.assess.crew import Work
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.settings import AssessSettings
-from surefoot.assess.sweep import FINEST
+from surefoot.assess.sweep import FINEST, first_level
 from surefoot.assess.unit import FaultUnit, PushUnit, StandUnit
 from surefoot.faults import choose_cells
 
-LENGTH, LIFT = 0.1, 0.0  # [s], [m] of the pushes under further conditions and of references
-OTHER = 5.0  # [%] step of sweeps with other lengths and lifts, which are most of a full card
+OTHER_FINEST = 5.0  # [%] step of sweeps that are not STANDARD, which are most of a full card
 BRIEF = ("*/standing",)  # cells of the matrix of faults in brief
 
 
@@ -53,12 +52,12 @@ def condition_pushes(card: Card, condition: Condition, limits: Limits) -> list[P
     if not condition.pushes or condition == card.conditions[0]:
         return []
     seeds = card.drawn(card.condition_seeds)
-    return _around(condition, card.condition_degrees, LENGTH, LIFT, seeds, limits)
+    return _around(condition, card.condition_degrees, *STANDARD, seeds, limits)
 
 
 def reference_pushes(card: Card, limits: Limits) -> list[PushUnit]:
     """Return the pushes that reference controllers get."""
-    return _around(card.conditions[0], card.degrees, LENGTH, LIFT, card.drawn(card.seeds), limits)
+    return _around(card.conditions[0], card.degrees, *STANDARD, card.drawn(card.seeds), limits)
 
 
 def stands(card: Card, condition: Condition) -> list[StandUnit]:
@@ -93,10 +92,10 @@ def _around(
     seeds: range,
     limits: Limits,
 ) -> list[PushUnit]:
-    finest = FINEST if (duration, lift) == (LENGTH, LIFT) else OTHER
+    finest = FINEST if (duration, lift) == STANDARD else OTHER_FINEST
     limit = {angle: limits.of(condition, angle, duration, lift).own for angle in degrees}
     return [
-        PushUnit(condition, angle, duration, lift, seed, limit[angle], finest)
+        PushUnit(condition, angle, duration, lift, seed, limit[angle], first_level(turn), finest)
         for angle in degrees
-        for seed in seeds
+        for turn, seed in enumerate(seeds)
     ]

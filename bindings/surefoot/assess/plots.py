@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
+from surefoot.assess.card import STANDARD
 from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot
 
 _LINES = (("survive", BLUE), ("strict", GREEN))
@@ -48,7 +49,7 @@ def _draw_references(card: dict[str, Any]) -> Figure:
 
 def _standard(push: dict[str, Any]) -> dict[str, Any]:
     tables: list[dict[str, Any]] = push["tables"]
-    wanted = [t for t in tables if (t["length_s"], t["height_m"]) == (0.1, 0.0)]
+    wanted = [t for t in tables if (t["length_s"], t["height_m"]) == STANDARD]
     return (wanted or tables)[0]
 
 

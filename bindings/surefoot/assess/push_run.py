@@ -25,16 +25,20 @@ class Outcome:
         survived: Upright UPRIGHT after the push, and nothing but feet touched the ground.
         strict: Survived, no foot ever moved by FOOT_TRAVEL, and from BACK on the base is where and
             as it was.
-        foot_mm: Farthest that a foot slid or lifted [mm].
+        foot_mm: Farthest that a foot slid or lifted [mm]; None if the controller broke.
         back_mm: Farthest that the base is off from BACK on [mm]; None if it fell.
         back_deg: Most that it is turned [deg].
     """
 
     survived: bool
     strict: bool
-    foot_mm: float
+    foot_mm: float | None
     back_mm: float | None
     back_deg: float | None
+
+
+BROKEN = Outcome(survived=False, strict=False, foot_mm=None, back_mm=None, back_deg=None)
+"""Of a push under which the controller broke."""
 
 
 def judge(track: Track, begin: float, duration: float) -> Outcome:

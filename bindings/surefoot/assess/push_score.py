@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from surefoot.assess.card import STANDARD
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.sweep import Sweep, from_rows
 from surefoot.assess.unit import PushUnit
 
 KINDS = {"survive": "survived", "strict": "strict"}
 MANY = 20  # seeds from which on a 5th percentile says more than the minimum
-STANDARD = (0.1, 0.0)  # [s] length, [m] height: the push that the summary is about
 
 Found = Mapping[str, dict[str, Any]]
 """What came of one contestant's units, by key."""
@@ -63,11 +63,12 @@ def _table(
         for kind in KINDS
     }
     length, height = shape
-    seeds = len(next(iter(group.values())))
+    units = next(iter(group.values()))
     return {
         "length_s": length,
         "height_m": height,
-        "statistic": statistic(seeds),
+        "statistic": statistic(len(units)),
+        "step_percent": units[0].finest,
         **worst,
         "directions": rows,
     }
@@ -77,7 +78,7 @@ def _row(units: list[PushUnit], limits: Limits, found: Found) -> dict[str, Any]:
     unit = units[0]
     limit = limits.of(unit.condition, unit.degrees, unit.duration, unit.lift)
     results = [found[one.key] for one in units]
-    # What broke has survived nothing.
+    # What has no sweep has survived nothing.
     sweeps = [from_rows(result["rows"]) if "rows" in result else Sweep() for result in results]
     row: dict[str, Any] = {
         "degrees": unit.degrees,

@@ -10,6 +10,7 @@ from typing import Any
 
 from surefoot.assess.plots import plots_of
 from surefoot.assess.report_tables import conditions_card, faults_card, push_card
+from surefoot.assess.sweep import told
 from surefoot.report_axes import draw_plots
 from surefoot.report_page import page_html, pictures_html, tiles_html
 
@@ -61,7 +62,7 @@ def _tiles(card: dict[str, Any]) -> list[tuple[str, str]]:
     tiles = [
         (
             f"of its own limit {words}, worst direction",
-            f"{push[f'{kind}_percent_of_limit_p5']:.0f} %",
+            f"{told(push[f'{kind}_percent_of_limit_p5'])} %",
         )
         for kind, words in (("survive", "survived"), ("strict", "stood still after"))
     ]
@@ -78,7 +79,11 @@ def _tiles(card: dict[str, Any]) -> list[tuple[str, str]]:
 def _broken(card: dict[str, Any]) -> str:
     found = list(card["push"]["broken"])
     for condition in card["conditions"]:
-        found += [f"{condition['name']}: {why}" for why in condition["stand"]["broken"]]
+        for section in (condition["stand"], condition["push"]):
+            reasons = [] if section is None else section["broken"]
+            found += [f"{condition['name']}: {why}" for why in reasons]
+    for name, push in card["references"].items():
+        found += [f"{name}: {why}" for why in push["broken"]]
     if not found:
         return ""
     lines = "".join(f"<p>{escape(why)}</p>" for why in found)

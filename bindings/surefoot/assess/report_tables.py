@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from html import escape
 from typing import Any
 
+from surefoot.assess.sweep import told
+
 
 def push_card(table: dict[str, Any], name: str) -> str:
     """Return the table of one length and height."""
@@ -23,12 +25,13 @@ def push_card(table: dict[str, Any], name: str) -> str:
                 f"{one['ns']:.2f}",
                 f"{one['ns_per_kg']:.3f}",
                 f"{one['percent_of_lip']:.0f}",
-                f"{one['percent_of_limit']:.0f}",
+                told(one["percent_of_limit"]),
             ]
         rows.append([(cell, "") for cell in cells])
     where = f"{table['height_m']:+g} m from the centre of mass"
     title = f"{name}: pushes of {table['length_s']:g} s, {where}"
-    return _table(title, table["statistic"], head, rows)
+    text = f"{table['statistic']}, in steps of {table['step_percent']:g} % of its own limit"
+    return _table(title, text, head, rows)
 
 
 def conditions_card(card: dict[str, Any]) -> str:
@@ -46,7 +49,7 @@ def conditions_card(card: dict[str, Any]) -> str:
         cells += [(_number(stand[name]), "") for name in ("tilt_deg", "height_mm", "foot_mm")]
         for kind in ("survive", "strict"):
             share = None if push is None else push[f"{kind}_percent_of_limit_p5"]
-            cells.append(("-" if share is None else f"{share:.0f}", ""))
+            cells.append(("-" if share is None else told(share), ""))
         rows.append(cells)
     text = (
         "Quiet stands: the worst of all seeds and headings, from the pose that was handed over. "

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from surefoot._core import Error
 from surefoot.assess.push_run import Outcome
 
 LOWEST = 10.0  # [%] of the robot's own limit
@@ -41,9 +42,18 @@ class Sweep:
         return best
 
 
-def first_level(seed: int) -> float:
-    """Return where a seed's sweep begins [%]; TURNS seeds try all multiples of LOWEST."""
-    return LOWEST * (1 + seed % TURNS)
+def first_level(turn: int) -> float:
+    """Return where a sweep begins [%]; TURNS of them try all multiples of LOWEST.
+
+    Args:
+        turn: The how manieth seed of a card's it is, from 0.
+    """
+    return LOWEST * (1 + turn % TURNS)
+
+
+def told(percent: float) -> str:
+    """Return a limit as text; one that no sweep goes beyond may be more."""
+    return f"{percent:.1f}" + ("+" if percent >= HIGHEST else "")
 
 
 def sweep(run: Callable[[float], Outcome], first: float = LOWEST, finest: float = FINEST) -> Sweep:
@@ -58,7 +68,12 @@ def sweep(run: Callable[[float], Outcome], first: float = LOWEST, finest: float 
         run: Runs one level, in percent of the robot's own limit.
         first: Level to begin with.
         finest: Last of FINE that is gone in.
+
+    Raises:
+        Error: A step that is none of FINE.
     """
+    if finest not in FINE:
+        raise Error(f"finest: got {finest:g} %, expected {' or '.join(f'{s:g}' for s in FINE)}")
     done = Sweep()
     for level in (*_steps(first, HIGHEST - FINEST, COARSE), HIGHEST):
         done.tried[level] = run(level)

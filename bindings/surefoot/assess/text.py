@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from surefoot.assess.sweep import told
+
 _WIDTH = 36
 
 
@@ -15,7 +17,8 @@ def assess_text(card: dict[str, Any]) -> str:
     lines += [f"  broken: {why}" for why in card["push"]["broken"]]
     lines += _conditions(card["conditions"])
     for name, push in card["references"].items():
-        lines.append(f"reference {name}, 0.1 s, {_worst(push)}")
+        lines.append(f"reference {name}, {push['statistic']}, {_worst(push)}")
+        lines += [f"  broken: {why}" for why in push["broken"]]
     faults = card["faults"]
     if faults is not None:
         lines.append(f"faults: {faults['passed']} of {faults['passed'] + faults['failed']} passed")
@@ -27,12 +30,12 @@ def _push_table(table: dict[str, Any]) -> list[str]:
     place = f"{table['height_m']:+g} m from" if table["height_m"] else "through"
     title = f"pushes of {table['length_s']:g} s {place} the centre of mass"
     lines = [
-        f"{title}, {table['statistic']}",
-        f"  {'deg':>6}{'limit':>9}{'survive':>17}{'strict':>17}",
+        f"{title}, {table['statistic']}, in steps of {table['step_percent']:g} %",
+        f"  {'deg':>6}{'limit':>9}{'survive':>20}{'strict':>20}",
     ]
     for row in table["directions"]:
         cells = "".join(
-            f"{row[kind]['ns']:7.2f} N.s {row[kind]['percent_of_limit']:3.0f} %"
+            f"{row[kind]['ns']:8.2f} N.s {told(row[kind]['percent_of_limit']):>6}%"
             for kind in ("survive", "strict")
         )
         lines.append(f"  {row['degrees']:6.1f}{row['limit_ns']:9.2f}{cells}")
@@ -41,7 +44,7 @@ def _push_table(table: dict[str, Any]) -> list[str]:
 
 def _worst(push: dict[str, Any]) -> str:
     shares = ", ".join(
-        f"{kind} {push[f'{kind}_percent_of_limit_p5']:.1f} %" for kind in ("survive", "strict")
+        f"{kind} {told(push[f'{kind}_percent_of_limit_p5'])} %" for kind in ("survive", "strict")
     )
     return f"worst direction, of the robot's own limit: {shares}"
 
@@ -58,7 +61,8 @@ def _conditions(conditions: list[dict[str, Any]]) -> list[str]:
             cells.append("-" if stand[name] is None else f"{stand[name]:.2f}")
         for kind in ("survive", "strict"):
             share = None if push is None else push[f"{kind}_percent_of_limit_p5"]
-            cells.append("-" if share is None else f"{share:.0f} %")
+            cells.append("-" if share is None else f"{told(share)} %")
         lines.append(f"{condition['name']:<{_WIDTH}}" + "".join(f"{cell:>10}" for cell in cells))
-        lines += [f"  broken: {why}" for why in stand["broken"]]
+        reasons = stand["broken"] + ([] if push is None else push["broken"])
+        lines += [f"  broken: {why}" for why in sorted(set(reasons))]
     return [*lines, ""]

@@ -11,10 +11,10 @@ from surefoot._core import Error, Robot, Supervisor, SupervisorOptions
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import Broken, Contestant
 from surefoot.assess.ground import Source, delay_of, describe, move_time, plant_of
-from surefoot.assess.push_run import Outcome, judge, run_length
+from surefoot.assess.push_run import BROKEN, Outcome, judge, run_length
 from surefoot.assess.rollout import Track, Watch, roll_out
 from surefoot.assess.stand_run import HOLD, judge_stand
-from surefoot.assess.sweep import FINEST, as_rows, first_level, sweep
+from surefoot.assess.sweep import FINEST, LOWEST, as_rows, sweep
 from surefoot.faults.run import attempt
 from surefoot.faults.setting import Setup, set_up
 from surefoot.gain_files import gains_of
@@ -36,6 +36,7 @@ class PushUnit:
         lift: Of its line of action above the centre of mass [m].
         seed: Of sensors and motors.
         limit: The robot's own, which is 100 % [N.s].
+        first: Level that the sweep begins with [%].
         finest: Step that its limit is told in [%].
     """
 
@@ -45,6 +46,7 @@ class PushUnit:
     lift: float
     seed: int
     limit: float
+    first: float = LOWEST
     finest: float = FINEST
     patience: ClassVar[float] = 1.0
 
@@ -55,16 +57,25 @@ class PushUnit:
         return f"push | {self.condition.name} | {where} | {self.seed}"
 
     def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
-        """Run the sweep and return its rows as plain JSON."""
+        """Run the sweep and return its rows as plain JSON.
+
+        A controller that breaks under a push has not survived that one; the first reason is kept.
+        """
+        broken: dict[str, str] = {}
 
         def push(level: float) -> Outcome:
-            track = self.play(source, contestant, level)
-            beat()
+            try:
+                track = self.play(source, contestant, level)
+            except Broken as problem:
+                broken.setdefault("broken", str(problem))
+                return BROKEN
+            finally:
+                beat()
             return judge(track, self.condition.quiet_s, self.duration)
 
         plant_of(source, self.condition)
         beat()  # the deadline is for runs
-        return {"rows": as_rows(sweep(push, first_level(self.seed), self.finest))}
+        return {"rows": as_rows(sweep(push, self.first, self.finest)), **broken}
 
     def play(
         self, source: Source, contestant: Contestant, level: float, watch: Watch | None = None
@@ -169,7 +180,7 @@ def run_unit(
     """Run a unit; a contestant that breaks, or a plant that cannot be, is a result as well.
 
     Returns:
-        What the unit returns, or {"broken": why}.
+        What the unit returns, or {"broken": why} alone.
     """
     try:
         return unit.run(source, contestant, beat)

@@ -63,7 +63,6 @@ class ForceQp:
         pinocchio.ccrba(self._model, self._data, robot.q_standing(), np.zeros(robot.nv))
         self._inertia = np.array(self._data.Ig.inertia)
         self._estimator = StateEstimator(robot)
-        self._skew = pinocchio.skew
         self._rays = _pyramids(robot.config.friction)
         self._A = np.vstack([np.tile(np.eye(3), 4), np.zeros((3, 12))])
         still = np.vstack([np.diag(np.sqrt(ALPHA * W)), np.diag(_NEAR)]) @ self._rays
@@ -107,14 +106,14 @@ class ForceQp:
         J = self._pin.getFrameJacobian(
             self._model, self._data, frame, self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         )
-        moment = -self._skew(self._radius) @ force  # about the frame
+        moment = -self._pin.skew(self._radius) @ force  # about the frame
         return np.asarray((np.concatenate([force, moment]) @ J)[self._motors])
 
     def _solve(self, arms: Array, wanted: Array) -> Array:
         """Return the forces (12,): edges of the pyramids with weights that are not negative."""
         A = self._A
         for leg, arm in enumerate(arms):
-            A[3:, 3 * leg : 3 * leg + 3] = self._skew(arm)
+            A[3:, 3 * leg : 3 * leg + 3] = self._pin.skew(arm)
         # The rows below those of the wrench are the same in every tick.
         self._rows[:6] = _ROOT_S[:, None] * (A @ self._rays)
         goal = np.concatenate([_ROOT_S * wanted, np.zeros(12), _NEAR * self._forces])
