@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""b1 puts feet that a push threw off the ground where they catch it, and only if it must."""
+"""Feet that a push threw off the ground are put where they catch it, and only if they must."""
 
 from __future__ import annotations
 
@@ -15,17 +15,20 @@ from surefoot.gain_files import gain_values, gains_of
 
 LEVEL = Condition("level ground")
 STILL = 0.002  # [m] that feet and base move by at most in the last half second
-HARD = ((157.5, 1), (202.5, 2))  # heading [deg] and seed
+HARD = ((157.5, 1), (202.5, 2))  # heading [deg] and seed, b1's
+SMALL = (("a1", 90.0, 110.0), ("go1", 90.0, 105.0), ("go2", 157.5, 107.5))  # [deg], [%]
 
 
-def pushed(heading: float, seed: int, level: float, foot_step: float) -> tuple[Track, Outcome]:
-    """Push b1 for 0.1 s by a share of its own limit [%]."""
-    robot = load_robot("b1")
+def pushed(
+    heading: float, seed: int, level: float, foot_step: float, name: str = "b1"
+) -> tuple[Track, Outcome]:
+    """Push a robot for 0.1 s by a share of its own limit [%]."""
+    robot = load_robot(name)
     gains = gains_of({**gain_values(robot.config.gains), "foot_step": foot_step})
     limit = Limits(robot).of(LEVEL, heading, 0.1, 0.0).own
     unit = PushUnit(LEVEL, heading, 0.1, 0.0, seed, limit)
     contestant = Contestant("stepping", factory=lambda _: StandController(robot, gains))
-    track = unit.play("b1", contestant, level)
+    track = unit.play(name, contestant, level)
     return track, judge(track, LEVEL.quiet_s, 0.1)
 
 
@@ -37,6 +40,14 @@ def test_a_push_that_throws_its_feet_up_is_survived_by_stepping(heading: float, 
     last = slice(-round(0.5 * track.rate), None)
     assert np.ptp(track.base[last, :3], axis=0).max() < STILL
     assert np.ptp(track.feet[last], axis=0).max() < STILL
+
+
+@pytest.mark.parametrize(("robot", "heading", "level"), SMALL)
+def test_small_robots_step_too(robot: str, heading: float, level: float) -> None:
+    foot_step = load_robot(robot).config.gains.foot_step
+    outcome = pushed(heading, 0, level, foot_step, robot)[1]
+    assert outcome.survived and outcome.foot_mm > 50.0
+    assert not pushed(heading, 0, level, 0.0, robot)[1].survived
 
 
 def test_with_its_feet_called_back_to_where_they_were_it_falls() -> None:
