@@ -26,6 +26,9 @@ RANGES = {  # all searched by their logarithm
     "edge_tilt": (0.01, 0.5),
     "edge_load": (0.02, 0.7),
     "push_time": (0.008, 0.02),
+    "foot_speed": (0.5, 10.0),
+    "foot_step": (0.1, 0.5),
+    "edge_rise": (0.3, 100.0),  # the end is off, as a1 has it
     "friction": (0.6, 0.8),  # [robot] friction, what the controller assumes
 }
 # Heading [deg] and seed. Robots fall first 22.5 degrees off fore and aft.
