@@ -280,6 +280,17 @@ def test_an_assessment_that_was_killed_goes_on(tmp_path: Path) -> None:
     assert resumed["push"] == alone["push"]
 
 
+def test_a_sweep_that_broke_its_controller_is_done_and_can_be_filmed(tmp_path: Path) -> None:
+    card = Card("few", directions=1, seeds=1, condition_seeds=0, faults="none")
+    store = tmp_path / "store"
+    settings = AssessSettings("go1", contestant("gives_up"), card, store=str(store))
+    first = run_assess(settings, films=tmp_path / "films")
+    assert first["push"]["broken"] == ["threw RuntimeError: too far"]
+    assert [film["film"] for film in first["films"]] == ["film_survive.webp", "film_strict.webp"]
+    kept = store.read_bytes()
+    assert run_assess(settings)["push"] == first["push"] and store.read_bytes() == kept
+
+
 def lines(path: Path) -> int:
     return path.read_bytes().count(b"\n") if path.exists() else 0
 

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 
+from surefoot._core import Error
 from surefoot.assess import plan
 from surefoot.assess.card import STANDARD
-from surefoot.assess.contestant import Contestant
+from surefoot.assess.contestant import Broken, Contestant
 from surefoot.assess.crew import Work, run_all
 from surefoot.assess.ground import Source
 from surefoot.assess.push_limits import Limits
@@ -53,10 +55,11 @@ class FilmUnit:
         """Run it again and draw it; what graphics cannot do is a result as well."""
         try:
             film = _Film()
-            if isinstance(self.of, PushUnit):
-                self.of.play(source, contestant, self.level, film.watch)
-            else:
-                self.of.play(source, contestant, film.watch)
+            with suppress(Broken):  # that is the failure to be shown
+                if isinstance(self.of, PushUnit):
+                    self.of.play(source, contestant, self.level, film.watch)
+                else:
+                    self.of.play(source, contestant, film.watch)
             film.save(Path(self.file))
         except Exception as problem:
             # Graphics stacks fail in as many ways as there are drivers.
@@ -85,6 +88,8 @@ class _Film:
 
         from surefoot.stand.film import save_film
 
+        if self._renderer is None:
+            raise Error("the controller broke before the first picture")
         self._renderer.close()
         pictures = [Image.fromarray(picture) for picture in self._pictures]
         save_film(pictures, np.full(len(pictures), 1000.0 * PERIOD), path)

@@ -48,8 +48,10 @@ def run_assess(
 def _run(
     settings: AssessSettings, store: Store, planned: list[Work], progress: Progress | None
 ) -> None:
-    # What broke may have been the machine's fault: a run that goes on tries it again.
-    whole = {key for key, result in store.results.items() if "broken" not in result}
+    # What never came to its end may have been the machine's fault: a run that goes on tries again.
+    whole = {
+        key for key, found in store.results.items() if "rows" in found or "broken" not in found
+    }
     left = [w for w in planned if (w.contestant.name, w.unit.key) not in whole]
     done = len(planned) - len(left)
     jobs = min(settings.jobs, max(1, len(left)))

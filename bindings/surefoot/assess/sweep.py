@@ -46,7 +46,7 @@ def first_level(turn: int) -> float:
     """Return where a sweep begins [%]; TURNS of them try all multiples of LOWEST.
 
     Args:
-        turn: The how manieth seed of a card's it is, from 0.
+        turn: Index of the seed among the card's, from 0.
     """
     return LOWEST * (1 + turn % TURNS)
 
