@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
-from surefoot.assess.card import STANDARD
+from surefoot.assess.push_score import main_table
 from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot
 
 _LINES = (("survive", BLUE), ("strict", GREEN))
@@ -38,19 +38,13 @@ def _draw_references(card: dict[str, Any]) -> Figure:
     figure = Figure(figsize=(9.2, 5.8), layout="constrained")
     for place, kind in enumerate(("survive", "strict")):
         ax = _axes(figure, 1, 2, place)
-        _circle(ax, _standard(card["push"]), "limit_ns", RED, "own limit", ls="--")
-        _circle(ax, _standard(card["push"]), kind, BLUE, card["controller"])
+        _circle(ax, main_table(card["push"]["tables"]), "limit_ns", RED, "own limit", ls="--")
+        _circle(ax, main_table(card["push"]["tables"]), kind, BLUE, card["controller"])
         for (name, push), color in zip(card["references"].items(), _REFERENCES, strict=False):
-            _circle(ax, _standard(push), kind, color, name)
+            _circle(ax, main_table(push["tables"]), kind, color, name)
         _finish(ax, f"{kind} [N.s]")
     _legend(figure)
     return figure
-
-
-def _standard(push: dict[str, Any]) -> dict[str, Any]:
-    tables: list[dict[str, Any]] = push["tables"]
-    wanted = [t for t in tables if (t["length_s"], t["height_m"]) == STANDARD]
-    return (wanted or tables)[0]
 
 
 def _axes(figure: Figure, rows: int, columns: int, place: int) -> PolarAxes:

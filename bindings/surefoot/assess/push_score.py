@@ -32,7 +32,7 @@ def push_section(units: list[PushUnit], limits: Limits, found: Found) -> dict[st
         group = groups.setdefault((unit.duration, unit.lift), {})
         group.setdefault(unit.degrees, []).append(unit)
     tables = [_table(shape, group, limits, found) for shape, group in groups.items()]
-    main = next((t for t in tables if (t["length_s"], t["height_m"]) == STANDARD), tables[0])
+    main = main_table(tables)
     return {
         "statistic": main["statistic"],
         "survive_percent_of_limit_p5": main["survive_percent_of_limit_p5"],
@@ -40,6 +40,11 @@ def push_section(units: list[PushUnit], limits: Limits, found: Found) -> dict[st
         "broken": sorted({why for t in tables for row in t["directions"] for why in row["broken"]}),
         "tables": tables,
     }
+
+
+def main_table(tables: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return the table of STANDARD pushes, the first one if there is none."""
+    return next((t for t in tables if (t["length_s"], t["height_m"]) == STANDARD), tables[0])
 
 
 def statistic(seeds: int) -> str:
