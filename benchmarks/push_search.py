@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Search the weights that decide near the edge of balance by pushes all around.
 
-    python benchmarks/push_search.py --robot b1 --trials 200 --jobs 2
+    python benchmarks/push_search.py --robot b1 --late 80,85,90 --strict 77.5 --jobs 2
 
 CMA-ES (Optuna) begins at the robot's own values. What counts are pushes of 0.1 s through the centre
-of mass, as those of surefoot assess: how far the robot survives on average and where it survives
-least, less twice what foot travel at --strict exceeds a centimetre by. Gains of feedback are not
-searched: margins, quiet standing and what watches them stay as they are. Every better set is said,
-as rows of the robot's TOML, friction of [robot], the others of [gains]; what it is worth on all
-headings and other seeds, surefoot assess says.
+of mass, as those of surefoot assess, half way around: how many of the levels the robot survives on
+level ground and with 20 ms of latency, the worst heading thrice, less what feet move by too far at
+--strict. Gains of feedback are not searched: margins, quiet standing and what watches them stay as
+they are. Every better set is said, as rows of the robot's TOML, friction of [robot], the others of
+[gains]; what it is worth on all headings and other seeds, surefoot assess says.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ sys.path.insert(0, str(Path(__file__).parent))
 import optuna
 from optuna.distributions import FloatDistribution
 from optuna.samplers import CmaEsSampler
-from push_worth import RANGES, own_values, score
+from push_worth import RANGES, Pushes, own_values, score
 from seed_runs import ROBOTS, whole
 from surefoot.processes import killable_pool
 
 SIGMA = 0.1  # first step of CMA-ES, as a share of the logarithmic ranges
 
 
-def search(robot: str, trials: int, jobs: int, seed: int, strict: float) -> None:
+def search(robot: str, trials: int, jobs: int, seed: int, pushes: Pushes) -> None:
     """Try sets of values, four a process at a time, and say each that beats those before."""
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     # x0 and sigma0 go with Optuna 6, which pyproject.toml excludes.
@@ -46,7 +46,7 @@ def search(robot: str, trials: int, jobs: int, seed: int, strict: float) -> None
         left = trials
         while left > 0:
             asked = [study.ask(space) for _ in range(min(left, 4 * jobs))]
-            runs = [pool.submit(score, robot, trial.params, strict) for trial in asked]
+            runs = [pool.submit(score, robot, trial.params, pushes) for trial in asked]
             for trial, run in zip(asked, runs, strict=True):
                 value, survived = run.result()
                 study.tell(trial, value)
@@ -58,9 +58,17 @@ def search(robot: str, trials: int, jobs: int, seed: int, strict: float) -> None
 
 def tell(number: int, value: float, survived: list[float], values: dict[str, float]) -> None:
     """Print a set of values."""
-    levels = " ".join(f"{level:.1f}" for level in survived) or "none: feet move too far"
-    print(f"# trial {number}: {value:.1f}; survives {levels}")
+    counts = " ".join(f"{count:.1f}" for count in survived) or "none: feet move too far"
+    print(f"# trial {number}: {value:.1f}; levels survived by heading: {counts}")
     print("\n".join(f"{name} = {value:.4g}" for name, value in values.items()), flush=True)
+
+
+def numbers(text: str) -> list[float]:
+    """Return comma-separated levels [%] in rising order; raises ValueError."""
+    levels = sorted(float(part) for part in text.split(","))
+    if not all(0.0 < level <= 200.0 for level in levels):
+        raise ValueError(text)
+    return levels
 
 
 def main() -> int:
@@ -72,9 +80,13 @@ def main() -> int:
     parser.add_argument("--trials", type=lambda text: whole(text, 1), default=200)
     parser.add_argument("--jobs", type=lambda text: whole(text, 1), default=1, help="processes (1)")
     parser.add_argument("--seed", type=int, default=0, help="of the search")
+    parser.add_argument("--levels", type=numbers, default=[100.0, 105.0, 110.0, 115.0, 120.0])
+    parser.add_argument("--late", type=numbers, default=[90.0, 95.0, 100.0, 105.0])
     parser.add_argument("--strict", type=float, default=80.0, help="level for feet that stay [%%]")
+    parser.add_argument("--seeds", type=int, default=1, help="of sensors and motors, from 0 (1)")
     options = parser.parse_args()
-    search(options.robot, options.trials, options.jobs, options.seed, options.strict)
+    pushes = Pushes(options.levels, options.late, options.strict, range(options.seeds))
+    search(options.robot, options.trials, options.jobs, options.seed, pushes)
     return 0
 
 

@@ -1,24 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a set of weights is worth by pushes: how far a robot survives, and whether its feet stay."""
+"""What a set of weights is worth by pushes: what a robot survives, and whether its feet stay."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
-from surefoot import StandController, load_robot
+from surefoot import Robot, StandController, load_robot
 from surefoot.assess import Condition, Contestant
+from surefoot.assess.contestant import stand_controller
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.push_run import Outcome, judge, run_length
 from surefoot.assess.unit import PushUnit
-from surefoot.gain_files import gain_values, gains_of
+from surefoot.gain_files import gain_values
 from surefoot.robots import build_robot, describe_robot
 
 LEVEL = Condition("level ground")
+LATE = Condition("latency 20 ms", latency_ms=20.0)
 RANGES = {  # all searched by their logarithm
     "weight_com_horizontal": (0.2, 4.0),
     "weight_com_vertical": (0.05, 5.0),
-    "weight_base_tilt": (1.5, 12.0),
+    "weight_base_tilt": (1.5, 30.0),
     "weight_base_yaw": (0.1, 3.0),
     "weight_force": (0.02, 2.0),
     "penalty_hold_down": (0.05, 3.0),
@@ -28,14 +31,29 @@ RANGES = {  # all searched by their logarithm
     "push_time": (0.008, 0.02),
     "foot_speed": (0.5, 10.0),
     "foot_step": (0.1, 0.5),
-    "edge_rise": (0.3, 100.0),  # the end is off, as a1 has it
+    "edge_rise": (0.3, 99.0),  # the end is off, or nearly
     "friction": (0.6, 0.8),  # [robot] friction, what the controller assumes
 }
-# Heading [deg] and seed. Robots fall first 22.5 degrees off fore and aft.
-HARDEST = ((0.0, 2), (22.5, 0), (157.5, 0), (157.5, 1), (180.0, 1), (202.5, 0), (202.5, 2))
-AROUND = ((0.0, 0), (22.5, 1), (90.0, 2), (135.0, 0), (157.5, 0), (180.0, 1), (337.5, 2))
-LEVELS = tuple(np.arange(80.0, 132.5, 2.5))  # [%] of the own limit
-HOPELESS = 15.0  # strict penalty from which on survival is not looked at
+HEADINGS = tuple(22.5 * k for k in range(9))  # [deg] to the left: robots are symmetric
+MOST_FALLS = 3  # of one heading; beyond the third, harder pushes tell nothing new
+HOPELESS = 9.0  # strict penalty from which on survival is not looked at
+
+
+@dataclass(frozen=True)
+class Pushes:
+    """What a set is judged by.
+
+    Attributes:
+        levels: Pushes on level ground that may be survived, rising [% of the own limit].
+        late: The same with 20 ms of latency [%].
+        strict: Push on level ground that no foot may move by a centimetre under [%].
+        seeds: Of sensors and motors.
+    """
+
+    levels: Sequence[float]
+    late: Sequence[float]
+    strict: float
+    seeds: Sequence[int] = (0,)
 
 
 def own_values(robot: str) -> dict[str, float]:
@@ -51,8 +69,12 @@ def contestant(robot: str, values: dict[str, float]) -> Contestant:
     rows = {**description.table["robot"], "friction": values["friction"]}
     built = build_robot(replace(description, table={**description.table, "robot": rows}))
     changed = {name: value for name, value in values.items() if name != "friction"}
-    gains = gains_of({**gain_values(built.config.gains), **changed})
-    return Contestant("searched", factory=lambda _: StandController(built, gains))
+    gains = {**gain_values(built.config.gains), **changed}
+
+    def make(_: Robot, delay: float) -> StandController:
+        return stand_controller(built, delay, gains)
+
+    return Contestant("searched", factory=make)
 
 
 class Pushed:
@@ -68,42 +90,50 @@ class Pushed:
         self._contestant = contestant(robot, values)
 
     def too_far(self, heading: float, seed: int, level: float) -> float:
-        """Return by how many times 10 mm feet moved too far; 0.5 or more if late, 2 if it fell."""
-        outcome, _ = self.push(heading, seed, level)
+        """Return by how many times 10 mm feet moved too far, 2 at most; 0.5 or more if late."""
+        outcome, _ = self.push(LEVEL, heading, seed, level)
         if outcome.strict:
             return 0.0
-        return max(0.1 * outcome.foot_mm - 1.0, 0.5) if outcome.survived else 2.0
+        return float(np.clip(0.1 * outcome.foot_mm - 1.0, 0.5, 2.0)) if outcome.survived else 2.0
 
-    def survives(self, heading: float, seed: int) -> float:
-        """Return the last of LEVELS that it survives [%], more the later it falls at the next."""
-        best = 0.0
-        for level in LEVELS:
-            outcome, upright = self.push(heading, seed, level)
-            if not outcome.survived:
-                return best + 2.0 * upright
-            best = level
-        return best
+    def survives(
+        self, condition: Condition, heading: float, seed: int, levels: Sequence[float]
+    ) -> float:
+        """Return how many levels it survives; half of the share that it is upright under others."""
+        count, falls = 0.0, 0
+        for level in levels:
+            outcome, upright = self.push(condition, heading, seed, level)
+            count += 1.0 if outcome.survived else 0.5 * upright
+            falls += not outcome.survived
+            if falls == MOST_FALLS:
+                break
+        return count
 
-    def push(self, heading: float, seed: int, level: float) -> tuple[Outcome, float]:
+    def push(
+        self, condition: Condition, heading: float, seed: int, level: float
+    ) -> tuple[Outcome, float]:
         """Push once: what came of it, and the share of the run that it was upright."""
         limit = self._limits.of(LEVEL, heading, 0.1, 0.0).own
-        unit = PushUnit(LEVEL, heading, 0.1, 0.0, seed, limit)
+        unit = PushUnit(condition, heading, 0.1, 0.0, seed, limit)
         track = unit.play(self._robot, self._contestant, level)
-        upright = (len(track.base) - 1) / (track.rate * run_length(LEVEL.quiet_s, 0.1))
-        return judge(track, LEVEL.quiet_s, 0.1), upright
+        upright = (len(track.base) - 1) / (track.rate * run_length(condition.quiet_s, 0.1))
+        return judge(track, condition.quiet_s, 0.1), upright
 
 
-def score(robot: str, values: dict[str, float], strict: float) -> tuple[float, list[float]]:
-    """Return what a set of values is worth, and the survived levels of HARDEST [%].
+def score(robot: str, values: dict[str, float], pushes: Pushes) -> tuple[float, list[float]]:
+    """Return what a set of values is worth, and how many levels each heading survives.
 
-    Args:
-        robot: Its name.
-        values: Of what is searched.
-        strict: Level at which no foot may move by a centimetre [%].
+    The count of levels in all and twice that of the worst heading, on level ground and late, less
+    the strict penalty; of an average seed.
     """
-    pushed = Pushed(robot, values)
-    penalty = 10.0 * sum(pushed.too_far(*push, strict) for push in AROUND)
+    pushed, seeds = Pushed(robot, values), pushes.seeds
+    ways = [(heading, seed) for heading in HEADINGS for seed in seeds]
+    penalty = sum(pushed.too_far(*way, pushes.strict) for way in ways) / len(seeds)
     if penalty > HOPELESS:
         return -penalty, []
-    survived = [pushed.survives(*push) for push in HARDEST]
-    return float(np.mean(survived)) + min(survived) - 2.0 * penalty, survived
+    worth, counts = -penalty, np.zeros(len(HEADINGS))
+    for condition, levels in ((LEVEL, pushes.levels), (LATE, pushes.late)):
+        survived = np.array([pushed.survives(condition, *way, levels) for way in ways])
+        worth += survived.sum() / len(seeds) + 2.0 * survived.min()
+        counts += survived.reshape(len(HEADINGS), -1).mean(axis=1)
+    return float(worth), counts.tolist()

@@ -77,7 +77,7 @@ def find_factory(contestant: Contestant) -> Factory:
     """
     name = contestant.name
     if name == "surefoot":
-        return partial(_stand_controller, gains=contestant.gains)
+        return partial(stand_controller, gains=contestant.gains)
     if name in BUILT_IN:
         from surefoot.assess.references import FACTORIES
 
@@ -100,7 +100,8 @@ def find_factory(contestant: Contestant) -> Factory:
     return factory
 
 
-def _stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -> StandController:
+def stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -> StandController:
+    """Make "surefoot" for one run; see Contestant for what it is given."""
     # What a few ticks cost is less than what prediction adds of the sensors' noise.
     options = StandOptions(delay=min(delay, _FARTHEST) if delay > _UNPREDICTED else 0.0)
     return StandController(robot, gains_of(gains) if gains else None, options)
