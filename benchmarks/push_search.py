@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Search the weights that decide near the edge of balance by pushes all around.
 
-    python benchmarks/push_search.py --robot b1 --late 80,85,90 --strict 77.5 --jobs 2
+    python benchmarks/push_search.py --robot b1 --late 80 85 90 --strict 77.5 --jobs 2
 
 CMA-ES (Optuna) begins at the robot's own values. What counts are pushes of 0.1 s through the centre
 of mass, as those of surefoot assess, half way around: how many of the levels the robot survives on
@@ -25,6 +25,7 @@ from optuna.distributions import FloatDistribution
 from optuna.samplers import CmaEsSampler
 from push_worth import RANGES, Pushes, own_values, score
 from seed_runs import ROBOTS, whole
+from surefoot.assess.sweep import HIGHEST
 from surefoot.processes import killable_pool
 
 SIGMA = 0.1  # first step of CMA-ES, as a share of the logarithmic ranges
@@ -63,12 +64,12 @@ def tell(number: int, value: float, survived: list[float], values: dict[str, flo
     print("\n".join(f"{name} = {value:.4g}" for name, value in values.items()), flush=True)
 
 
-def numbers(text: str) -> list[float]:
-    """Return comma-separated levels [%] in rising order; raises ValueError."""
-    levels = sorted(float(part) for part in text.split(","))
-    if not all(0.0 < level <= 200.0 for level in levels):
-        raise ValueError(text)
-    return levels
+def level(text: str) -> float:
+    """Return the share of the robot's own limit that an option's text is [%]."""
+    value = float(text)
+    if not 0.0 < value <= HIGHEST:
+        raise argparse.ArgumentTypeError(f"got {text}, expected more than 0, {HIGHEST:g} % at most")
+    return value
 
 
 def main() -> int:
@@ -80,12 +81,19 @@ def main() -> int:
     parser.add_argument("--trials", type=lambda text: whole(text, 1), default=200)
     parser.add_argument("--jobs", type=lambda text: whole(text, 1), default=1, help="processes (1)")
     parser.add_argument("--seed", type=int, default=0, help="of the search")
-    parser.add_argument("--levels", type=numbers, default=[100.0, 105.0, 110.0, 115.0, 120.0])
-    parser.add_argument("--late", type=numbers, default=[90.0, 95.0, 100.0, 105.0])
-    parser.add_argument("--strict", type=float, default=80.0, help="level for feet that stay [%%]")
-    parser.add_argument("--seeds", type=int, default=1, help="of sensors and motors, from 0 (1)")
+    for name, default, what in (
+        ("--levels", [100.0, 105.0, 110.0, 115.0, 120.0], "on level ground"),
+        ("--late", [90.0, 95.0, 100.0, 105.0], "with 20 ms of latency"),
+    ):
+        what = f"levels to survive {what} [%%]"
+        parser.add_argument(name, type=level, nargs="+", default=default, help=what)
+    parser.add_argument("--strict", type=level, default=80.0, help="level for feet that stay [%%]")
+    parser.add_argument(
+        "--seeds", type=lambda text: whole(text, 1), default=1, help="of sensors, from 0 (1)"
+    )
     options = parser.parse_args()
-    pushes = Pushes(options.levels, options.late, options.strict, range(options.seeds))
+    levels, late = sorted(options.levels), sorted(options.late)
+    pushes = Pushes(levels, late, options.strict, range(options.seeds))
     search(options.robot, options.trials, options.jobs, options.seed, pushes)
     return 0
 

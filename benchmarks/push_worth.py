@@ -31,7 +31,7 @@ RANGES = {  # all searched by their logarithm
     "push_time": (0.008, 0.02),
     "foot_speed": (0.5, 10.0),
     "foot_step": (0.1, 0.5),
-    "edge_rise": (0.3, 99.0),  # the end is off, or nearly
+    "edge_rise": (0.3, 100.0),  # the end is off, as a1 has it
     "friction": (0.6, 0.8),  # [robot] friction, what the controller assumes
 }
 HEADINGS = tuple(22.5 * k for k in range(9))  # [deg] to the left: robots are symmetric

@@ -46,9 +46,21 @@ def test_a_set_that_lets_feet_move_is_worth_less_than_none() -> None:
     assert worth < -HOPELESS and survived == []
 
 
+def test_levels_and_seeds_that_cannot_be_are_refused() -> None:
+    for option, value, told in (
+        ("--late", "0", "got 0, expected more than 0, 200 % at most"),
+        ("--levels", "nan", "got nan, expected more than 0, 200 % at most"),
+        ("--strict", "201", "got 201, expected more than 0, 200 % at most"),
+        ("--seeds", "0", "got 0, expected a whole number from 1 up"),
+    ):
+        command = [sys.executable, "push_search.py", "--robot", "go1", option, value]
+        said = subprocess.run(command, cwd=BENCHMARKS, capture_output=True, text=True)
+        assert said.returncode == 2 and told in said.stderr
+
+
 def test_the_search_says_the_robot_s_own_values_first() -> None:
     command = [sys.executable, "push_search.py", "--robot", "go1", "--trials", "1"]
-    command += ["--levels", "40,80", "--late", "50"]
+    command += ["--levels", "80", "40", "--late", "50"]
     said = subprocess.run(command, cwd=BENCHMARKS, capture_output=True, text=True, check=True)
     first, *rows = said.stdout.splitlines()
     assert first == "# trial 0: 33.0; levels survived by heading:" + 9 * " 3.0"

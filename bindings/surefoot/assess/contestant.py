@@ -101,7 +101,13 @@ def find_factory(contestant: Contestant) -> Factory:
 
 
 def stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -> StandController:
-    """Make "surefoot" for one run; see Contestant for what it is given."""
+    """Make "surefoot" for one run.
+
+    Args:
+        robot: That it is to control.
+        delay: From a measurement to the action of the command made from it [s].
+        gains: Every gain by name; empty for the robot's own.
+    """
     # What a few ticks cost is less than what prediction adds of the sensors' noise.
     options = StandOptions(delay=min(delay, _FARTHEST) if delay > _UNPREDICTED else 0.0)
     return StandController(robot, gains_of(gains) if gains else None, options)

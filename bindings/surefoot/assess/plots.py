@@ -36,10 +36,11 @@ def _draw_pushes(card: dict[str, Any]) -> Figure:
 
 def _draw_references(card: dict[str, Any]) -> Figure:
     figure = Figure(figsize=(9.2, 5.8), layout="constrained")
+    own = main_table(card["push"]["tables"])
     for place, kind in enumerate(("survive", "strict")):
         ax = _axes(figure, 1, 2, place)
-        _circle(ax, main_table(card["push"]["tables"]), "limit_ns", RED, "own limit", ls="--")
-        _circle(ax, main_table(card["push"]["tables"]), kind, BLUE, card["controller"])
+        _circle(ax, own, "limit_ns", RED, "own limit", ls="--")
+        _circle(ax, own, kind, BLUE, card["controller"])
         for (name, push), color in zip(card["references"].items(), _REFERENCES, strict=False):
             _circle(ax, main_table(push["tables"]), kind, color, name)
         _finish(ax, f"{kind} [N.s]")
