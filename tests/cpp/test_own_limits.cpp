@@ -137,4 +137,37 @@ BOOST_FIXTURE_TEST_CASE(its_torques_are_those_of_its_own_motion, Stretched) {
   BOOST_TEST((tau - expected).norm() < 1e-9);
 }
 
+// The conditions of Karush, Kuhn and Tucker: what is still missing pulls no joint that is free, and
+// presses one that is held against its limit.
+BOOST_FIXTURE_TEST_CASE(the_other_joints_of_such_a_leg_do_what_its_foot_was_asked_if_they_may,
+                        Stretched) {
+  lean(Vector3(kOverTheEdge, 0.0, 0.0));
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  const Matrix3& J = dynamics.legs()[RR_].J_leg;
+  const Vector3 asked(20.0, -240.0, 500.0);
+  for (const double thigh :
+       {-1e3, -100.0, 600.0}) {  // lower limit: not met, met, met once it turns
+    JointLimits limits(kMotors);
+    limits.a_lower.setConstant(-1e3);
+    limits.a_upper.setConstant(1e3);
+    limits.a_lower[calf - 1] = thigh;
+    limits.a_upper[calf] = -100.0;
+    let_go(joints, 0.0, {1.0, 1.0, 0.0, 1.0}, reference, limits);
+    Eigen::VectorXd a = Eigen::VectorXd::Zero(robot.nv()), tau = Eigen::VectorXd::Zero(kMotors);
+    for (int j = 0; j < 3; ++j) a[joints[3 * RR_ + j].v] = asked[j];
+    keep_own_limits(joints, dynamics, limits, a, tau);
+    Vector3 kept;
+    for (int j = 0; j < 3; ++j) kept[j] = a[joints[3 * RR_ + j].v];
+    const Vector3 pull = J.transpose() * (J * (asked - kept));
+    BOOST_TEST(std::abs(pull[0]) < 0.05);
+    BOOST_TEST((kept[1] == thigh ? pull[1] < 0.0 : std::abs(pull[1]) < 0.05));
+    BOOST_TEST(kept[1] >= thigh);
+    BOOST_TEST((kept[2] == -100.0 ? pull[2] > 0.0 : std::abs(pull[2]) < 0.05));
+    const Vector3 change = dynamics.legs()[RR_].M_leg * (kept - asked);
+    BOOST_TEST((tau.segment<3>(3 * RR_) - change).norm() < 1e-9);
+    tau.segment<3>(3 * RR_).setZero();
+    BOOST_TEST(tau.isZero(0.0));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -19,8 +19,12 @@ namespace surefoot {
 void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
             const Reference& reference, JointLimits& limits) noexcept;
 
-/// Keep what was asked of such legs within what they may do: their accelerations, and torques by
-/// tau = M_leg a + ... alone, for what the body feels of it is little. Real-time: yes.
+/// Keep what was asked of such legs within what they may do. Real-time: yes.
+///
+/// Where a joint may not do its share the others do theirs anew, so that the foot does most nearly
+/// what it was asked. A foot thrown up is called down; with its knee stretched, what the thigh was
+/// to do beside the knee would fling the leg forward, into the one that stands. Torques change by
+/// M_leg times the change alone, for what the body feels of it is little.
 /// @param accelerations shape (nv,); @param torques SDK motors first
 void keep_own_limits(const JointTable& joints, const Dynamics& dynamics, const JointLimits& limits,
                      Eigen::VectorXd& accelerations, Eigen::VectorXd& torques) noexcept;
