@@ -17,7 +17,7 @@ constexpr double kLanded = 0.5;      // and over which it is back
 constexpr double kSwing = 0.6;       // [sqrt(h / g)] until it is pressed down; h: of the body
 constexpr double kLift = 0.08;       // [h] that it is lifted by
 constexpr double kPress = 0.1;       // [h] under the ground that it is pressed to
-constexpr double kSpeed = 1.0;       // [sqrt(g h)] of a foot's goal
+constexpr double kSpeed = 2.0;       // [sqrt(g h)] of a foot's goal
 constexpr double kPlaceTime = 0.05;  // [s] how slowly a place comes to a foot that has stepped
 constexpr double kStopTime = 0.2;    // [s] how slowly feet come back that are not to step
 
