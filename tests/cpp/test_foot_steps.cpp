@@ -26,6 +26,12 @@ struct Stepping : Leaning {
     const double front = std::min(feet(0, FR_), feet(0, FL_)) - dynamics.p_world_com().x();
     lean(Vector3(omega() * (front - margin), 0.0, 0.0));
   }
+  // The same over the right feet, by how far it is beyond them; further ahead than behind.
+  void lean_right(double beyond) {
+    const Vector3 com = dynamics.p_world_com();
+    const double ahead = 0.5 * (feet(0, FR_) - com.x());
+    lean(omega() * Vector3(ahead, feet(1, FR_) - com.y() - beyond, 0.0));
+  }
   // As StandReference does in a tick.
   void tick(const Eigen::Vector4d& contact) {
     FeetMatrix seen = feet;
@@ -125,6 +131,40 @@ BOOST_FIXTURE_TEST_CASE(where_it_lands_it_stays_and_its_place_comes_to_it, Stepp
   BOOST_TEST(goes(FR_) < 1e-6);
   // The middle of the feet has moved along by a quarter.
   BOOST_TEST((support.origin() - feet.rowwise().mean()).norm() < 1e-4);
+}
+
+BOOST_FIXTURE_TEST_CASE(with_the_capture_point_outside_one_that_bears_steps, Stepping) {
+  gains.foot_step = 0.3;
+  lean_right(0.01);
+  tick(kAll);
+  BOOST_TEST(steps.lifts(RR_));
+  for (const int leg : {FR_, FL_, RL_}) BOOST_TEST(!steps.lifts(leg));
+  const Eigen::Vector4d hind_right_up(1.0, 1.0, 0.0, 1.0);
+  tick(hind_right_up);
+  BOOST_TEST(!steps.lifts(RR_));  // it has left, and would bear again
+  wait(hind_right_up, 0.05);
+  BOOST_TEST(steps.way()(1, RR_) < -0.02);
+  BOOST_TEST(steps.way()(2, RR_) > 0.0);
+}
+
+BOOST_FIXTURE_TEST_CASE(inside_none_that_bears_steps, Stepping) {
+  gains.foot_step = 0.3;
+  lean_right(-0.01);
+  wait(kAll, 0.5);
+  BOOST_TEST(steps.way().isZero());
+}
+
+// It is not left without its load for long.
+BOOST_FIXTURE_TEST_CASE(one_that_does_not_leave_the_ground_stands_again, Stepping) {
+  gains.foot_step = 0.3;
+  lean_right(0.01);
+  tick(kAll);
+  BOOST_TEST(steps.lifts(RR_));
+  lean_right(-0.1);
+  wait(kAll, 0.3);
+  BOOST_TEST(!steps.lifts(RR_));
+  wait(kAll, 0.5);
+  BOOST_TEST(goes(RR_) < 1e-3);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_foot_that_is_not_to_step_any_more_comes_back, Stepping) {

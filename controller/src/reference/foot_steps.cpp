@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/capture_margin.hpp"
+#include "reference/foot_to_lift.hpp"
 
 namespace surefoot {
 
@@ -17,6 +18,7 @@ constexpr double kLanded = 0.5;      // and over which it is back
 constexpr double kSwing = 0.6;       // [sqrt(h / g)] until it is pressed down; h: of the body
 constexpr double kLift = 0.08;       // [h] that it is lifted by
 constexpr double kPress = 0.1;       // [h] under the ground that it is pressed to
+constexpr double kGain = 0.01;       // [h] that a step must bring the capture point further inside
 constexpr double kSpeed = 2.0;       // [sqrt(g h)] of a foot's goal
 constexpr double kPlaceTime = 0.05;  // [s] how slowly a place comes to a foot that has stepped
 constexpr double kStopTime = 0.2;    // [s] how slowly feet come back that are not to step
@@ -38,9 +40,11 @@ void FootSteps::update(const Gains& gains, const Dynamics& dynamics, const FeetM
   const FeetMatrix from_place = p_world_feet - support.p_world_places();
   const double height = height_over(p_world_feet, dynamics);
   judge_edge(gains, dynamics, support, height);
+  lift_one(p_world_feet, contact, capture_point(dynamics), height);
   for (int leg = 0; leg < kLegs; ++leg) {
+    age_[leg] += dt / std::sqrt(height / kGravity);
     judge_foot(leg, contact[leg], flat(from_place.col(leg), support.normal()));
-    if (swinging_[leg]) {
+    if (foot_[leg] != Foot::kStands) {
       swing(leg, from_place.col(leg), support.normal(), height, dt);
     } else {
       const Vector3 come = dt / (dt + kPlaceTime) * way_.col(leg);
@@ -51,7 +55,7 @@ void FootSteps::update(const Gains& gains, const Dynamics& dynamics, const FeetM
 }
 
 void FootSteps::stop(double dt) noexcept {
-  swinging_.fill(false);
+  foot_.fill(Foot::kStands);
   way_ *= 1.0 - dt / (dt + kStopTime);
 }
 
@@ -60,7 +64,7 @@ void FootSteps::hide_swinging(const SupportFrame& support, FeetMatrix& p_world_f
   const FeetMatrix places = support.p_world_places();
   p_world_feet -= way_;
   for (int leg = 0; leg < kLegs; ++leg) {
-    if (!swinging_[leg]) continue;
+    if (foot_[leg] == Foot::kStands) continue;
     p_world_feet.col(leg) = places.col(leg);
     contact[leg] = 0.0;
   }
@@ -80,23 +84,41 @@ void FootSteps::judge_edge(const Gains& gains, const Dynamics& dynamics,
   stride_ *= std::min(1.0, gains.foot_step / std::max(stride_.norm(), 1e-6));
 }
 
+// A foot that bears steps too if that helps, with the capture point outside; one at a time.
+void FootSteps::lift_one(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
+                         const Eigen::Vector2d& capture, double height) noexcept {
+  if (near_ < 1.0) return;
+  std::array<bool, kLegs> bearing;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (foot_[leg] == Foot::kLifts) return;
+    bearing[leg] = foot_[leg] == Foot::kStands && contact[leg] > kLanded;
+  }
+  const int leg = foot_to_lift(p_world_feet, bearing, capture, stride_, kSwing, kGain * height);
+  if (leg < 0) return;
+  foot_[leg] = Foot::kLifts;
+  age_[leg] = 0.0;
+}
+
 // Has it left the ground, or landed? Where it landed it stays.
 void FootSteps::judge_foot(int leg, double contact, const Vector3& from_place) noexcept {
-  if (!swinging_[leg] && moving_ && contact < kLeft && near_ > 1.0 - kNear) {
-    swinging_[leg] = true;
+  Foot& foot = foot_[leg];
+  if (foot == Foot::kStands && moving_ && contact < kLeft && near_ > 1.0 - kNear) {
+    foot = Foot::kSwings;
     age_[leg] = 0.0;
-  } else if (swinging_[leg] && contact > kLanded) {
-    swinging_[leg] = false;
+  } else if (foot == Foot::kLifts && contact < kLeft) {
+    foot = Foot::kSwings;
+  } else if ((foot == Foot::kSwings && contact > kLanded) ||
+             (foot == Foot::kLifts && age_[leg] > kSwing)) {
+    foot = Foot::kStands;
     way_.col(leg) = from_place;
   }
 }
 
 void FootSteps::swing(int leg, const Vector3& from_place, const Vector3& normal, double height,
                       double dt) noexcept {
-  age_[leg] += dt;
   Vector3 along = flat(way_.col(leg), normal);
   double up = -kPress * height;
-  if (age_[leg] < kSwing * std::sqrt(height / kGravity)) {
+  if (age_[leg] < kSwing) {
     const Vector3 left = stride_ - along;
     const double most = kSpeed * std::sqrt(kGravity * height) * dt;
     along += left * std::min(1.0, most / std::max(left.norm(), most));

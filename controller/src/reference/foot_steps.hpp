@@ -9,14 +9,15 @@
 
 namespace surefoot {
 
-/// Where a foot that was thrown off the ground is put down.
+/// Where feet are put down that a push threw off the ground, and which of them steps unasked.
 ///
-/// While it can be afforded, at its place. With the capture point near the support's edge the feet
-/// that stand have nothing left to brake with: a foot that bears next to nothing is lifted, goes
-/// the way that the capture point has gone, by foot_step at most, and is pressed to the ground
-/// before the body has got much further. Where it lands it stays, and its place in the support
-/// comes to it. No foot is unloaded for that: the push does it, and the program's answer to the
-/// push. All free feet are given the same stride; nothing keeps a leg from meeting one that stands.
+/// While it can be afforded, a foot belongs to its place. With the capture point near the support's
+/// edge the feet that stand have nothing left to brake with: a foot that bears next to nothing is
+/// lifted, goes the way that the capture point has gone, by foot_step at most, and is pressed to
+/// the ground before the body has got much further. Where it lands it stays, and its place in the
+/// support comes to it. With the capture point outside, a foot that bears is unloaded and steps
+/// likewise, if that brings the capture point back inside: one at a time (foot_to_lift). All free
+/// feet are given the same stride; nothing keeps a leg from meeting one that stands.
 /// Real-time: yes.
 /// Source: Pratt et al. 2006, of stepping where the capture point is.
 class FootSteps {
@@ -40,9 +41,16 @@ class FootSteps {
   void hide_swinging(const SupportFrame& support, FeetMatrix& p_world_feet,
                      Eigen::Vector4d& contact) const noexcept;
 
+  /// Is it a foot that bore, and is to bear nothing now, so as to leave the ground?
+  bool lifts(int leg) const noexcept { return foot_[leg] == Foot::kLifts; }
+
  private:
+  enum class Foot { kStands, kLifts, kSwings };
+
   void judge_edge(const Gains& gains, const Dynamics& dynamics, const SupportFrame& support,
                   double height) noexcept;
+  void lift_one(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
+                const Eigen::Vector2d& capture, double height) noexcept;
   void judge_foot(int leg, double contact, const Vector3& from_place) noexcept;
   void swing(int leg, const Vector3& from_place, const Vector3& normal, double height,
              double dt) noexcept;
@@ -51,8 +59,8 @@ class FootSteps {
   Vector3 stride_ = Vector3::Zero();  // [m] that the capture point asks for, world, in the support
   double near_ = 0.0;                 // share: 1 with the capture point at the edge, 0 far inside
   bool moving_ = false;               // fast enough that where it goes is not where it is
-  std::array<bool, kLegs> swinging_{};
-  std::array<double, kLegs> age_{};  // [s] of a swing
+  std::array<Foot, kLegs> foot_{};
+  std::array<double, kLegs> age_{};  // [sqrt(h / g)] since it was to leave the ground
 };
 
 }  // namespace surefoot

@@ -58,6 +58,7 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   for (int leg = 0; leg < kLegs; ++leg) {
     reference_.feet[leg].p_world = support_.origin() + R * support_.places().col(leg) +
                                    steps_.way().col(leg) + rolling_.way().col(leg);
+    reference_.feet[leg].stance = !steps_.lifts(leg);
   }
   if (three_.lost() != ThreeFeet::kNone) leave(three_.lost(), dynamics);
   reference_.alpha_world_base = R * motion_.alpha_base();

@@ -34,4 +34,21 @@ double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
   return margin;
 }
 
+Eigen::Vector2d SupportPolygon::beyond(const Eigen::Vector2d& point) const noexcept {
+  Eigen::Vector2d nearest = Eigen::Vector2d::Zero();
+  if (count_ < 2 || (exists() && margin(point) >= 0.0)) return nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < count_; ++k) {
+    const Eigen::Vector2d from = point - corners_[k];
+    const Eigen::Vector2d along = corners_[(k + 1) % count_] - corners_[k];
+    const double share = from.dot(along) / std::max(along.squaredNorm(), 1e-12);
+    const Eigen::Vector2d way = from - std::clamp(share, 0.0, 1.0) * along;
+    if (way.norm() < least) {
+      least = way.norm();
+      nearest = way;
+    }
+  }
+  return nearest;
+}
+
 }  // namespace surefoot

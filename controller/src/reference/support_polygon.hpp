@@ -27,6 +27,10 @@ class SupportPolygon {
   /// Distance of a point inside the nearest edge [m]; negative outside; 0 where there is none.
   double margin(const Eigen::Vector2d& point) const noexcept;
 
+  /// Way to a point from what is nearest to it of the polygon, or of the line between two feet
+  /// [m]; nothing inside, and with less than two feet.
+  Eigen::Vector2d beyond(const Eigen::Vector2d& point) const noexcept;
+
  private:
   std::array<Eigen::Vector2d, kLegs> corners_;
   int count_ = 0;

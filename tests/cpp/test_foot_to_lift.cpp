@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "reference/foot_to_lift.hpp"
+#include "reference/support_polygon.hpp"
+
+using namespace surefoot;
+using Eigen::Vector2d;
+
+namespace {
+
+constexpr double kSwing = 0.6;
+constexpr double kGain = 0.003;
+constexpr std::array<bool, kLegs> kAll = {true, true, true, true};
+constexpr std::array<bool, kLegs> kHindLeftUp = {true, true, true, false};
+
+// FR FL RR RL; 0.4 m long, 0.3 m wide.
+FeetMatrix rectangle() {
+  FeetMatrix feet = FeetMatrix::Zero();
+  feet.row(0) << 0.2, 0.2, -0.2, -0.2;
+  feet.row(1) << -0.15, 0.15, -0.15, 0.15;
+  return feet;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(foot_to_lift_)
+
+BOOST_AUTO_TEST_CASE(beyond_is_the_way_from_the_nearest_edge_corner_or_line) {
+  const SupportPolygon all(rectangle(), kAll);
+  BOOST_TEST(all.beyond({0.1, 0.1}).isZero());
+  BOOST_TEST(all.beyond({0.25, 0.1}).isApprox(Vector2d(0.05, 0.0)));
+  BOOST_TEST(all.beyond({0.25, 0.2}).isApprox(Vector2d(0.05, 0.05)));
+  const SupportPolygon left(rectangle(), {false, true, false, true});
+  BOOST_TEST(left.beyond({0.1, 0.05}).isApprox(Vector2d(0.0, -0.1)));
+  BOOST_TEST(left.beyond({0.1, 0.15}).isZero());
+  BOOST_TEST(SupportPolygon(rectangle(), {true, false, false, false}).beyond({1.0, 1.0}).isZero());
+}
+
+// Over the right feet, of which one has to stay, it is the hind one that bears least.
+BOOST_AUTO_TEST_CASE(of_two_that_would_widen_the_support_it_is_the_one_that_bears_less) {
+  const Vector2d capture(0.1, -0.16);
+  const Vector3 stride(0.0, -0.25, 0.0);
+  BOOST_TEST(foot_to_lift(rectangle(), kAll, capture, stride, kSwing, kGain) == RR_);
+}
+
+BOOST_AUTO_TEST_CASE(none_is_lifted_that_would_land_too_late) {
+  const Vector2d capture(0.2, 0.0);
+  const Vector3 stride(0.05, 0.0, 0.0);
+  // Without one of the front feet it runs away from the other and the hind one across.
+  BOOST_TEST(foot_to_lift(rectangle(), kAll, capture, stride, kSwing, kGain) == -1);
+}
+
+BOOST_AUTO_TEST_CASE(none_where_it_would_not_help) {
+  BOOST_TEST(foot_to_lift(rectangle(), kAll, {0.0, 0.0}, {0.1, 0.0, 0.0}, kSwing, kGain) == -1);
+  BOOST_TEST(foot_to_lift(rectangle(), kAll, {0.1, -0.16}, Vector3::Zero(), kSwing, kGain) == -1);
+}
+
+// One leg hangs in the air: the light one of the other three still can.
+BOOST_AUTO_TEST_CASE(two_that_stay_are_enough) {
+  const FeetMatrix feet = rectangle();
+  const Vector2d capture(0.205, -0.1);
+  const Vector3 stride(0.2, 0.0, 0.0);
+  BOOST_TEST(foot_to_lift(feet, kHindLeftUp, capture, stride, kSwing, kGain) == FL_);
+  const std::array<bool, kLegs> front = {true, true, false, false};
+  BOOST_TEST(foot_to_lift(feet, front, capture, stride, kSwing, kGain) == -1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
