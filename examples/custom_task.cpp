@@ -18,7 +18,8 @@ struct CameraHeight : surefoot::Task {
     const double speed = getFrameVelocity(model, data, 1, camera, axes).linear()[2];
     const double drift = getFrameClassicalAcceleration(model, data, 1, camera, axes).linear()[2];
     height = data.oMi[1].act(camera).translation().z();
-    rows.A_a = J.row(2);  // weight 1 at m/s^2: dear beside the trunk's level, of which g counts 1
+    rows.A_a = J.row(2);
+    rows.weight[0] = 3.0;  // at m/s^2: dear beside the trunk's level, of which g counts 1
     rows.b[0] = 100.0 * (wanted - height) - 20.0 * speed - drift;
     return true;
   }

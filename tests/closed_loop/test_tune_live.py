@@ -156,7 +156,7 @@ def test_what_is_worse_costs_more_when_it_is_compared() -> None:
     loose = OWN.__copy__()
     for name in (KP, "base_kp_tilt", "weight_base_tilt"):
         surefoot.set_gain(loose, name, 0.1 * surefoot.get_gain(OWN, name))
-    costs = [judge(describe_robot("go1"), World(), gains, 90.0, 50.0) for gains in (OWN, loose)]
+    costs = [judge(describe_robot("go1"), World(), gains, 0.0, 50.0) for gains in (OWN, loose)]
     assert costs[0].value < costs[1].value
 
 
