@@ -30,8 +30,8 @@ class CameraHeight(surefoot.Task):
         speed = pin.getFrameVelocity(model, data, 1, CAMERA, AXES).linear[2]
         drift = pin.getFrameClassicalAcceleration(model, data, 1, CAMERA, AXES).linear[2]
         self.height = data.oMi[1].act(CAMERA).translation[2]
-        rows.weight[:] = 3.0  # at m/s^2: dear beside the trunk's level, of which g counts 1
-        rows.A_a[:] = pin.getFrameJacobian(model, data, 1, CAMERA, AXES)[2]
+        # Weight 3 at m/s^2: dear beside the trunk's level, of which g counts 1.
+        rows.weight[:], rows.A_a[:] = 3.0, pin.getFrameJacobian(model, data, 1, CAMERA, AXES)[2]
         rows.b[:] = 100.0 * (self.wanted - self.height) - 20.0 * speed - drift
         return True
 
