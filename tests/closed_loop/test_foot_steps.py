@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feet that a push threw off the ground are put where they catch it, and only if they must."""
+"""Near the edge of balance feet are put where they catch the body, and only if they must."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from surefoot.gain_files import gain_values, gains_of
 LEVEL = Condition("level ground")
 STILL = 0.002  # [m] that feet and base move by at most in the last half second
 HARD = ((157.5, 1), (202.5, 2))  # heading [deg] and seed, b1's
-SMALL = (("a1", 90.0, 117.5), ("go1", 22.5, 107.5), ("go2", 157.5, 107.5))  # [deg], [%]
+SMALL = (("a1", 90.0, 112.5), ("go1", 90.0, 110.0), ("go2", 157.5, 107.5))  # [deg], [%]
 
 
 def pushed(

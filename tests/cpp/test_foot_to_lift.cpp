@@ -37,8 +37,8 @@ BOOST_AUTO_TEST_CASE(beyond_is_the_way_from_the_nearest_edge_corner_or_line) {
   BOOST_TEST(SupportPolygon(rectangle(), {true, false, false, false}).beyond({1.0, 1.0}).isZero());
 }
 
-// Over the right feet, of which one has to stay, it is the hind one that bears least.
-BOOST_AUTO_TEST_CASE(of_two_that_would_widen_the_support_it_is_the_one_that_bears_less) {
+// Over the right feet and ahead: the fore one has to stay.
+BOOST_AUTO_TEST_CASE(of_two_that_would_widen_the_support_it_is_the_one_that_lands_further_out) {
   const Vector2d capture(0.1, -0.16);
   const Vector3 stride(0.0, -0.25, 0.0);
   BOOST_TEST(foot_to_lift(rectangle(), kAll, capture, stride, kSwing, kGain) == RR_);

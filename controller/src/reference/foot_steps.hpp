@@ -9,17 +9,17 @@
 
 namespace surefoot {
 
-/// Where feet are put down that a push threw off the ground, and which of them steps unasked.
+/// Where feet are put down that a push threw off the ground, and which that bear step by
+/// themselves.
 ///
 /// While it can be afforded, a foot belongs to its place. With the capture point near the support's
 /// edge the feet that stand have nothing left to brake with: a foot that bears next to nothing is
 /// lifted, goes the way that the capture point has gone, by foot_step at most, and is pressed to
 /// the ground before the body has got much further. Where it lands it stays, and its place in the
 /// support comes to it. With the capture point outside, a foot that bears is unloaded and steps
-/// likewise, if that brings the capture point back inside: one at a time (foot_to_lift). All free
-/// feet are given the same stride; nothing keeps a leg from meeting one that stands.
-/// Real-time: yes.
-/// Source: Pratt et al. 2006, of stepping where the capture point is.
+/// likewise, if that brings the capture point back inside: one is unloaded at a time
+/// (foot_to_lift). All free feet are given the same stride; nothing keeps a leg from meeting one
+/// that stands. Real-time: yes. Source: Pratt et al. 2006, of stepping where the capture point is.
 class FootSteps {
  public:
   void reset() noexcept { *this = {}; }

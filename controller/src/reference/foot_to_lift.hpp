@@ -10,15 +10,15 @@ namespace surefoot {
 /// Which foot that bears is to step for a capture point that has left the support; -1: none.
 ///
 /// While a foot is in the air the capture point runs away from what the others span, by e in
-/// sqrt(h / g). The foot with which it is furthest inside when it lands is the one, if that is
-/// better than to stay. Real-time: yes.
+/// sqrt(h / g). The foot with which it is furthest inside when it lands is the one. Two that bear
+/// stay, at least. Real-time: yes.
 /// Source: Koolen et al. 2012, of the capture point's way in one step.
 /// @param p_world_feet contact points, FR FL RR RL
 /// @param bearing which of them bear
 /// @param capture where the capture point is now [m], world
 /// @param stride of the foot that steps [m], world
 /// @param swing how long it is in the air [sqrt(h / g)]
-/// @param gain by how much it must be better [m]
+/// @param gain by how much it must be further inside than now, or inside at all [m]
 int foot_to_lift(const FeetMatrix& p_world_feet, const std::array<bool, kLegs>& bearing,
                  const Eigen::Vector2d& capture, const Vector3& stride, double swing,
                  double gain) noexcept;

@@ -17,7 +17,7 @@ namespace surefoot {
 /// rolled in the last seconds: base pose, centre of mass and the feet's own places. The IMU's slow
 /// errors move that frame and the body together and so cannot lean the robot. While no foot bears
 /// anything the frame goes with the body, and the legs of a robot that is lifted come back to its
-/// standing pose. Feet that a push throws up near the edge of balance step, see FootSteps.
+/// standing pose. Near the edge of balance feet step, see FootSteps.
 /// Real-time: yes.
 class StandReference {
  public:

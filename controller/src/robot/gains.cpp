@@ -39,8 +39,8 @@ constexpr GainInfo kRows[] = {
      "the return's greatest speed, however far a foot is off: a leg that is thrown throws the "
      "body; 100: as fast as foot_kp has it"},
     {kFeet, "foot_step", "m", 0, 0.5, &G::foot_step,
-     "farthest that a foot thrown off the ground is put down from its place, towards the capture "
-     "point near the support's edge; 0: it comes back to its place"},
+     "farthest that a foot which steps is put down from its place, towards the capture point near "
+     "or beyond the support's edge; 0: none steps, one that is thrown up comes back"},
     {kJoints, "posture_kp", "1/s^2", 0, 5000, &G::posture_kp, "stiffness of the posture task"},
     {kJoints, "posture_kd", "1/s", 0, 500, &G::posture_kd, "damping of the posture task"},
     {kJoints, "joint_limit_rate", "1/s", 1, 200, &G::joint_limit_rate,
