@@ -39,10 +39,13 @@ void FootSteps::update(const Gains& gains, const Dynamics& dynamics, const FeetM
   if (gains.foot_step <= 0.0) return stop(dt);
   const FeetMatrix from_place = p_world_feet - support.p_world_places();
   const double height = height_over(p_world_feet, dynamics);
-  judge_edge(gains, dynamics, support, height);
-  lift_one(p_world_feet, contact, capture_point(dynamics), height);
+  const Eigen::Vector2d capture = capture_point(dynamics);
+  moving_ = (capture - dynamics.p_world_com().head<2>()).norm() > kMoving * height;
+  judge_edge(gains, support, capture);
+  lift_one(p_world_feet, contact, capture, kGain * height);
+  const double age = dt / std::sqrt(height / kGravity);
   for (int leg = 0; leg < kLegs; ++leg) {
-    age_[leg] += dt / std::sqrt(height / kGravity);
+    age_[leg] += age;
     judge_foot(leg, contact[leg], flat(from_place.col(leg), support.normal()));
     if (foot_[leg] != Foot::kStands) {
       swing(leg, from_place.col(leg), support.normal(), height, dt);
@@ -71,29 +74,27 @@ void FootSteps::hide_swinging(const SupportFrame& support, FeetMatrix& p_world_f
 }
 
 // How near the capture point is to the edge of the places, and the stride that this asks for.
-void FootSteps::judge_edge(const Gains& gains, const Dynamics& dynamics,
-                           const SupportFrame& support, double height) noexcept {
-  const Eigen::Vector2d capture = capture_point(dynamics);
+void FootSteps::judge_edge(const Gains& gains, const SupportFrame& support,
+                           const Eigen::Vector2d& capture) noexcept {
   const SupportPolygon polygon(support.p_world_places(), {true, true, true, true});
   near_ = 1.0 - std::clamp(polygon.margin(capture) / gains.edge_margin, 0.0, 1.0);
-  const Vector3 p_com = dynamics.p_world_com();
-  moving_ = (capture - p_com.head<2>()).norm() > kMoving * height;
   Vector3 gone = Vector3::Zero();
   gone.head<2>() = capture - support.origin().head<2>();
   stride_ = near_ * flat(gone, support.normal());
   stride_ *= std::min(1.0, gains.foot_step / std::max(stride_.norm(), 1e-6));
 }
 
-// A foot that bears steps too if that helps, with the capture point outside; one at a time.
+// A foot that bears steps too if that helps, with the capture point outside; one is unloaded at a
+// time.
 void FootSteps::lift_one(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
-                         const Eigen::Vector2d& capture, double height) noexcept {
+                         const Eigen::Vector2d& capture, double gain) noexcept {
   if (near_ < 1.0) return;
   std::array<bool, kLegs> bearing;
   for (int leg = 0; leg < kLegs; ++leg) {
     if (foot_[leg] == Foot::kLifts) return;
     bearing[leg] = foot_[leg] == Foot::kStands && contact[leg] > kLanded;
   }
-  const int leg = foot_to_lift(p_world_feet, bearing, capture, stride_, kSwing, kGain * height);
+  const int leg = foot_to_lift(p_world_feet, bearing, capture, stride_, kSwing, gain);
   if (leg < 0) return;
   foot_[leg] = Foot::kLifts;
   age_[leg] = 0.0;

@@ -19,7 +19,8 @@ namespace surefoot {
 /// support comes to it. With the capture point outside, a foot that bears is unloaded and steps
 /// likewise, if that brings the capture point back inside: one is unloaded at a time
 /// (foot_to_lift). All free feet are given the same stride; nothing keeps a leg from meeting one
-/// that stands. Real-time: yes. Source: Pratt et al. 2006, of stepping where the capture point is.
+/// that stands. Real-time: yes.
+/// Source: Pratt et al. 2006, of stepping where the capture point is.
 class FootSteps {
  public:
   void reset() noexcept { *this = {}; }
@@ -47,10 +48,10 @@ class FootSteps {
  private:
   enum class Foot { kStands, kLifts, kSwings };
 
-  void judge_edge(const Gains& gains, const Dynamics& dynamics, const SupportFrame& support,
-                  double height) noexcept;
+  void judge_edge(const Gains& gains, const SupportFrame& support,
+                  const Eigen::Vector2d& capture) noexcept;
   void lift_one(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
-                const Eigen::Vector2d& capture, double height) noexcept;
+                const Eigen::Vector2d& capture, double gain) noexcept;
   void judge_foot(int leg, double contact, const Vector3& from_place) noexcept;
   void swing(int leg, const Vector3& from_place, const Vector3& normal, double height,
              double dt) noexcept;

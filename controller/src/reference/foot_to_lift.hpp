@@ -17,7 +17,7 @@ namespace surefoot {
 /// @param bearing which of them bear
 /// @param capture where the capture point is now [m], world
 /// @param stride of the foot that steps [m], world
-/// @param swing how long it is in the air [sqrt(h / g)]
+/// @param swing from now until it is pressed down [sqrt(h / g)]; it lands a little later
 /// @param gain by how much it must be further inside than now, or inside at all [m]
 int foot_to_lift(const FeetMatrix& p_world_feet, const std::array<bool, kLegs>& bearing,
                  const Eigen::Vector2d& capture, const Vector3& stride, double swing,
