@@ -150,7 +150,7 @@ def test_a_controller_that_breaks_under_hard_pushes_has_survived_the_others() ->
     found = run_unit(push_unit(), "go1", contestant("gives_up"))
     assert found["broken"] == "threw RuntimeError: too far"
     done = from_rows(json.loads(json.dumps(found["rows"])))
-    assert 10.0 <= done.largest("survived") < max(done.tried)
+    assert 10.0 <= done.largest("survived") <= 100.0
     assert all(o.survived == (o.foot_mm is not None) for o in done.tried.values())
 
 
