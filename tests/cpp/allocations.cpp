@@ -55,7 +55,8 @@ struct UserTask : Task {
 };
 
 struct Seen {
-  long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0, slowed = 0;
+  long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0, slowed = 0,
+       lifted = 0;
   long refused = 0, cold = 0, forces = 0, held = 0;
   long allocations = 0, exceptions = 0;
 };
@@ -85,6 +86,7 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
         safety.power_protect(command, report, 1) + safety.position_protect(command, report) == 2;
     seen.refused += !safe;
     seen.slowed += controller.power_scale() < 1.0;
+    for (const FootReference& foot : controller.reference().feet) seen.lifted += !foot.stance;
     const Solution& s = controller.solution();
     (s.form == Form::kGeneral ? seen.general : seen.condensed) += 1;
     seen.yielding += s.torque_excess + s.joint_limit_excess + s.hold_down_missing > 1e-3;
@@ -210,13 +212,14 @@ int main() {
           "%s, delay %.0f ms, 25000 ticks: %ld allocations, %ld exceptions; "
           "general %ld, condensed %ld, limits giving way %ld, reference stopped %ld, "
           "bad ticks %ld, damped %ld, power limited %ld, refused %ld, "
-          "solved anew %ld, bridged %ld, held %ld\n",
+          "solved anew %ld, bridged %ld, held %ld, feet lifted %ld\n",
           to_string(form), 1e3 * delay, s.allocations, s.exceptions, s.general, s.condensed,
-          s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused, s.cold, s.forces,
-          s.held);
-      good = good && s.yielding > 100 && s.stopped > 1000 && s.faults > 100 && s.damping >= 4 &&
-             s.slowed > 100 && s.refused > 100 && s.general > 500 && s.cold > 10 && s.forces > 10 &&
-             s.held > 10 && (form == Form::kGeneral || s.condensed > 1000) && s.allocations == 0 &&
+          s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused, s.cold, s.forces, s.held,
+          s.lifted);
+      good = good && s.lifted > 100 && s.yielding > 100 && s.stopped > 1000 && s.faults > 100 &&
+             s.damping >= 4 && s.slowed > 100 && s.refused > 100 && s.general > 500 &&
+             s.cold > 10 && s.forces > 10 && s.held > 10 &&
+             (form == Form::kGeneral || s.condensed > 1000) && s.allocations == 0 &&
              s.exceptions == 0;
     }
   }

@@ -167,6 +167,25 @@ BOOST_FIXTURE_TEST_CASE(one_that_does_not_leave_the_ground_stands_again, Steppin
   BOOST_TEST(goes(RR_) < 1e-3);
 }
 
+// Nor is it tried again and again, with the capture point still where it was.
+BOOST_FIXTURE_TEST_CASE(one_that_did_not_leave_the_ground_is_left_in_peace, Stepping) {
+  gains.foot_step = 0.3;
+  lean_right(0.01);
+  tick(kAll);
+  BOOST_TEST(steps.way()(2, RR_) > 0.0);
+  int ticks = 0, lifted = 0;
+  for (; ticks < 500; ++ticks) {
+    tick(kAll);
+    lifted += steps.lifts(RR_);
+  }
+  BOOST_TEST(lifted * kDt * omega() < 0.7);
+  lean_right(-0.2);
+  tick(kAll);
+  lean_right(0.01);
+  tick(kAll);
+  BOOST_TEST(steps.lifts(RR_));
+}
+
 BOOST_FIXTURE_TEST_CASE(a_foot_that_is_not_to_step_any_more_comes_back, Stepping) {
   lean_forwards(0.0);
   wait(kFrontRightUp, 0.1);

@@ -22,6 +22,8 @@ FeetMatrix rectangle() {
   return feet;
 }
 
+FeetMatrix stepped(double x, double y) { return rectangle().colwise() + Vector3(x, y, 0.0); }
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(foot_to_lift_)
@@ -40,30 +42,30 @@ BOOST_AUTO_TEST_CASE(beyond_is_the_way_from_the_nearest_edge_corner_or_line) {
 // Over the right feet and ahead: the fore one has to stay.
 BOOST_AUTO_TEST_CASE(of_two_that_would_widen_the_support_it_is_the_one_that_lands_further_out) {
   const Vector2d capture(0.1, -0.16);
-  const Vector3 stride(0.0, -0.25, 0.0);
-  BOOST_TEST(foot_to_lift(rectangle(), kAll, capture, stride, kSwing, kGain) == RR_);
+  BOOST_TEST(foot_to_lift(rectangle(), stepped(0.0, -0.25), kAll, capture, kSwing, kGain) == RR_);
 }
 
 BOOST_AUTO_TEST_CASE(none_is_lifted_that_would_land_too_late) {
   const Vector2d capture(0.2, 0.0);
-  const Vector3 stride(0.05, 0.0, 0.0);
   // Without one of the front feet it runs away from the other and the hind one across.
-  BOOST_TEST(foot_to_lift(rectangle(), kAll, capture, stride, kSwing, kGain) == -1);
+  BOOST_TEST(foot_to_lift(rectangle(), stepped(0.05, 0.0), kAll, capture, kSwing, kGain) == -1);
 }
 
 BOOST_AUTO_TEST_CASE(none_where_it_would_not_help) {
-  BOOST_TEST(foot_to_lift(rectangle(), kAll, {0.0, 0.0}, {0.1, 0.0, 0.0}, kSwing, kGain) == -1);
-  BOOST_TEST(foot_to_lift(rectangle(), kAll, {0.1, -0.16}, Vector3::Zero(), kSwing, kGain) == -1);
+  const FeetMatrix feet = rectangle();
+  BOOST_TEST(foot_to_lift(feet, feet, kAll, {0.1, -0.16}, kSwing, kGain) == -1);
+  // Just inside, however much further inside it would come.
+  BOOST_TEST(foot_to_lift(feet, stepped(0.0, -0.3), kAll, {0.1, -0.149}, kSwing, kGain) == -1);
 }
 
 // One leg hangs in the air: the light one of the other three still can.
 BOOST_AUTO_TEST_CASE(two_that_stay_are_enough) {
   const FeetMatrix feet = rectangle();
   const Vector2d capture(0.205, -0.1);
-  const Vector3 stride(0.2, 0.0, 0.0);
-  BOOST_TEST(foot_to_lift(feet, kHindLeftUp, capture, stride, kSwing, kGain) == FL_);
+  const FeetMatrix goals = stepped(0.2, 0.0);
+  BOOST_TEST(foot_to_lift(feet, goals, kHindLeftUp, capture, kSwing, kGain) == FL_);
   const std::array<bool, kLegs> front = {true, true, false, false};
-  BOOST_TEST(foot_to_lift(feet, front, capture, stride, kSwing, kGain) == -1);
+  BOOST_TEST(foot_to_lift(feet, goals, front, capture, kSwing, kGain) == -1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -42,7 +42,8 @@ void FootSteps::update(const Gains& gains, const Dynamics& dynamics, const FeetM
   const Eigen::Vector2d capture = capture_point(dynamics);
   moving_ = (capture - dynamics.p_world_com().head<2>()).norm() > kMoving * height;
   judge_edge(gains, support, capture);
-  lift_one(p_world_feet, contact, capture, kGain * height);
+  lift_one(p_world_feet, support.p_world_places().colwise() + stride_, contact, capture,
+           kGain * height);
   const double age = dt / std::sqrt(height / kGravity);
   for (int leg = 0; leg < kLegs; ++leg) {
     age_[leg] += age;
@@ -86,16 +87,20 @@ void FootSteps::judge_edge(const Gains& gains, const SupportFrame& support,
 
 // A foot that bears steps too if that helps, with the capture point outside; one is unloaded at a
 // time.
-void FootSteps::lift_one(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
-                         const Eigen::Vector2d& capture, double gain) noexcept {
-  if (near_ < 1.0) return;
+void FootSteps::lift_one(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
+                         const Eigen::Vector4d& contact, const Eigen::Vector2d& capture,
+                         double gain) noexcept {
+  if (near_ < 1.0) {
+    stuck_.fill(false);
+    return;
+  }
   std::array<bool, kLegs> bearing;
   for (int leg = 0; leg < kLegs; ++leg) {
     if (foot_[leg] == Foot::kLifts) return;
     bearing[leg] = foot_[leg] == Foot::kStands && contact[leg] > kLanded;
   }
-  const int leg = foot_to_lift(p_world_feet, bearing, capture, stride_, kSwing, gain);
-  if (leg < 0) return;
+  const int leg = foot_to_lift(p_world_feet, p_world_goals, bearing, capture, kSwing, gain);
+  if (leg < 0 || stuck_[leg]) return;
   foot_[leg] = Foot::kLifts;
   age_[leg] = 0.0;
 }
@@ -110,6 +115,7 @@ void FootSteps::judge_foot(int leg, double contact, const Vector3& from_place) n
     foot = Foot::kSwings;
   } else if ((foot == Foot::kSwings && contact > kLanded) ||
              (foot == Foot::kLifts && age_[leg] > kSwing)) {
+    stuck_[leg] = foot == Foot::kLifts;
     foot = Foot::kStands;
     way_.col(leg) = from_place;
   }
@@ -123,7 +129,9 @@ void FootSteps::swing(int leg, const Vector3& from_place, const Vector3& normal,
     const Vector3 left = stride_ - along;
     const double most = kSpeed * std::sqrt(kGravity * height) * dt;
     along += left * std::min(1.0, most / std::max(left.norm(), most));
-    up = std::min(kLift * height, flat(stride_ - from_place, normal).norm() + up);
+    // Lower as it comes to where it is to land; one that still stands goes up.
+    const double lift = kLift * height;
+    up = lifts(leg) ? lift : std::min(lift, flat(stride_ - from_place, normal).norm() + up);
   }
   way_.col(leg) = along + up * normal;
 }

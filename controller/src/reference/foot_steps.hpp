@@ -50,8 +50,9 @@ class FootSteps {
 
   void judge_edge(const Gains& gains, const SupportFrame& support,
                   const Eigen::Vector2d& capture) noexcept;
-  void lift_one(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
-                const Eigen::Vector2d& capture, double gain) noexcept;
+  void lift_one(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
+                const Eigen::Vector4d& contact, const Eigen::Vector2d& capture,
+                double gain) noexcept;
   void judge_foot(int leg, double contact, const Vector3& from_place) noexcept;
   void swing(int leg, const Vector3& from_place, const Vector3& normal, double height,
              double dt) noexcept;
@@ -61,6 +62,7 @@ class FootSteps {
   double near_ = 0.0;                 // share: 1 with the capture point at the edge, 0 far inside
   bool moving_ = false;               // fast enough that where it goes is not where it is
   std::array<Foot, kLegs> foot_{};
+  std::array<bool, kLegs> stuck_{};  // was to leave the ground and did not; until near_ < 1
   std::array<double, kLegs> age_{};  // [sqrt(h / g)] since it was to leave the ground
 };
 

@@ -14,13 +14,13 @@ namespace surefoot {
 /// stay, at least. Real-time: yes.
 /// Source: Koolen et al. 2012, of the capture point's way in one step.
 /// @param p_world_feet contact points, FR FL RR RL
+/// @param p_world_goals where each would land
 /// @param bearing which of them bear
 /// @param capture where the capture point is now [m], world
-/// @param stride of the foot that steps [m], world
 /// @param swing from now until it is pressed down [sqrt(h / g)]; it lands a little later
-/// @param gain by how much it must be further inside than now, or inside at all [m]
-int foot_to_lift(const FeetMatrix& p_world_feet, const std::array<bool, kLegs>& bearing,
-                 const Eigen::Vector2d& capture, const Vector3& stride, double swing,
-                 double gain) noexcept;
+/// @param gain by how much it must be inside then [m]
+int foot_to_lift(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
+                 const std::array<bool, kLegs>& bearing, const Eigen::Vector2d& capture,
+                 double swing, double gain) noexcept;
 
 }  // namespace surefoot
