@@ -10,17 +10,40 @@ constexpr double kMore = 1e4;    // [rad/s^2] that no body asks of a leg
 constexpr int kSweeps = 20;      // from which on it changes next to nothing
 constexpr double kLever = 1e-9;  // [m^2] of a joint that does not move the foot
 
+// [rad/s^2] of a leg's joints.
+struct Bounds {
+  Vector3 lower, upper;
+  bool hold(const Vector3& a) const noexcept {
+    return (a.array() >= lower.array()).all() && (a.array() <= upper.array()).all();
+  }
+};
+
+bool let_go_of(const JointLimits& limits, int leg) noexcept {
+  return limits.more.segment<3>(3 * leg).maxCoeff() > 0.0;
+}
+
+// What a leg may do, and no further from what is asked than it was let go by: what a limit that all
+// must keep gave way by is not its own.
+Bounds own_bounds(const JointLimits& limits, int leg, const Vector3& asked) noexcept {
+  Bounds bounds;
+  for (int j = 0; j < 3; ++j) {
+    const int k = 3 * leg + j;
+    bounds.lower[j] = std::min(limits.a_lower[k], asked[j] + limits.more[k]);
+    bounds.upper[j] = std::max(limits.a_upper[k], asked[j] - limits.more[k]);
+  }
+  return bounds;
+}
+
 // Accelerations of a leg's joints within bounds with which its foot does most nearly what it was
 // asked: least squares, one joint after the other (projected Gauss-Seidel).
-Vector3 within(const Matrix3& J, const Vector3& asked, const Vector3& lower,
-               const Vector3& upper) noexcept {
-  Vector3 a = asked.cwiseMax(lower).cwiseMin(upper);
+Vector3 within(const Matrix3& J, const Vector3& asked, const Bounds& bounds) noexcept {
+  Vector3 a = asked.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
   Vector3 missing = J * (asked - a);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (int j = 0; j < 3; ++j) {
       const Vector3 way = J.col(j);
       const double step = way.dot(missing) / std::max(way.squaredNorm(), kLever);
-      const double next = std::clamp(a[j] + step, lower[j], upper[j]);
+      const double next = std::clamp(a[j] + step, bounds.lower[j], bounds.upper[j]);
       missing -= (next - a[j]) * way;
       a[j] = next;
     }
@@ -42,23 +65,35 @@ void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contac
   }
 }
 
+void ask_within(const Dynamics& dynamics, const JointLimits& limits, double smallest_determinant,
+                FeetMatrix& feet_acceleration) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!let_go_of(limits, leg)) continue;
+    const LegDynamics& L = dynamics.legs()[leg];
+    Matrix3 inverse;
+    bool invertible = false;
+    L.J_leg.computeInverseWithCheck(inverse, invertible, smallest_determinant);
+    if (!invertible) continue;
+    const Vector3 asked = inverse * (feet_acceleration.col(leg) - L.drift);
+    const Bounds bounds = own_bounds(limits, leg, asked);
+    if (bounds.hold(asked)) continue;
+    feet_acceleration.col(leg) += L.J_leg * (within(L.J_leg, asked, bounds) - asked);
+  }
+}
+
 void keep_own_limits(const JointTable& joints, const Dynamics& dynamics, const JointLimits& limits,
                      Eigen::VectorXd& accelerations, Eigen::VectorXd& torques) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
+    if (!let_go_of(limits, leg)) continue;
+    const LegDynamics& L = dynamics.legs()[leg];
     const int first = 3 * leg;
-    Vector3 asked, lower, upper;
-    for (int j = 0; j < 3; ++j) {
-      const int k = first + j;
-      asked[j] = accelerations[joints[k].v];
-      // No more than it was let go by: what a limit that all must keep gave way by is not its own.
-      lower[j] = std::min(limits.a_lower[k], asked[j] + limits.more[k]);
-      upper[j] = std::max(limits.a_upper[k], asked[j] - limits.more[k]);
-      if (limits.more[k] <= 0.0) lower[j] = upper[j] = asked[j];
-    }
-    if ((asked.array() >= lower.array()).all() && (asked.array() <= upper.array()).all()) continue;
-    const Vector3 change = within(dynamics.legs()[leg].J_leg, asked, lower, upper) - asked;
+    Vector3 asked;
+    for (int j = 0; j < 3; ++j) asked[j] = accelerations[joints[first + j].v];
+    const Bounds bounds = own_bounds(limits, leg, asked);
+    if (bounds.hold(asked)) continue;
+    const Vector3 change = within(L.J_leg, asked, bounds) - asked;
     for (int j = 0; j < 3; ++j) accelerations[joints[first + j].v] += change[j];
-    torques.segment<3>(first) += dynamics.legs()[leg].M_leg * change;
+    torques.segment<3>(first) += L.M_leg * change;
   }
 }
 

@@ -19,6 +19,16 @@ namespace surefoot {
 void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
             const Reference& reference, JointLimits& limits) noexcept;
 
+/// Ask of the feet of such legs no more than their joints may do. Real-time: yes.
+///
+/// What feet are asked is met exactly, and the body counts on what swings them: with a stretched
+/// leg called down, on a turn that never comes, and the robot tips over the foot that it trusts in.
+/// The body's own acceleration is not known yet, and left out.
+/// @param smallest_determinant of a leg's Jacobian [m^3]; a leg under it is left as it is
+/// @param feet_acceleration world axes [m/s^2]
+void ask_within(const Dynamics& dynamics, const JointLimits& limits, double smallest_determinant,
+                FeetMatrix& feet_acceleration) noexcept;
+
 /// Keep what was asked of such legs within what they may do. Real-time: yes.
 ///
 /// Where a joint may not do its share the others do theirs anew, so that the foot does most nearly

@@ -73,6 +73,7 @@ Status TermsWriter::write(const Gains& gains, const Dynamics& dynamics, const Ro
   terms_.hold_down = hold_down_forces(gains, weight, fade, state.contact, reference);
   joint_limits(robot_.config(), joints_, gains, torque_share_, state, terms_.limits);
   let_go(joints_, fade, state.contact, reference, terms_.limits);
+  ask_within(dynamics, terms_.limits, units_.smallest_determinant, terms_.feet_acceleration);
   terms_.has_condensed =
       dynamics.condensable() && condense(dynamics, terms_.feet_acceleration, terms_.outside,
                                          units_.smallest_determinant, terms_.condensed);
