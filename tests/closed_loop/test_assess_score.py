@@ -103,6 +103,18 @@ def test_faults_and_references_are_on_the_card(card: dict[str, Any]) -> None:
     assert "reference pd" in text and "a false alarm" in text and "5 of 6" in text
 
 
+def test_references_get_the_pushes_that_the_summary_is_about() -> None:
+    usual = {"directions": 1, "seeds": 1, "faults": "none", "references": True}
+    for lengths, main in (((0.02, 0.1), (0.1, 0.0)), ((0.5, 0.02), (0.5, 0.0))):
+        settings = AssessSettings("go1", card=Card("mine", lengths_s=lengths, **usual))
+        asked = {
+            (w.contestant.name, w.unit.duration, w.unit.lift)
+            for w in works(settings, LIMITS)
+            if isinstance(w.unit, PushUnit)
+        }
+        assert {push[1:] for push in asked if push[0] != "surefoot"} == {main}
+
+
 def test_what_broke_has_survived_nothing_and_says_why() -> None:
     few = Card("mine", directions=2, seeds=2, condition_seeds=0, faults="none")
     settings = AssessSettings("go1", Contestant("pd"), few)

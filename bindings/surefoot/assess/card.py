@@ -12,7 +12,7 @@ from surefoot.robot_table import read_toml, suggest
 from surefoot.sim.checks import number
 
 USUAL = "level ground"
-STANDARD = (0.1, 0.0)  # [s] length, [m] height: of the pushes that the summary is about
+STANDARD = (0.1, 0.0)  # [s] length, [m] height: of pushes that all cards have, as a rule
 MOST_SEEDS = 1000
 LAST_SEED = 1_000_000
 _FOLDER = Path(__file__).parent
@@ -78,6 +78,12 @@ class Card:
     def drawn(self, count: int) -> range:
         """Return so many seeds."""
         return range(self.first_seed, self.first_seed + count)
+
+    @property
+    def main(self) -> tuple[float, float]:
+        """Length [s] and height [m] of the pushes that the summary is about: STANDARD if asked."""
+        offered = [(length, height) for length in self.lengths_s for height in self.heights_m]
+        return STANDARD if STANDARD in offered else offered[0]
 
     @property
     def degrees(self) -> list[float]:

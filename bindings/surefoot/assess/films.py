@@ -12,7 +12,6 @@ import numpy as np
 
 from surefoot._core import Error
 from surefoot.assess import plan
-from surefoot.assess.card import STANDARD
 from surefoot.assess.contestant import Broken, Contestant
 from surefoot.assess.crew import Work, run_all
 from surefoot.assess.ground import Source
@@ -124,9 +123,9 @@ def failures(
 ) -> Iterator[FilmUnit]:
     """Yield what is worth a film: the worst pushes, then the first bad stand of each condition."""
     pushes = [u for u in plan.pushes(settings.card, limits) if "rows" in results[u.key]]
-    standard = [unit for unit in pushes if (unit.duration, unit.lift) == STANDARD] or pushes
+    main = [unit for unit in pushes if (unit.duration, unit.lift) == settings.card.main]
     for kind, attribute in KINDS.items():
-        sweeps = [(from_rows(results[unit.key]["rows"]), unit) for unit in standard]
+        sweeps = [(from_rows(results[unit.key]["rows"]), unit) for unit in main]
         if not sweeps:
             return
         found, unit = min(sweeps, key=lambda pair: pair[0].largest(attribute))

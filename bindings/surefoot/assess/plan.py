@@ -56,8 +56,8 @@ def condition_pushes(card: Card, condition: Condition, limits: Limits) -> list[P
 
 
 def reference_pushes(card: Card, limits: Limits) -> list[PushUnit]:
-    """Return the pushes that reference controllers get."""
-    return _around(card.conditions[0], card.degrees, *STANDARD, card.drawn(card.seeds), limits)
+    """Return the pushes that reference controllers get: those that the summary is about."""
+    return _around(card.conditions[0], card.degrees, *card.main, card.drawn(card.seeds), limits)
 
 
 def stands(card: Card, condition: Condition) -> list[StandUnit]:

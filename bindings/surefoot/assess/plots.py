@@ -43,7 +43,7 @@ def _draw_references(card: dict[str, Any]) -> Figure:
         _circle(ax, own, kind, BLUE, card["controller"])
         for (name, push), color in zip(card["references"].items(), _REFERENCES, strict=False):
             _circle(ax, main_table(push["tables"]), kind, color, name)
-        _finish(ax, f"{kind} [N.s]")
+        _finish(ax, f"{kind}, {own['length_s']:g} s, {own['height_m']:+g} m [N.s]")
     _legend(figure)
     return figure
 
@@ -86,7 +86,7 @@ PUSHES: Plot[dict[str, Any]] = Plot(
 REFERENCES: Plot[dict[str, Any]] = Plot(
     "references.png",
     "Beside the reference controllers",
-    "Pushes of 0.1 s through the centre of mass.",
+    "The same pushes of all; forward is up.",
     _draw_references,
 )
 
