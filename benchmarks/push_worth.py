@@ -20,13 +20,14 @@ LEVEL = Condition("level ground")
 LATE = Condition("latency 20 ms", latency_ms=20.0)
 RANGES = {  # all searched by their logarithm
     "weight_com_horizontal": (0.2, 4.0),
-    "weight_com_vertical": (0.05, 5.0),
+    "weight_com_vertical": (0.05, 10.0),
     "weight_base_tilt": (1.5, 30.0),
     "weight_base_yaw": (0.1, 3.0),
     "weight_force": (0.02, 2.0),
     "penalty_hold_down": (0.05, 3.0),
     "edge_margin": (0.02, 0.3),
     "edge_tilt": (0.01, 0.5),
+    "edge_height": (0.01, 1.0),
     "edge_load": (0.02, 0.7),
     "push_time": (0.008, 0.02),
     "foot_speed": (0.5, 10.0),

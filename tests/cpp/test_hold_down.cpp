@@ -5,6 +5,7 @@
 #include "reference/capture_margin.hpp"
 #include "wbc/edge_demand.hpp"
 #include "wbc/hold_down.hpp"
+#include "wbc/terms_writer.hpp"
 
 using namespace surefoot;
 
@@ -147,6 +148,27 @@ BOOST_FIXTURE_TEST_CASE(a_tilted_body_that_rises_fast_is_not_turned_back, Pressi
   BOOST_TEST(turning(0.55) == 0.5, close);
   BOOST_TEST(turning(0.8) == 0.0);
   BOOST_TEST(turning(2.0) == 0.0);
+}
+
+// Inside, a body that was thrown up is to come down; at the edge height may be had for braking.
+BOOST_FIXTURE_TEST_CASE(height_and_tilt_count_for_less_at_the_edge_and_as_ever_inside, Pressing) {
+  gains.edge_height = 0.2;
+  gains.edge_tilt = 0.1;
+  TermsWriter writer(robot);
+  const double edge = contact_points(robot, state.q)(1, FL_) - dynamics.p_world_com().y();
+  for (const double fade : {0.0, 0.5, 1.0}) {
+    lean(Vector3(0.0, (edge - fade * gains.edge_margin) * omega(), 0.0));
+    const auto softness = Eigen::Vector4d::Zero();
+    BOOST_REQUIRE(
+        (writer.write(gains, dynamics, state, reference, softness, nullptr) == Status::kOk));
+    const auto& [position, orientation, momentum] = writer.terms().body;
+    const double height = gains.weight_com_vertical * (fade + (1.0 - fade) * gains.edge_height);
+    const double tilt = gains.weight_base_tilt * (fade + (1.0 - fade) * gains.edge_tilt);
+    BOOST_TEST(position.weight[2] == height, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(orientation.weight[0] == tilt, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(orientation.weight[1] == tilt, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(orientation.weight[2] == gains.weight_base_yaw);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -48,6 +48,7 @@ struct Gains {
   double hold_down = 0.04;
   double edge_margin = 0.06;
   double edge_tilt = 0.05;
+  double edge_height = 1.0;
   double edge_load = 0.3;
   double edge_rise = 100.0;
   double force_max_contact = 3.0;

@@ -80,6 +80,8 @@ constexpr GainInfo kRows[] = {
      "capture point nearer than this to the support's edge: surviving comes first"},
     {kProgram, "edge_tilt", "1", 0.01, 1, &G::edge_tilt,
      "share of weight_base_tilt left at the edge, where turning the body helps to stay up"},
+    {kProgram, "edge_height", "1", 0.01, 1, &G::edge_height,
+     "share of weight_com_vertical that is left at the support's edge"},
     {kProgram, "edge_load", "m g", 0, 0.9, &G::edge_load,
      "least load planned for all feet at the edge (0.35 less away from it): a body on its way down "
      "again brakes no push"},

@@ -113,7 +113,7 @@ def same_gains(gains: Gains) -> Gains:
     gains.weight_com_vertical = gains.weight_com_horizontal
     gains.weight_base_yaw = gains.weight_base_tilt
     gains.weight_posture = WEIGHT_POSTURE
-    gains.edge_tilt = 1.0
+    gains.edge_tilt = gains.edge_height = 1.0
     gains.edge_load = 0.0
     gains.edge_rise = 100.0
     gains.hold_down = 0.0
