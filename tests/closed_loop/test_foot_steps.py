@@ -16,7 +16,8 @@ from surefoot.gain_files import gain_values, gains_of
 LEVEL = Condition("level ground")
 STILL = 0.002  # [m] that feet and base move by at most in the last half second
 HARD = ((157.5, 1), (202.5, 2))  # heading [deg] and seed, b1's
-SMALL = (("a1", 90.0, 112.5), ("go1", 90.0, 110.0), ("go2", 157.5, 107.5))  # [deg], [%]
+SMALL = [(heading, level) for heading in (67.5, 90.0, 112.5, 157.5) for level in (110.0, 120.0)]
+MORE = 2  # of those that are survived by stepping alone, at least
 
 
 def pushed(
@@ -42,12 +43,13 @@ def test_a_push_that_throws_its_feet_up_is_survived_by_stepping(heading: float, 
     assert np.ptp(track.feet[last], axis=0).max() < STILL
 
 
-@pytest.mark.parametrize(("robot", "heading", "level"), SMALL)
-def test_small_robots_step_too(robot: str, heading: float, level: float) -> None:
+@pytest.mark.parametrize("robot", ["a1", "go1", "go2"])
+def test_small_robots_step_too(robot: str) -> None:
     foot_step = load_robot(robot).config.gains.foot_step
-    outcome = pushed(heading, 0, level, foot_step, robot)[1]
-    assert outcome.survived and outcome.foot_mm > 50.0
-    assert not pushed(heading, 0, level, 0.0, robot)[1].survived
+    stepped = [pushed(heading, 0, level, foot_step, robot)[1] for heading, level in SMALL]
+    held = [pushed(heading, 0, level, 0.0, robot)[1] for heading, level in SMALL]
+    assert sum(o.survived for o in stepped) >= sum(o.survived for o in held) + MORE
+    assert any(o.survived and o.foot_mm > 50.0 for o in stepped)
 
 
 def test_with_its_feet_called_back_to_where_they_were_it_falls() -> None:
