@@ -49,11 +49,11 @@ def test_half_a_push_is_far_below_the_lowest_level(name: str, direction: str) ->
     assert 2.0 < outcome.measured < 40.0
 
 
-@pytest.mark.parametrize("share", [0.82, 0.84, 0.87])
+@pytest.mark.parametrize("share", [0.88, 0.92, 0.96])
 def test_a_limit_keeps_the_protection_from_tripping(share: float) -> None:
-    free = pushed("b1", "forward", share, level=3, limit=float("inf"))
+    free = pushed("b1", "forward", share, level=10, limit=float("inf"))
     assert free.refused > 0
-    limited = pushed("b1", "forward", share, level=3, limit=270.0)
+    limited = pushed("b1", "forward", share, level=10, limit=900.0)
     assert (limited.fell, limited.refused) == (False, 0)
     assert limited.limited > 0
     # On two feet and moving, holding alone can take more for 10 ms: then it goes unscaled.

@@ -168,7 +168,7 @@ def test_forces_stay_inside_the_friction_cone_and_reach_it(body, normal) -> None
     gains = body.robot.config.gains
     # Nothing else may hold it back from the cone, and it must not press harder instead.
     gains.weight_com_horizontal, gains.weight_com_vertical = 10.0, 10.0
-    gains.weight_base_tilt = 0.01
+    gains.weight_base_tilt, gains.edge_height, gains.weight_force = 0.01, 1.0, 0.05
     controller, reached = WholeBodyController(body.robot, gains), []
     friction = body.robot.config.friction
     for k in range(24):
