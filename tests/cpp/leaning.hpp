@@ -21,6 +21,13 @@ struct Leaning {
         Quaternion(state.q[6], state.q[3], state.q[4], state.q[5]).conjugate() * speed;
     dynamics.update(state.q, state.v, Vector3::UnitZ());
   }
+  // The capture point over the right feet, by how far it is beyond them; further ahead than behind.
+  void lean_right(double beyond) {
+    const FeetMatrix feet = contact_points(dynamics);
+    const Vector3 com = dynamics.p_world_com();
+    const double ahead = 0.5 * (feet(0, FR_) - com.x());
+    lean(omega() * Vector3(ahead, feet(1, FR_) - com.y() - beyond, 0.0));
+  }
   double omega() const { return std::sqrt(kGravity / dynamics.p_world_com().z()); }
 };
 

@@ -26,12 +26,6 @@ struct Stepping : Leaning {
     const double front = std::min(feet(0, FR_), feet(0, FL_)) - dynamics.p_world_com().x();
     lean(Vector3(omega() * (front - margin), 0.0, 0.0));
   }
-  // The same over the right feet, by how far it is beyond them; further ahead than behind.
-  void lean_right(double beyond) {
-    const Vector3 com = dynamics.p_world_com();
-    const double ahead = 0.5 * (feet(0, FR_) - com.x());
-    lean(omega() * Vector3(ahead, feet(1, FR_) - com.y() - beyond, 0.0));
-  }
   // As StandReference does in a tick.
   void tick(const Eigen::Vector4d& contact) {
     FeetMatrix seen = feet;
@@ -173,8 +167,8 @@ BOOST_FIXTURE_TEST_CASE(one_that_did_not_leave_the_ground_is_left_in_peace, Step
   lean_right(0.01);
   tick(kAll);
   BOOST_TEST(steps.way()(2, RR_) > 0.0);
-  int ticks = 0, lifted = 0;
-  for (; ticks < 500; ++ticks) {
+  int lifted = 0;
+  for (int k = 0; k < 500; ++k) {
     tick(kAll);
     lifted += steps.lifts(RR_);
   }

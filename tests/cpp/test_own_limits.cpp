@@ -22,10 +22,14 @@ struct Stretched : Leaning {
     state.v[joints[calf].v] = 6.0;
   }
 
-  Solution solve(double speed, double contact, Form form = Form::kCondensed) {
-    lean(Vector3(speed, 0.0, 0.0));
+  // Where it is and as fast as it goes.
+  void leave_foot() {
     reference.feet[RR_].p_world = dynamics.legs()[RR_].p_world_contact;
     reference.feet[RR_].v_world = dynamics.legs()[RR_].v_world_contact;
+  }
+  Solution solve(double speed, double contact, Form form = Form::kCondensed) {
+    lean(Vector3(speed, 0.0, 0.0));
+    leave_foot();
     state.contact[RR_] = contact;
     gains.joint_limit_rate = r;
     WholeBodyController controller(robot, gains, {form});
@@ -94,8 +98,7 @@ BOOST_FIXTURE_TEST_CASE(both_rows_of_such_a_leg_are_wider_by_that, Stretched) {
   const double more = 1e4 / ProgramUnits(robot).angular;
   state = standing_state(robot);  // its foot is asked what the leg can do
   lean(Vector3(kOverTheEdge, 0.0, 0.0));
-  reference.feet[RR_].p_world = dynamics.legs()[RR_].p_world_contact;
-  reference.feet[RR_].v_world = dynamics.legs()[RR_].v_world_contact;
+  leave_foot();
   for (const Form form : {Form::kCondensed, Form::kGeneral}) {
     WholeBodyController controller(robot, gains, {form});
     controller.update(state, reference);

@@ -123,11 +123,8 @@ BOOST_FIXTURE_TEST_CASE(a_leg_that_is_given_up_is_expected_to_do_nothing, Latche
 BOOST_FIXTURE_TEST_CASE(the_foot_that_is_to_step_is_meant_to_bear_nothing, Leaning) {
   gains.foot_step = 0.3;
   StandReference stand(robot);
-  const FeetMatrix feet = contact_points(dynamics);
-  const Vector3 com = dynamics.p_world_com();
   for (const double beyond : {-0.01, 0.01}) {
-    lean(Vector3(omega() * 0.5 * (feet(0, FR_) - com.x()),
-                 omega() * (feet(1, FR_) - com.y() - beyond), 0.0));
+    lean_right(beyond);
     stand.reset();
     stand.latch(dynamics, state.q);
     const Reference& wanted = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002);

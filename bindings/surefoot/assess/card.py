@@ -81,9 +81,8 @@ class Card:
 
     @property
     def main(self) -> tuple[float, float]:
-        """Length [s] and height [m] of the pushes that the summary is about: STANDARD if asked."""
-        offered = [(length, height) for length in self.lengths_s for height in self.heights_m]
-        return STANDARD if STANDARD in offered else offered[0]
+        """Length [s] and height [m] of the pushes that the summary is about."""
+        return main_push([(length, lift) for length in self.lengths_s for lift in self.heights_m])
 
     @property
     def degrees(self) -> list[float]:
@@ -94,6 +93,11 @@ class Card:
     def condition_degrees(self) -> list[float]:
         """Directions of pushes under further conditions [deg]."""
         return [360.0 * k / self.condition_directions for k in range(self.condition_directions)]
+
+
+def main_push(offered: list[tuple[float, float]]) -> tuple[float, float]:
+    """Return the length and height that a summary is about: STANDARD, or the first without it."""
+    return STANDARD if STANDARD in offered else offered[0]
 
 
 def standard_card(name: str) -> Card:

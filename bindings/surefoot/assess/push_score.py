@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from surefoot.assess.card import STANDARD
+from surefoot.assess.card import main_push
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.sweep import Sweep, from_rows
 from surefoot.assess.unit import PushUnit
@@ -43,8 +43,9 @@ def push_section(units: list[PushUnit], limits: Limits, found: Found) -> dict[st
 
 
 def main_table(tables: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the table of STANDARD pushes, the first one if there is none."""
-    return next((t for t in tables if (t["length_s"], t["height_m"]) == STANDARD), tables[0])
+    """Return the table of the pushes that the summary is about."""
+    shapes = [(table["length_s"], table["height_m"]) for table in tables]
+    return tables[shapes.index(main_push(shapes))]
 
 
 def statistic(seeds: int) -> str:

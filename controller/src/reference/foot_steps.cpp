@@ -37,13 +37,13 @@ Vector3 flat(const Vector3& way, const Vector3& normal) noexcept {
 void FootSteps::update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& p_world_feet,
                        const Eigen::Vector4d& contact, SupportFrame& support, double dt) noexcept {
   if (gains.foot_step <= 0.0) return stop(dt);
-  const FeetMatrix from_place = p_world_feet - support.p_world_places();
+  const FeetMatrix places = support.p_world_places();
+  const FeetMatrix from_place = p_world_feet - places;
   const double height = height_over(p_world_feet, dynamics);
   const Eigen::Vector2d capture = capture_point(dynamics);
   moving_ = (capture - dynamics.p_world_com().head<2>()).norm() > kMoving * height;
-  judge_edge(gains, support, capture);
-  lift_one(p_world_feet, support.p_world_places().colwise() + stride_, contact, capture,
-           kGain * height);
+  judge_edge(gains, support, places, capture);
+  lift_one(p_world_feet, places, contact, capture, kGain * height);
   const double age = dt / std::sqrt(height / kGravity);
   for (int leg = 0; leg < kLegs; ++leg) {
     age_[leg] += age;
@@ -76,8 +76,9 @@ void FootSteps::hide_swinging(const SupportFrame& support, FeetMatrix& p_world_f
 
 // How near the capture point is to the edge of the places, and the stride that this asks for.
 void FootSteps::judge_edge(const Gains& gains, const SupportFrame& support,
+                           const FeetMatrix& p_world_places,
                            const Eigen::Vector2d& capture) noexcept {
-  const SupportPolygon polygon(support.p_world_places(), {true, true, true, true});
+  const SupportPolygon polygon(p_world_places, {true, true, true, true});
   near_ = 1.0 - std::clamp(polygon.margin(capture) / gains.edge_margin, 0.0, 1.0);
   Vector3 gone = Vector3::Zero();
   gone.head<2>() = capture - support.origin().head<2>();
@@ -87,7 +88,7 @@ void FootSteps::judge_edge(const Gains& gains, const SupportFrame& support,
 
 // A foot that bears steps too if that helps, with the capture point outside; one is unloaded at a
 // time.
-void FootSteps::lift_one(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
+void FootSteps::lift_one(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_places,
                          const Eigen::Vector4d& contact, const Eigen::Vector2d& capture,
                          double gain) noexcept {
   if (near_ < 1.0) {
@@ -99,7 +100,8 @@ void FootSteps::lift_one(const FeetMatrix& p_world_feet, const FeetMatrix& p_wor
     if (foot_[leg] == Foot::kLifts) return;
     bearing[leg] = foot_[leg] == Foot::kStands && contact[leg] > kLanded;
   }
-  const int leg = foot_to_lift(p_world_feet, p_world_goals, bearing, capture, kSwing, gain);
+  const FeetMatrix goals = p_world_places.colwise() + stride_;
+  const int leg = foot_to_lift(p_world_feet, goals, bearing, capture, kSwing, gain);
   if (leg < 0 || stuck_[leg]) return;
   foot_[leg] = Foot::kLifts;
   age_[leg] = 0.0;

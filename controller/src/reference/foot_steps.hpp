@@ -48,9 +48,9 @@ class FootSteps {
  private:
   enum class Foot { kStands, kLifts, kSwings };
 
-  void judge_edge(const Gains& gains, const SupportFrame& support,
+  void judge_edge(const Gains& gains, const SupportFrame& support, const FeetMatrix& p_world_places,
                   const Eigen::Vector2d& capture) noexcept;
-  void lift_one(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
+  void lift_one(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_places,
                 const Eigen::Vector4d& contact, const Eigen::Vector2d& capture,
                 double gain) noexcept;
   void judge_foot(int leg, double contact, const Vector3& from_place) noexcept;

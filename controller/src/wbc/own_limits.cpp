@@ -51,6 +51,14 @@ Vector3 within(const Matrix3& J, const Vector3& asked, const Bounds& bounds) noe
   return a;
 }
 
+// What a leg does otherwise than it was asked, so as to keep its own limits.
+Vector3 own_change(const JointLimits& limits, int leg, const Matrix3& J,
+                   const Vector3& asked) noexcept {
+  const Bounds bounds = own_bounds(limits, leg, asked);
+  if (bounds.hold(asked)) return Vector3::Zero();
+  return within(J, asked, bounds) - asked;
+}
+
 }  // namespace
 
 void let_go(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
@@ -75,9 +83,7 @@ void ask_within(const Dynamics& dynamics, const JointLimits& limits, double smal
     L.J_leg.computeInverseWithCheck(inverse, invertible, smallest_determinant);
     if (!invertible) continue;
     const Vector3 asked = inverse * (feet_acceleration.col(leg) - L.drift);
-    const Bounds bounds = own_bounds(limits, leg, asked);
-    if (bounds.hold(asked)) continue;
-    feet_acceleration.col(leg) += L.J_leg * (within(L.J_leg, asked, bounds) - asked);
+    feet_acceleration.col(leg) += L.J_leg * own_change(limits, leg, L.J_leg, asked);
   }
 }
 
@@ -89,9 +95,7 @@ void keep_own_limits(const JointTable& joints, const Dynamics& dynamics, const J
     const int first = 3 * leg;
     Vector3 asked;
     for (int j = 0; j < 3; ++j) asked[j] = accelerations[joints[first + j].v];
-    const Bounds bounds = own_bounds(limits, leg, asked);
-    if (bounds.hold(asked)) continue;
-    const Vector3 change = within(L.J_leg, asked, bounds) - asked;
+    const Vector3 change = own_change(limits, leg, L.J_leg, asked);
     for (int j = 0; j < 3; ++j) accelerations[joints[first + j].v] += change[j];
     torques.segment<3>(first) += L.M_leg * change;
   }

@@ -91,12 +91,13 @@ void TermsWriter::write_body(const Gains& gains, const Dynamics& dynamics, const
   auto& [position, orientation, momentum] = terms_.body;
   position = base ? base_position_task(gains, demand.a, dynamics)
                   : com_task(gains, demand.a, state.f_outside, robot_.mass());
-  position.weight[2] *= fade + (1.0 - fade) * gains.edge_height;
+  const auto left = [fade](double at_edge) { return fade + (1.0 - fade) * at_edge; };
+  position.weight[2] *= left(gains.edge_height);
   braking_axes(dynamics, state, reference, robot_.mass()).turn(position);
   position.scale = base ? units_.scale_base : units_.scale_com;
   orientation = base_orientation_task(gains, demand.alpha, dynamics);
   orientation.scale = units_.scale_angular;
-  orientation.weight.head<2>() *= fade + (1.0 - fade) * gains.edge_tilt;
+  orientation.weight.head<2>() *= left(gains.edge_tilt);
   terms_.body_tasks = 2;
   if (gains.weight_momentum > 0.0) {
     momentum = momentum_task(gains, reference, dynamics);
