@@ -14,8 +14,8 @@ from surefoot.assess.unit import PushUnit
 from surefoot.gain_files import gain_values, gains_of
 
 LEVEL = Condition("level ground")
-STILL = 0.001  # [m] that feet and base move by at most in the last tenth of a second
-HARD = ((157.5, 1), (202.5, 2))  # heading [deg] and seed, b1's
+STILL = 0.002  # [m] that feet and base move by at most in the last half second
+HARD = ((157.5, 2), (202.5, 2))  # heading [deg] and seed, b1's
 SMALL = [(heading, level) for heading in (67.5, 90.0, 112.5, 157.5) for level in (110.0, 120.0)]
 
 
@@ -37,7 +37,7 @@ def test_a_push_that_throws_its_feet_up_is_survived_by_stepping(heading: float, 
     foot_step = load_robot("b1").config.gains.foot_step
     track, outcome = pushed(heading, seed, 97.5, foot_step)
     assert outcome.survived and outcome.foot_mm > 50.0
-    last = slice(-round(0.1 * track.rate), None)
+    last = slice(-round(0.5 * track.rate), None)
     assert np.ptp(track.base[last, :3], axis=0).max() < STILL
     assert np.ptp(track.feet[last], axis=0).max() < STILL
 
