@@ -46,7 +46,7 @@ ROWS = (
             case(
                 "slow",
                 "too large for the tolerance in 1 tick of 25",
-                lambda: Program(1e7, 25, weight=1e4),
+                lambda: Program(1e8, 25, weight=1e4),
                 BRIDGED,
                 modes=STANDING,
             ),
