@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
+import threading
 import time
 from pathlib import Path
 
@@ -71,6 +73,35 @@ def never(robot: surefoot.Robot):
 
 def dies(robot: surefoot.Robot):
     return lambda state: os._exit(7)
+
+
+def dies_idle(robot: surefoot.Robot):
+    """Holds still, and ends its process a while after its last update."""
+    called = [0.0]
+
+    def watch():
+        while time.monotonic() < called[0] + 0.3:
+            time.sleep(0.01)
+        os._exit(7)
+
+    def update(state):
+        first, called[0] = not called[0], time.monotonic()
+        if first:
+            threading.Thread(target=watch, daemon=True).start()
+        return surefoot.LowCmd()
+
+    return update
+
+
+def cancels(robot: surefoot.Robot):
+    def update(state):
+        raise asyncio.CancelledError
+
+    return update
+
+
+def mapping(robot: surefoot.Robot):
+    return {}
 
 
 def not_callable(robot: surefoot.Robot):

@@ -11,6 +11,7 @@ import sys
 import time
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -101,7 +102,14 @@ def test_a_sweep_of_a_robot_that_falls_by_itself_is_nothing() -> None:
         ("seeds = true", "seeds: got True"),
         ("lengths_s = []", "lengths_s: got ()"),
         ("lengths_s = 0.1", "lengths_s: got 0.1"),
-        ("lengths_s = [0.1, 0.1]", "lengths_s: got 0.1, 0.1, expected each once"),
+        ("lengths_s = [0.1, 0.1000001]", "lengths_s: got 0.1, 0.1, expected each once"),
+        ("[[condition]]\nname = 'x'\nheadings_deg = [0.0, 360.0]", "expected each once"),
+        ("[[condition]]\nname = 'x'\nfriction = 1" + 400 * "0", "expected a number from 0.01"),
+        (
+            "condition_directions = 0\n[[condition]]\nname = 'x'\n"
+            "[[condition]]\nname = 'y'\npushes = true",
+            "condition 'y': pushes: got true, expected false where condition_directions",
+        ),
         ("faults = 'some'", "expected none, brief or all"),
         ("seeds = ", "not valid TOML"),
     ],
@@ -132,11 +140,13 @@ def test_the_cards_that_ship_have_what_the_protocol_asks_for() -> None:
     [
         ("throws", "threw ValueError: no idea"),
         ("leaves", "threw SystemExit: 3"),
+        ("cancels", "threw CancelledError"),
         ("nan", "returned tau = nan for motor 3"),
         ("infinite", "returned Kd = inf for motor 11"),
         ("wrong_shape", "returned ndarray of shape (11,), expected a LowCmd"),
         ("nothing", "returned NoneType, expected a LowCmd"),
         ("not_callable", "making it gave int"),
+        ("mapping", "making it gave dict"),
         ("no_factory", "making it threw RuntimeError: cannot be made"),
     ],
 )
@@ -152,30 +162,6 @@ def test_a_controller_that_breaks_under_hard_pushes_has_survived_the_others() ->
     done = from_rows(json.loads(json.dumps(found["rows"])))
     assert 10.0 <= done.largest("survived") <= 100.0
     assert all(o.survived == (o.foot_mm is not None) for o in done.tried.values())
-
-
-@pytest.mark.parametrize(
-    ("name", "words"),
-    [("never", "never returned: no run ended in 1 s"), ("dies", "died with exit status 7")],
-)
-def test_a_controller_that_takes_its_process_along_is_marked_and_the_run_goes_on(
-    name: str, words: str
-) -> None:
-    card = Card("few", directions=2, seeds=1, condition_seeds=0, faults="none")
-    result = run_assess(AssessSettings("go1", contestant(name), card, deadline=1.0))
-    rows = result["push"]["tables"][0]["directions"]
-    assert len(rows) == 2 and all(words in row["broken"][0] for row in rows)
-    assert result["push"]["survive_percent_of_limit_p5"] == 0.0
-
-
-def test_a_stall_costs_a_contestant_nothing_that_has_returned_before(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("STALLS", str(tmp_path))
-    card = Card("few", directions=3, seeds=1, condition_seeds=0, faults="none")
-    result = run_assess(AssessSettings("go1", contestant("stalls_once"), card, deadline=2.0))
-    assert result["push"]["broken"] == []
-    assert len(list(tmp_path.iterdir())) == 10  # three a unit; the second unit began again
 
 
 def test_a_robot_that_falls_before_its_push_has_survived_nothing() -> None:
@@ -201,6 +187,37 @@ def test_a_controller_that_is_not_there_is_refused_at_once(name: str, words: str
 def test_a_module_that_does_not_come_to_its_end_is_refused_in_time() -> None:
     with pytest.raises(Error, match=r"its import took longer than 0\.2 s"):
         AssessSettings("go1", Contestant("assess_sleeper:make"), deadline=0.2)
+
+
+@pytest.mark.parametrize(
+    ("what", "words"),
+    [
+        ({"factory": surefoot.StandController}, "got a factory called 'surefoot'"),
+        ({"name": "pd", "gains": {"edge_tilt": 0.1}}, "'pd': got gains, which are for surefoot"),
+        ({"gains": {"edge_tlit": 0.1}}, "unknown gain: got 'edge_tlit'"),
+        ({"name": None}, "controller: got None"),
+    ],
+)
+def test_a_contestant_that_would_be_taken_for_another_is_refused(
+    what: dict[str, Any], words: str
+) -> None:
+    with pytest.raises(Error, match=words):
+        Contestant(**what)
+
+
+@pytest.mark.parametrize(
+    ("what", "words"),
+    [
+        ({"jobs": 1.5}, r"jobs: got 1\.5, expected a whole number 1 \.\. 256"),
+        ({"jobs": "2"}, "jobs: got '2'"),
+        ({"deadline": "2"}, "deadline: got '2', expected a number"),
+        ({"card": "quick"}, "card: got 'quick', expected a Card"),
+        ({"contestant": "pd"}, "contestant: got 'pd', expected a Contestant"),
+    ],
+)
+def test_settings_that_make_no_sense_are_refused(what: dict[str, Any], words: str) -> None:
+    with pytest.raises(Error, match=words):
+        AssessSettings("go1", **what)
 
 
 def test_a_factory_that_cannot_travel_is_refused_at_once() -> None:

@@ -10,13 +10,14 @@ import pytest
 import surefoot
 from surefoot.assess import AssessSettings, Card, Condition, Contestant, assess_text
 from surefoot.assess.card import standard_card
+from surefoot.assess.fault_unit import FaultUnit
 from surefoot.assess.plan import pushes, works
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.push_run import Outcome
 from surefoot.assess.push_score import low_end, statistic
 from surefoot.assess.score import score
 from surefoot.assess.sweep import as_rows, sweep
-from surefoot.assess.unit import FaultUnit, PushUnit, StandUnit, run_unit
+from surefoot.assess.unit import PushUnit, StandUnit, run_unit
 
 CARD = Card(
     "mine",
@@ -92,6 +93,20 @@ def test_conditions_have_limits_of_their_own_and_count_what_passed(card: dict[st
     stand = slope["stand"]
     assert (stand["runs"], stand["passed"], stand["stood"]) == (6, 5, 6)
     assert stand["tilt_deg"] == 3.0 and stand["headings_deg"]["0"]["tilt_deg"] == 0.1
+
+
+def test_impulses_a_kilogram_are_of_the_mass_that_was_pushed() -> None:
+    for more in ({"mass_share": 0.2}, {"payload_share": 0.4}):
+        conditions = (Condition("usual"), Condition("heavy", pushes=True, **more))
+        few = Card("few", directions=1, seeds=1, condition_seeds=1, conditions=conditions)
+        settings = AssessSettings("go1", Contestant("pd"), few)
+        results = {
+            (w.contestant.name, w.unit.key): result_of(w.unit) for w in works(settings, LIMITS)
+        }
+        filled = score(settings, ROBOT, LIMITS, results)
+        mass = (1.0 + sum(more.values())) * filled["pinned_pose"]["mass_kg"]
+        survived = filled["conditions"][1]["push"]["tables"][0]["directions"][0]["survive"]
+        assert survived["ns_per_kg"] == pytest.approx(survived["ns"] / mass, rel=1e-4)
 
 
 def test_faults_and_references_are_on_the_card(card: dict[str, Any]) -> None:
@@ -177,7 +192,7 @@ def test_who_asks_for_the_delay_is_told_it() -> None:
         told.append(delay)
         return surefoot.StandController(robot)
 
-    for latency in (0.0, 20.0):
+    for latency in (0.0, 1.6, 20.0):  # the plant delays by whole steps of its physics
         unit = StandUnit(Condition("late", latency_ms=latency, quiet_s=0.1), 0.0, 1)
         run_unit(unit, "go1", Contestant("asks", factory=asks))
-    np.testing.assert_allclose(told, [0.004, 0.024])
+    np.testing.assert_allclose(told, [0.004, 0.006, 0.024])

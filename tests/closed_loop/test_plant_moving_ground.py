@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from plant_helpers import pd_command
 from surefoot import Error, LowCmd
 from surefoot.sim import Flaws, Plant, PlantSettings, Push
-from surefoot.sim.moving_ground import drive_ground
+from surefoot.sim.moving_ground import BLOCK, drive_ground
+from surefoot.sim.truth import has_fallen
 
 
 def stand(plant: Plant, seconds: float, speed: float) -> None:
@@ -52,6 +54,21 @@ def test_a_block_raises_its_foot_and_bears_what_it_bears(foot: str, leg: int) ->
     weight = plant.truth.foot_forces[2].sum()
     assert weight == pytest.approx(plant.robot.mass * 9.81, rel=0.05)
     assert plant.truth.foot_forces[2, leg] > 1.0 and not plant.truth.fell
+
+
+def test_a_leg_on_the_block_has_fallen_and_its_foot_has_not() -> None:
+    plant = Plant("go1", PlantSettings(sensors="ideal", block_foot="FR"))
+    plant.reset()
+    block = plant.model.geom(BLOCK).id
+    foot = int(plant.handles.foot_geoms[0])
+    legs = [
+        g for g in range(plant.model.ngeom) if plant.model.geom(g).name == "FR_calf_collision_0"
+    ]
+    for other, fell in ((foot, False), (legs[0], True)):
+        touching = SimpleNamespace(
+            xmat=plant.data.xmat, contact=SimpleNamespace(geom=np.array([[block, other]]))
+        )
+        assert has_fallen(touching, plant.handles) is fell  # type: ignore[arg-type]
 
 
 def test_ground_that_moves_goes_with_nothing_else() -> None:

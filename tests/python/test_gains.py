@@ -5,6 +5,7 @@ import copy
 import math
 import re
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -340,3 +341,12 @@ def test_gains_that_change_while_the_motors_damp_are_in_force_at_once(go1) -> No
     controller.set_gains(gains)
     command = controller.update(go1.resting_report(22))
     assert command.motorCmd[0].Kd == 6.0
+
+
+@pytest.mark.parametrize("robot", surefoot.available_robots())
+def test_the_units_that_a_robots_file_says_are_the_gains(robot: str) -> None:
+    file = Path(surefoot.__file__).parent / "models" / f"{robot}.toml"
+    said = re.findall(r"^(\w+) = \S+ +# \[(.+?)\]", file.read_text(), re.MULTILINE)
+    units = {info.name: info.unit for info in surefoot.gain_table()}
+    found = {name: unit for name, unit in said if name in units}
+    assert len(found) > 20 and found == {name: units[name] for name in found}

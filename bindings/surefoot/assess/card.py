@@ -9,11 +9,11 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.assess.condition import Condition, read_condition
 from surefoot.robot_table import read_toml, suggest
-from surefoot.sim.checks import number
+from surefoot.sim.checks import number, whole
 
 USUAL = "level ground"
 STANDARD = (0.1, 0.0)  # [s] length, [m] height: of pushes that all cards have, as a rule
-MOST_SEEDS = 1000
+MOST = 1000  # directions, seeds
 LAST_SEED = 1_000_000
 _FOLDER = Path(__file__).parent
 
@@ -51,10 +51,10 @@ class Card:
 
     def __post_init__(self) -> None:
         for name, low in (("directions", 1), ("seeds", 1)):
-            _whole(name, getattr(self, name), low, MOST_SEEDS)
+            whole(name, getattr(self, name), low, MOST)
         for name in ("condition_directions", "condition_seeds"):
-            _whole(name, getattr(self, name), 0, MOST_SEEDS)
-        _whole("first_seed", self.first_seed, 0, LAST_SEED)
+            whole(name, getattr(self, name), 0, MOST)
+        whole("first_seed", self.first_seed, 0, LAST_SEED)
         _numbers("lengths_s", self.lengths_s, 0.002, 5.0)
         _numbers("heights_m", self.heights_m, -1.0, 1.0)
         if self.faults not in ("none", "brief", "all"):
@@ -64,6 +64,12 @@ class Card:
         names = [condition.name for condition in self.conditions]
         if not names or len(set(names)) < len(names):
             raise Error(f"condition: got {', '.join(names) or 'none'}, expected names, each once")
+        for condition in self.conditions[1:]:
+            if condition.pushes and not (self.condition_directions and self.condition_seeds):
+                raise Error(
+                    f"condition '{condition.name}': pushes: got true, expected false where "
+                    "condition_directions or condition_seeds is 0"
+                )
         usual = self.conditions[0]
         if usual.slope_deg or usual.moves:
             raise Error(
@@ -109,15 +115,15 @@ def standard_card(name: str) -> Card:
     return replace(card, conditions=tuple(replace(c, pushes=False) for c in conditions))
 
 
-def read_card(path: Path, name: str | None = None) -> Card:
+def read_card(path: str | Path, name: str | None = None) -> Card:
     """Read a card from a TOML file.
 
     Raises:
         Error: No such file, no TOML, an unknown key, a value that cannot be.
     """
-    table = read_toml(path)
+    table = read_toml(Path(path))
     try:
-        return _card_of(table, name or path.stem)
+        return _card_of(table, name or Path(path).stem)
     except (Error, TypeError) as problem:
         raise Error(f"scenario file '{path}': {problem}") from None
 
@@ -140,15 +146,10 @@ def _card_of(table: dict[str, Any], name: str) -> Card:
     return Card(name=name, **values)
 
 
-def _whole(name: str, value: Any, low: int, high: int) -> None:
-    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-        raise Error(f"{name}: got {value!r}, expected a whole number {low} .. {high}")
-
-
 def _numbers(name: str, values: Any, low: float, high: float) -> None:
     if not isinstance(values, tuple) or not values:
-        raise Error(f"{name}: got {values!r}, expected numbers")
+        raise Error(f"{name}: got {values!r}, expected a tuple of numbers (TOML: a list)")
     for value in values:
         number(name, value, low, high)
-    if len(set(values)) < len(values):
+    if len({f"{value:g}" for value in values}) < len(values):  # as stores and tables have them
         raise Error(f"{name}: got {', '.join(f'{v:g}' for v in values)}, expected each once")

@@ -91,11 +91,16 @@ class Condition:
         try:
             for name, (low, high) in _RANGES.items():
                 number(name, getattr(self, name), low, high)
-            one_of("step_foot", self.step_foot, ("", *LEGS))
+            if self.step_foot != "":
+                one_of("step_foot", self.step_foot, LEGS, ' or "" for none')
             _check_numbers("payload_offset_m", self.payload_offset_m, 1.0)
             if len(self.payload_offset_m) != 3:
                 raise Error(f"payload_offset_m: got {self.payload_offset_m!r}, expected x, y, z")
             _check_numbers("headings_deg", self.headings_deg, 360.0)
+            if len({f"{heading % 360.0:g}" for heading in self.headings_deg}) < len(
+                self.headings_deg
+            ):
+                raise Error(f"headings_deg: got {self.headings_deg!r}, expected each once")
             if not isinstance(self.pushes, bool):
                 raise Error(f"pushes: got {self.pushes!r}, expected true or false")
             if self.moves and (self.slope_deg or self.soft_ground_mm):

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import importlib
 import inspect
-import math
 import os
-import struct
 import sys
 from collections.abc import Callable
 from contextlib import redirect_stdout
@@ -14,22 +12,16 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
-from surefoot._core import Error, LowCmd, LowState, Robot, StandController, StandOptions
+from surefoot._core import Error, Robot, StandController, StandOptions
+from surefoot.assess.checked import Act, Broken, checked, told
+from surefoot.assess.time_limit import Overdue
 from surefoot.gain_files import gains_of
-from surefoot.low_state_layout import MOTORS
 
-Act = Callable[[LowState], LowCmd]
 Factory = Callable[..., Any]
 REFERENCES = ("pd", "force_qp")
 BUILT_IN = ("surefoot", *REFERENCES)
 _UNPREDICTED = 0.0095  # [s] of delay: two periods and a latency of 5 ms are left as they are
 _FARTHEST = 0.05  # [s] of StandOptions.delay
-_FIELDS = ("q", "dq", "tau", "Kp", "Kd")
-_NUMBERS = struct.Struct("<22x" + MOTORS * "x5f12x")  # of a LowCmd's twelve motors, and no more
-
-
-class Broken(Exception):
-    """A controller did not do what a controller does; the text says what."""
 
 
 @dataclass(frozen=True)
@@ -37,8 +29,9 @@ class Contestant:
     """A controller that can be made anew, here or in another process.
 
     Attributes:
-        name: Of BUILT_IN, or MODULE:CALLABLE, or what a callable is called.
-        gains: Every gain of "surefoot" by name; empty for the robot's own.
+        name: Of BUILT_IN, or MODULE:CALLABLE, or what the factory's controllers are called: a name
+            that is not of BUILT_IN.
+        gains: Every gain by name, of "surefoot" alone; empty for the robot's own.
         factory: Called with the surefoot.Robot, and with delay= if it has such a parameter; returns
             what is called with each LowState, or something with a method update() that is; None:
             found by the name.
@@ -47,6 +40,19 @@ class Contestant:
     name: str = "surefoot"
     gains: dict[str, float] = field(default_factory=dict)
     factory: Factory | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str):
+            raise Error(f"controller: got {self.name!r}, expected a name")
+        if self.factory is not None and self.name in BUILT_IN:
+            raise Error(
+                f"controller: got a factory called '{self.name}', expected another name: "
+                f"{', '.join(BUILT_IN)} are built in"
+            )
+        if self.gains:
+            if self.name != "surefoot":
+                raise Error(f"controller '{self.name}': got gains, which are for surefoot alone")
+            gains_of(self.gains)
 
     def make(self, robot: Robot, delay: float) -> Act:
         """Make a controller for one run.
@@ -61,12 +67,13 @@ class Contestant:
         factory = self.factory or find_factory(self)
         try:
             made = factory(robot, delay=delay) if _asks_delay(factory) else factory(robot)
-        except (Exception, SystemExit) as problem:
-            raise Broken(f"making it threw {_told(problem)}") from None
+        # SystemExit and asyncio's CancelledError are no Exceptions.
+        except BaseException as problem:
+            raise Broken(f"making it threw {told(problem)}") from None
         act = getattr(made, "update", made)
-        if not callable(act):
+        if isinstance(made, dict) or not callable(act):  # a dict has an update() of another kind
             raise Broken(f"making it gave {type(made).__name__}, expected something to call")
-        return _checked(act)
+        return checked(act)
 
 
 def find_factory(contestant: Contestant) -> Factory:
@@ -92,8 +99,10 @@ def find_factory(contestant: Contestant) -> Factory:
             found: Any = importlib.import_module(module)
         for part in path.split("."):
             found = getattr(found, part)
-    except (Exception, SystemExit) as problem:
-        raise Error(f"controller '{name}': {_told(problem)}") from None
+    except (Overdue, KeyboardInterrupt):  # of who waits for it
+        raise
+    except BaseException as problem:
+        raise Error(f"controller '{name}': {told(problem)}") from None
     if not callable(found):
         raise Error(f"controller '{name}': got {type(found).__name__}, expected a callable")
     factory: Factory = found
@@ -118,37 +127,3 @@ def _asks_delay(factory: Factory) -> bool:
         return "delay" in inspect.signature(factory).parameters
     except (TypeError, ValueError):  # not every callable of an extension has one
         return False
-
-
-def _checked(act: Act) -> Act:
-    def call(state: LowState) -> LowCmd:
-        try:
-            command = act(state)
-        except (Exception, SystemExit) as problem:
-            raise Broken(f"threw {_told(problem)}") from None
-        if not isinstance(command, LowCmd):
-            raise Broken(f"returned {_shape(command)}, expected a LowCmd")
-        _check_finite(command)
-        return command
-
-    return call
-
-
-def _check_finite(command: LowCmd) -> None:
-    values = _NUMBERS.unpack_from(command.raw.data)
-    # A sum of float32 in double is finite if and only if all of them are.
-    if math.isfinite(sum(values)):
-        return
-    first = next(k for k, value in enumerate(values) if not math.isfinite(value))
-    motor, name = first // len(_FIELDS), _FIELDS[first % len(_FIELDS)]
-    raise Broken(f"returned {name} = {values[first]} for motor {motor}, expected finite numbers")
-
-
-def _shape(value: Any) -> str:
-    shape = getattr(value, "shape", None)
-    return type(value).__name__ + (f" of shape {shape}" if shape is not None else "")
-
-
-def _told(problem: BaseException) -> str:
-    text = " ".join(str(problem).split())
-    return f"{type(problem).__name__}: {text}" if text else type(problem).__name__

@@ -2,61 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from multiprocessing.connection import Connection, wait
+from contextlib import suppress
+from multiprocessing.connection import wait
 from typing import Any
 
-from surefoot.assess.contestant import Contestant
 from surefoot.assess.ground import Source
-from surefoot.assess.unit import Unit, run_unit
-from surefoot.processes import die_with_parent, spawn_context
-
-_START = 120.0  # [s] more for a process that has yet to start and build its plants
-_BEAT = None  # sent before the first and after every run; a dictionary is the unit's result
-
-
-@dataclass(frozen=True)
-class Work:
-    """A unit and who it is for.
-
-    Attributes:
-        unit: What to run.
-        contestant: Who with.
-    """
-
-    unit: Unit
-    contestant: Contestant
-
-
-class _Worker:
-    """A process, what it is at, and until when it has to be heard."""
-
-    def __init__(self, source: Source) -> None:
-        context = spawn_context()
-        self.pipe, theirs = context.Pipe()
-        self.process = context.Process(target=_serve, args=(theirs, source), daemon=True)
-        self.process.start()
-        theirs.close()
-        self.work: Work | None = None
-        self.until = self.deadline = 0.0
-        self.fresh, self.late = True, False
-
-    def give(self, work: Work, deadline: float) -> None:
-        self.pipe.send(work)
-        self.work, self.deadline = work, deadline * work.unit.patience
-        self.until = time.monotonic() + self.deadline + _START * self.fresh
-        self.fresh = False
-
-    def beat(self) -> None:
-        self.until = time.monotonic() + self.deadline
-
-    def end(self) -> None:
-        self.process.kill()
-        self.process.join()
-        self.pipe.close()
+from surefoot.assess.worker import Work, Worker
 
 
 def run_all(
@@ -65,22 +18,24 @@ def run_all(
     """Run work on several processes; yield what came of each, in the order in which they end.
 
     A process that dies, or of which nothing is heard for `deadline`, takes the unit that it was at
-    with it: {"broken": why}. Another takes its place. Of a contestant that has returned before, a
-    unit that was late is tried once more, for machines stall as well.
+    with it: {"broken": why, LOST: True}. Another takes its place. Of a contestant that has returned
+    before, a unit that was late is tried once more, for machines stall as well.
 
     Args:
         works: In the order in which they are begun.
         source: The robot.
         jobs: Processes.
         deadline: For one run [s] of wall time.
+
+    Raises:
+        Error: Processes cannot be started.
     """
     queue, again = iter(works), list[Work]()
     returned, late = set[str](), set[tuple[str, str]]()
-    crew: list[_Worker] = []
+    crew: list[Worker] = []
     try:
         for work in queue:
-            crew.append(_Worker(source))
-            crew[-1].give(work, deadline)
+            crew.append(_begin(work, source, deadline))
             if len(crew) == jobs:
                 break
         while crew:
@@ -101,60 +56,39 @@ def run_all(
             worker.end()
 
 
-def _heard(crew: list[_Worker]) -> list[tuple[_Worker, dict[str, Any]]]:
+def _heard(crew: list[Worker]) -> list[tuple[Worker, dict[str, Any]]]:
     """Wait for results, and for those that will never come."""
     left = min(worker.until for worker in crew) - time.monotonic()
     ready = wait([worker.pipe for worker in crew], max(0.0, left))
     done = []
     for worker in crew:
         if worker.pipe in ready:
-            result = _receive(worker)
-            if result is _BEAT:
-                worker.beat()
-            else:
+            result = worker.hear()
+            if result is not None:
                 done.append((worker, result))
         elif time.monotonic() > worker.until:
-            worker.end()
-            worker.late = True
-            done.append(
-                (worker, {"broken": f"never returned: no run ended in {worker.deadline:g} s"})
-            )
+            done.append((worker, worker.give_up()))
     return done
 
 
-def _receive(worker: _Worker) -> Any:
-    try:
-        return worker.pipe.recv()
-    except (EOFError, OSError):
-        worker.process.join()
-        code = worker.process.exitcode
-        worker.end()
-        return {"broken": f"its process died with exit status {code}"}
+def _begin(work: Work, source: Source, deadline: float) -> Worker:
+    worker = Worker(source)
+    with suppress(OSError):  # who has died by now tells so where it is heard
+        worker.give(work, deadline)
+    return worker
 
 
 def _onward(
-    crew: list[_Worker], worker: _Worker, work: Work | None, source: Source, deadline: float
-) -> list[_Worker]:
+    crew: list[Worker], worker: Worker, work: Work | None, source: Source, deadline: float
+) -> list[Worker]:
     """Give a worker more to do, or let it go; replace it if it is gone."""
-    if worker.pipe.closed or work is None:
-        if not worker.pipe.closed:
-            worker.end()
-        crew = [other for other in crew if other is not worker]
-        if work is not None:
-            crew.append(_Worker(source))
-            crew[-1].give(work, deadline)
-        return crew
-    worker.give(work, deadline)
-    return crew
-
-
-def _serve(pipe: Connection, source: Source) -> None:
-    """Do what comes through the pipe, until it closes."""
-    die_with_parent()
-    os.dup2(2, 1)  # what a controller prints is no part of our output, which may be JSON
-    while True:
+    if not worker.pipe.closed and work is not None:
         try:
-            work: Work = pipe.recv()
-        except EOFError:
-            return
-        pipe.send(run_unit(work.unit, source, work.contestant, lambda: pipe.send(_BEAT)))
+            worker.give(work, deadline)
+            return crew
+        except OSError:
+            pass  # it has died since its last result: this work is not what it died of
+    if not worker.pipe.closed:
+        worker.end()
+    left = [other for other in crew if other is not worker]
+    return left if work is None else [*left, _begin(work, source, deadline)]

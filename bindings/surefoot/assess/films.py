@@ -12,14 +12,16 @@ import numpy as np
 
 from surefoot._core import Error
 from surefoot.assess import plan
-from surefoot.assess.contestant import Broken, Contestant
-from surefoot.assess.crew import Work, run_all
+from surefoot.assess.checked import Broken
+from surefoot.assess.contestant import Contestant
+from surefoot.assess.crew import run_all
 from surefoot.assess.ground import Source
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.push_score import KINDS, Found
 from surefoot.assess.settings import AssessSettings
 from surefoot.assess.sweep import from_rows
 from surefoot.assess.unit import Beat, PushUnit, StandUnit
+from surefoot.assess.worker import Work
 from surefoot.sim import Plant
 from surefoot.sim.rotations import Array
 
@@ -115,7 +117,11 @@ def make_films(
         work.unit.key: result
         for work, result in run_all(works, settings.robot, settings.jobs, settings.deadline)
     }
-    return [{"caption": unit.caption, **made[unit.key]} for unit in units]
+    told = ("film", "broken")
+    return [
+        {"caption": unit.caption, **{k: v for k, v in made[unit.key].items() if k in told}}
+        for unit in units
+    ]
 
 
 def failures(
@@ -125,9 +131,9 @@ def failures(
     pushes = [u for u in plan.pushes(settings.card, limits) if "rows" in results[u.key]]
     main = [unit for unit in pushes if (unit.duration, unit.lift) == settings.card.main]
     for kind, attribute in KINDS.items():
+        if not main:
+            break
         sweeps = [(from_rows(results[unit.key]["rows"]), unit) for unit in main]
-        if not sweeps:
-            return
         found, unit = min(sweeps, key=lambda pair: pair[0].largest(attribute))
         above = [level for level in found.tried if level > found.largest(attribute)]
         if above:

@@ -65,7 +65,9 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
 def delay_of(plant: Plant) -> float:
     """Return how long it takes from a measurement to the action of the command made from it [s]."""
     settings = plant.settings
-    return (2.0 if settings.real else 0.0) / settings.control_rate + settings.extra_delay
+    # As Plant.step() has it: in whole steps of its physics.
+    extra = round(settings.extra_delay / settings.physics_dt) * settings.physics_dt
+    return (2.0 if settings.real else 0.0) / settings.control_rate + extra
 
 
 def move_time(condition: Condition) -> float:

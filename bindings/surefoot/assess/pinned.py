@@ -10,7 +10,7 @@ import numpy as np
 
 from surefoot._core import Robot
 from surefoot.sim.rotations import Array
-from surefoot.sim.support import GRAVITY, distance_to_edge
+from surefoot.sim.support import distance_to_edge
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -41,11 +41,6 @@ class Pinned:
     def height(self) -> float:
         """Of the centre of mass above the ground [m]."""
         return float(self.com[2])
-
-    @property
-    def omega(self) -> float:
-        """Of the linear inverted pendulum, sqrt(g / h) [rad/s]."""
-        return math.sqrt(GRAVITY / self.height)
 
     def reach(self, degrees: float) -> float:
         """Return how far the edge of the feet is from below the centre of mass [m].

@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from surefoot.assess.card import STANDARD, Card
 from surefoot.assess.condition import Condition
 from surefoot.assess.contestant import REFERENCES, Contestant
-from surefoot.assess.crew import Work
+from surefoot.assess.fault_unit import FaultUnit
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.settings import AssessSettings
 from surefoot.assess.sweep import FINEST, first_level
-from surefoot.assess.unit import FaultUnit, PushUnit, StandUnit
+from surefoot.assess.unit import PushUnit, StandUnit
+from surefoot.assess.worker import Work
 from surefoot.faults import choose_cells
 
 OTHER_FINEST = 5.0  # [%] step of sweeps that are not STANDARD, which are most of a full card

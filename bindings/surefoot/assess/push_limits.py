@@ -74,11 +74,15 @@ class Limits:
         self.pinned = pin(robot)
         self._known: dict[tuple[float, ...], PushLimit] = {}
 
+    def mass(self, condition: Condition) -> float:
+        """Return the robot's true mass under a condition, payload included [kg]."""
+        return (1.0 + condition.mass_share + condition.payload_share) * self.pinned.mass
+
     def of(self, condition: Condition, degrees: float, duration: float, lift: float) -> PushLimit:
         """Return the limits of a push under a condition: of its friction and its true mass."""
-        scale = 1.0 + condition.mass_share + condition.payload_share
-        key = (degrees, duration, lift, condition.friction, scale)
+        mass = self.mass(condition)
+        key = (degrees, duration, lift, condition.friction, mass)
         if key not in self._known:
-            pinned = replace(self.pinned, mass=scale * self.pinned.mass)
+            pinned = replace(self.pinned, mass=mass)
             self._known[key] = push_limit(pinned, degrees, duration, lift, condition.friction)
         return self._known[key]

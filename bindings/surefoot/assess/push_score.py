@@ -101,7 +101,7 @@ def _row(units: list[PushUnit], limits: Limits, found: Found) -> dict[str, Any]:
             "percent_of_limit": low_end(percents),
             "percent_of_lip": 100.0 * impulse / limit.lip,
             "ns": impulse,
-            "ns_per_kg": impulse / limits.pinned.mass,
+            "ns_per_kg": impulse / limits.mass(unit.condition),
             "seeds_percent_of_limit": percents,
         }
     return row

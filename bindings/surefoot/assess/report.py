@@ -86,7 +86,7 @@ def _broken(card: dict[str, Any]) -> str:
         found += [f"{name}: {why}" for why in push["broken"]]
     if not found:
         return ""
-    lines = "".join(f"<p>{escape(why)}</p>" for why in found)
+    lines = "".join(f"<p>{escape(why)}</p>" for why in dict.fromkeys(found))
     return f'<section class="card"><h2>What the controller did not do</h2>{lines}</section>'
 
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot._core import LowCmd
+from surefoot.assess.checked import Act
 from surefoot.assess.condition import Condition
-from surefoot.assess.contestant import Act
 from surefoot.assess.ground import mover
 from surefoot.assess.rolling import without_rolling
 from surefoot.sim import Plant

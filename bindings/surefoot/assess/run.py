@@ -6,12 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from surefoot.assess.crew import Work, run_all
+from surefoot.assess.crew import run_all
 from surefoot.assess.films import make_films
 from surefoot.assess.plan import works
 from surefoot.assess.push_limits import Limits
 from surefoot.assess.score import of_contestant, score
 from surefoot.assess.settings import AssessSettings
+from surefoot.assess.worker import LOST, Work
 from surefoot.store import Store, open_store
 
 Progress = Callable[[str, int, int], None]
@@ -49,9 +50,7 @@ def _run(
     settings: AssessSettings, store: Store, planned: list[Work], progress: Progress | None
 ) -> None:
     # What never came to its end may have been the machine's fault: a run that goes on tries again.
-    whole = {
-        key for key, found in store.results.items() if "rows" in found or "broken" not in found
-    }
+    whole = {key for key, found in store.results.items() if LOST not in found}
     left = [w for w in planned if (w.contestant.name, w.unit.key) not in whole]
     done = len(planned) - len(left)
     jobs = min(settings.jobs, max(1, len(left)))

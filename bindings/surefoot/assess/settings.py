@@ -12,8 +12,10 @@ from surefoot.assess.contestant import Contestant, find_factory
 from surefoot.assess.ground import Source, describe
 from surefoot.assess.time_limit import time_limit
 from surefoot.robots import build_robot, identity
+from surefoot.sim.checks import number, whole
 
 MOST_JOBS = 256
+A_DAY = 86400.0  # [s]
 
 
 @dataclass(frozen=True)
@@ -37,10 +39,10 @@ class AssessSettings:
     store: str | None = None
 
     def __post_init__(self) -> None:
-        if isinstance(self.jobs, bool) or not 1 <= self.jobs <= MOST_JOBS:
-            raise Error(f"jobs: got {self.jobs}, expected 1 to {MOST_JOBS}")
-        if not 0.1 <= self.deadline <= 86400.0:
-            raise Error(f"deadline: got {self.deadline:g} s, expected 0.1 s to a day")
+        whole("jobs", self.jobs, 1, MOST_JOBS)
+        number("deadline", self.deadline, 0.1, A_DAY)
+        _is_a("contestant", self.contestant, Contestant)
+        _is_a("card", self.card, Card)
         if self.contestant.factory is None:
             with time_limit(self.deadline, f"controller '{self.contestant.name}': its import"):
                 find_factory(self.contestant)
@@ -64,3 +66,8 @@ class AssessSettings:
             "gains": self.contestant.gains,
             "card": self.card.described(),
         }
+
+
+def _is_a(name: str, value: Any, kind: type) -> None:
+    if not isinstance(value, kind):
+        raise Error(f"{name}: got {value!r}, expected a {kind.__name__}")

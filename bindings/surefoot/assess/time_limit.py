@@ -11,9 +11,13 @@ from types import FrameType
 from surefoot._core import Error
 
 
+class Overdue(Error):
+    """What is within time_limit() took longer."""
+
+
 @contextmanager
 def time_limit(seconds: float, what: str) -> Iterator[None]:
-    """Raise Error if what is within takes longer; only in the main thread is there a limit.
+    """Raise Overdue if what is within takes longer; only in the main thread is there a limit.
 
     Args:
         seconds: At most [s].
@@ -24,7 +28,7 @@ def time_limit(seconds: float, what: str) -> Iterator[None]:
         return
 
     def too_long(number: int, frame: FrameType | None) -> None:
-        raise Error(f"{what} took longer than {seconds:g} s, expected it to return")
+        raise Overdue(f"{what} took longer than {seconds:g} s, expected it to return")
 
     before = signal.signal(signal.SIGALRM, too_long)
     signal.setitimer(signal.ITIMER_REAL, seconds)

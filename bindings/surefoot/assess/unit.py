@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, replace
-from functools import lru_cache
 from typing import Any, ClassVar, Protocol
 
-from surefoot._core import Error, Robot, Supervisor, SupervisorOptions
+from surefoot._core import Error
+from surefoot.assess.checked import Broken
 from surefoot.assess.condition import Condition
-from surefoot.assess.contestant import Broken, Contestant
-from surefoot.assess.ground import Source, delay_of, describe, move_time, plant_of
+from surefoot.assess.contestant import Contestant
+from surefoot.assess.ground import Source, delay_of, move_time, plant_of
 from surefoot.assess.push_run import BROKEN, Outcome, judge, run_length
 from surefoot.assess.rollout import Track, Watch, roll_out
 from surefoot.assess.stand_run import HOLD, judge_stand
 from surefoot.assess.sweep import FINEST, LOWEST, as_rows, sweep
-from surefoot.faults.run import attempt
-from surefoot.faults.setting import Setup, set_up
-from surefoot.gain_files import gains_of
 from surefoot.plain import plain
 from surefoot.sim import Push
 
@@ -131,32 +128,6 @@ class StandUnit:
         return replace(self.condition, headings_deg=(self.heading,))
 
 
-@dataclass(frozen=True)
-class FaultUnit:
-    """A cell of the matrix of faults.
-
-    Attributes:
-        cell: Its id.
-    """
-
-    cell: str
-    patience: ClassVar[float] = 20.0
-
-    @property
-    def key(self) -> str:
-        """Its name in the store."""
-        return f"fault | {self.cell}"
-
-    def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
-        """Run it and return what came of it as plain JSON."""
-        setup = _setup(source)
-        if contestant.gains:
-            setup = replace(setup, make_supervisor=_with_gains(contestant.gains))
-        beat()
-        found = attempt(setup, self.cell)
-        return {name: found[name] for name in ("row", "verdict", "reason")}
-
-
 class Unit(Protocol):
     """What is run in one go.
 
@@ -186,13 +157,3 @@ def run_unit(
         return unit.run(source, contestant, beat)
     except (Broken, Error) as problem:
         return {"broken": str(problem)}
-
-
-def _with_gains(values: dict[str, float]) -> Callable[[Robot, SupervisorOptions], Supervisor]:
-    gains = gains_of(values)
-    return lambda robot, options: Supervisor(robot, gains, options)
-
-
-@lru_cache(maxsize=1)
-def _setup(source: Source) -> Setup:
-    return set_up(describe(source), 0)

@@ -14,11 +14,17 @@ def one_of(name: str, value: Any, valid: tuple[str, ...], more: str = "") -> Non
         raise Error(f"{name}: got {value!r}; valid names: {', '.join(valid)}{more}")
 
 
+def whole(name: str, value: Any, low: int, high: int) -> None:
+    """Raise Error unless a value is a whole number from low to high."""
+    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
+        raise Error(f"{name}: got {value!r}, expected a whole number {low} .. {high}")
+
+
 def number(name: str, value: Any, low: float, high: float) -> None:
     """Raise Error unless a value is a number from low to high."""
     try:
         got = math.nan if isinstance(value, bool | str) else float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         got = math.nan
     if not low <= got <= high:
         raise Error(f"{name}: got {value!r}, expected a number from {low:g} to {high:g}")

@@ -11,6 +11,7 @@ import numpy.typing as npt
 from surefoot._core import Robot
 from surefoot.sim.backlash import rotor_name
 from surefoot.sim.model import IMU
+from surefoot.sim.moving_ground import BLOCK
 from surefoot.sim.rotations import Array, matrix_from_wxyz
 from surefoot.sim.scene import GROUND
 
@@ -30,6 +31,7 @@ class Handles:
         foot_bodies: (4,) bodies.
         foot_geoms: (4,) spheres.
         ground_geom: The plane.
+        ground_geoms: It, and the block that rises under a foot where there is one.
         gyro: (3,) in sensordata, IMU axes.
         accelerometer: (3,) in sensordata, IMU axes.
         quaternion: (4,) in sensordata, IMU to world.
@@ -45,6 +47,7 @@ class Handles:
     foot_bodies: Indices
     foot_geoms: Indices
     ground_geom: int
+    ground_geoms: tuple[int, ...]
     gyro: slice
     accelerometer: slice
     quaternion: slice
@@ -59,6 +62,9 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
     has_rotors = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, rotors[0]) >= 0
     motors = rotors if has_rotors else joints
 
+    def geom(name: str) -> int:
+        return int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, name))
+
     def sensor(name: str) -> slice:
         start, size = model.sensor(name).adr[0], model.sensor(name).dim[0]
         return slice(int(start), int(start + size))
@@ -72,6 +78,7 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
         foot_bodies=np.array([model.body(name).id for name in feet]),
         foot_geoms=np.array([model.geom(name).id for name in feet]),
         ground_geom=int(model.geom(GROUND).id),
+        ground_geoms=tuple(id for id in map(geom, (GROUND, BLOCK)) if id >= 0),
         gyro=sensor("gyro"),
         accelerometer=sensor("accelerometer"),
         quaternion=sensor("quaternion"),

@@ -79,8 +79,8 @@ def has_fallen(data: mujoco.MjData, handles: Handles) -> bool:
     if not data.xmat[handles.root, 8] >= FALLEN_TILT_COS:
         return True
     # Plain Python: a handful of contacts is too few for numpy.
-    ground, feet = handles.ground_geom, handles.foot_geoms.tolist()
-    for pair in data.contact.geom.tolist():
-        if ground in pair and not (pair[0] in feet or pair[1] in feet):
+    ground, feet = handles.ground_geoms, handles.foot_geoms.tolist()
+    for one, other in data.contact.geom.tolist():
+        if (one in ground and other not in feet) or (other in ground and one not in feet):
             return True
     return False
