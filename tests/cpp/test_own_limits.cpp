@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
+#include <utility>
 
 #include "leaning.hpp"
 #include "surefoot/whole_body_controller.hpp"
@@ -54,6 +55,16 @@ struct Stretched : Leaning {
       wrench -= L.J_base.transpose() * s.forces.col(leg);
     }
     return wrench;
+  }
+  // Its calf may only go back, its thigh no slower than this; all its body may ask of it is let go.
+  JointLimits rear_right_limits(double thigh) const {
+    JointLimits limits(kMotors);
+    limits.a_lower.setConstant(-1e3);
+    limits.a_upper.setConstant(1e3);
+    limits.a_lower[calf - 1] = thigh;
+    limits.a_upper[calf] = -100.0;
+    let_go(joints, 0.0, {1.0, 1.0, 0.0, 1.0}, reference, limits);
+    return limits;
   }
   double body_turns(const Solution& a, const Solution& b) const {
     return (a.accelerations - b.accelerations).head<6>().norm();
@@ -178,14 +189,10 @@ BOOST_FIXTURE_TEST_CASE(the_other_joints_of_such_a_leg_do_what_its_foot_was_aske
   dynamics.update(state.q, state.v, Vector3::UnitZ());
   const Matrix3& J = dynamics.legs()[RR_].J_leg;
   const Vector3 asked(20.0, -240.0, 500.0);
-  for (const double thigh :
-       {-1e3, -100.0, 600.0}) {  // lower limit: not met, met, met once it turns
-    JointLimits limits(kMotors);
-    limits.a_lower.setConstant(-1e3);
-    limits.a_upper.setConstant(1e3);
-    limits.a_lower[calf - 1] = thigh;
-    limits.a_upper[calf] = -100.0;
-    let_go(joints, 0.0, {1.0, 1.0, 0.0, 1.0}, reference, limits);
+  // As the calf gives way the thigh turns the other way: past a limit that it met at first, or, if
+  // that is too far for it, on to there, and then the calf has room.
+  for (const auto& [thigh, thigh_met] : {std::pair{-1e3, false}, {-100.0, false}, {600.0, true}}) {
+    const JointLimits limits = rear_right_limits(thigh);
     Eigen::VectorXd a = Eigen::VectorXd::Zero(robot.nv()), tau = Eigen::VectorXd::Zero(kMotors);
     for (int j = 0; j < 3; ++j) a[joints[3 * RR_ + j].v] = asked[j];
     keep_own_limits(joints, dynamics, limits, a, tau);
@@ -193,14 +200,40 @@ BOOST_FIXTURE_TEST_CASE(the_other_joints_of_such_a_leg_do_what_its_foot_was_aske
     for (int j = 0; j < 3; ++j) kept[j] = a[joints[3 * RR_ + j].v];
     const Vector3 pull = J.transpose() * (J * (asked - kept));
     BOOST_TEST(std::abs(pull[0]) < 0.05);
-    BOOST_TEST((kept[1] == thigh ? pull[1] < 0.0 : std::abs(pull[1]) < 0.05));
+    BOOST_TEST((kept[1] == thigh) == thigh_met);
+    BOOST_TEST((thigh_met ? pull[1] < 0.0 : std::abs(pull[1]) < 0.05));
     BOOST_TEST(kept[1] >= thigh);
-    BOOST_TEST((kept[2] == -100.0 ? pull[2] > 0.0 : std::abs(pull[2]) < 0.05));
+    BOOST_TEST((kept[2] == -100.0) == !thigh_met);
+    BOOST_TEST((thigh_met ? std::abs(pull[2]) < 0.05 : pull[2] > 0.0));
     const Vector3 change = dynamics.legs()[RR_].M_leg * (kept - asked);
     BOOST_TEST((tau.segment<3>(3 * RR_) - change).norm() < 1e-9);
     tau.segment<3>(3 * RR_).setZero();
     BOOST_TEST(tau.isZero(0.0));
   }
+}
+
+BOOST_FIXTURE_TEST_CASE(the_feet_of_such_legs_alone_are_asked_what_their_joints_may_do, Stretched) {
+  lean(Vector3(kOverTheEdge, 0.0, 0.0));
+  dynamics.update(state.q, state.v, Vector3::UnitZ());
+  JointLimits limits = rear_right_limits(-1e3);
+  limits.a_upper[3 * FL_ + 2] = -100.0;  // one that bears has its limit too, and is not asked less
+  const Vector3 asked(20.0, -240.0, 500.0);
+  FeetMatrix feet;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const LegDynamics& L = dynamics.legs()[leg];
+    feet.col(leg) = L.J_leg * asked + L.drift;
+  }
+  FeetMatrix within = feet;
+  ask_within(dynamics, limits, 1.0, within);  // no leg turns as well as that
+  BOOST_TEST((within - feet).isZero(0.0));
+  ask_within(dynamics, limits, 1e-9, within);
+  for (const int leg : {FR_, FL_, RL_}) BOOST_TEST((within - feet).col(leg).isZero(0.0));
+  const LegDynamics& L = dynamics.legs()[RR_];
+  const Vector3 kept = L.J_leg.inverse() * (within.col(RR_) - L.drift);
+  BOOST_TEST(std::abs(kept[2] + 100.0) < 1e-6);
+  const Vector3 pull = L.J_leg.transpose() * (feet - within).col(RR_);
+  BOOST_TEST(pull.head<2>().norm() < 0.1);
+  BOOST_TEST(pull[2] > 0.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

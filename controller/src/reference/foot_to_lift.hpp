@@ -10,13 +10,13 @@ namespace surefoot {
 /// Which foot that bears is to step for a capture point that has left the support; -1: none.
 ///
 /// While a foot is in the air the capture point runs away from what the others span, by e in
-/// sqrt(h / g). The foot with which it is furthest inside when it lands is the one. Two that bear
-/// stay, at least. Real-time: yes.
+/// sqrt(h / g). The foot with which it is furthest inside when it lands is the one, if that is by
+/// more than `gain`. Two that bear stay, at least. Real-time: yes.
 /// Source: Koolen et al. 2012, of the capture point's way in one step.
-/// @param p_world_feet contact points, FR FL RR RL
-/// @param p_world_goals where each would land
+/// @param p_world_feet (3, 4) contact points, FR FL RR RL [m]
+/// @param p_world_goals (3, 4) where each would land [m]
 /// @param bearing which of them bear
-/// @param capture where the capture point is now [m], world
+/// @param capture where the capture point is now, world [m]
 /// @param swing from now until it is pressed down [sqrt(h / g)]; it lands a little later
 /// @param gain by how much it must be inside then [m]
 int foot_to_lift(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
