@@ -61,10 +61,8 @@ def test_a_leg_on_the_block_has_fallen_and_its_foot_has_not() -> None:
     plant.reset()
     block = plant.model.geom(BLOCK).id
     foot = int(plant.handles.foot_geoms[0])
-    legs = [
-        g for g in range(plant.model.ngeom) if plant.model.geom(g).name == "FR_calf_collision_0"
-    ]
-    for other, fell in ((foot, False), (legs[0], True)):
+    calf = plant.model.geom("FR_calf_collision_0").id
+    for other, fell in ((foot, False), (calf, True)):
         touching = SimpleNamespace(
             xmat=plant.data.xmat, contact=SimpleNamespace(geom=np.array([[block, other]]))
         )

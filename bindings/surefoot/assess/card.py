@@ -9,7 +9,7 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.assess.condition import Condition, read_condition
 from surefoot.robot_table import read_toml, suggest
-from surefoot.sim.checks import number, whole
+from surefoot.sim.checks import each_once, numbers, whole
 
 USUAL = "level ground"
 STANDARD = (0.1, 0.0)  # [s] length, [m] height: of pushes that all cards have, as a rule
@@ -55,8 +55,10 @@ class Card:
         for name in ("condition_directions", "condition_seeds"):
             whole(name, getattr(self, name), 0, MOST)
         whole("first_seed", self.first_seed, 0, LAST_SEED)
-        _numbers("lengths_s", self.lengths_s, 0.002, 5.0)
-        _numbers("heights_m", self.heights_m, -1.0, 1.0)
+        numbers("lengths_s", self.lengths_s, 0.002, 5.0)
+        each_once("lengths_s", self.lengths_s)
+        numbers("heights_m", self.heights_m, -1.0, 1.0)
+        each_once("heights_m", self.heights_m)
         if self.faults not in ("none", "brief", "all"):
             raise Error(f"faults: got {self.faults!r}, expected none, brief or all")
         if not isinstance(self.references, bool):
@@ -144,12 +146,3 @@ def _card_of(table: dict[str, Any], name: str) -> Card:
     if tables:
         values["conditions"] = tuple(read_condition(entry) for entry in tables)
     return Card(name=name, **values)
-
-
-def _numbers(name: str, values: Any, low: float, high: float) -> None:
-    if not isinstance(values, tuple) or not values:
-        raise Error(f"{name}: got {values!r}, expected a tuple of numbers (TOML: a list)")
-    for value in values:
-        number(name, value, low, high)
-    if len({f"{value:g}" for value in values}) < len(values):  # as stores and tables have them
-        raise Error(f"{name}: got {', '.join(f'{v:g}' for v in values)}, expected each once")

@@ -25,6 +25,7 @@ def checked(act: Act) -> Act:
     def call(state: LowState) -> LowCmd:
         try:
             command = act(state)
+        # SystemExit and asyncio's CancelledError are no Exceptions.
         except BaseException as problem:
             raise Broken(f"threw {told(problem)}") from None
         if not isinstance(command, LowCmd):

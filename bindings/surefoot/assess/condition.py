@@ -8,7 +8,7 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.low_state_layout import LEGS
 from surefoot.robot_table import suggest
-from surefoot.sim.checks import number, one_of
+from surefoot.sim.checks import each_once, number, numbers, one_of
 
 _RANGES = {
     "friction": (0.01, 10.0),
@@ -93,14 +93,11 @@ class Condition:
                 number(name, getattr(self, name), low, high)
             if self.step_foot != "":
                 one_of("step_foot", self.step_foot, LEGS, ' or "" for none')
-            _check_numbers("payload_offset_m", self.payload_offset_m, 1.0)
+            numbers("payload_offset_m", self.payload_offset_m, -1.0, 1.0)
             if len(self.payload_offset_m) != 3:
                 raise Error(f"payload_offset_m: got {self.payload_offset_m!r}, expected x, y, z")
-            _check_numbers("headings_deg", self.headings_deg, 360.0)
-            if len({f"{heading % 360.0:g}" for heading in self.headings_deg}) < len(
-                self.headings_deg
-            ):
-                raise Error(f"headings_deg: got {self.headings_deg!r}, expected each once")
+            numbers("headings_deg", self.headings_deg, -360.0, 360.0)
+            each_once("headings_deg", tuple(heading % 360.0 for heading in self.headings_deg))
             if not isinstance(self.pushes, bool):
                 raise Error(f"pushes: got {self.pushes!r}, expected true or false")
             if self.moves and (self.slope_deg or self.soft_ground_mm):
@@ -134,10 +131,3 @@ def read_condition(table: Any) -> Condition:
         raise Error("condition: got none of the key 'name', expected words")
     values: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in table.items()}
     return Condition(**values)
-
-
-def _check_numbers(name: str, values: Any, most: float) -> None:
-    if not isinstance(values, tuple) or not values:
-        raise Error(f"{name}: got {values!r}, expected numbers")
-    for value in values:
-        number(name, value, -most, most)

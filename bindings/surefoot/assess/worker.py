@@ -50,15 +50,14 @@ class Worker:
         theirs.close()
         self.work: Work | None = None
         self.until = self._deadline = 0.0
-        self.late = False
-        self._fresh, self._begun = True, False
+        self.late = self._begun = False
 
     def give(self, work: Work, deadline: float) -> None:
         """Give it work to do; raises OSError if it has died."""
         self.pipe.send(work)
+        first = self.work is None
         self.work, self._deadline = work, deadline * work.unit.patience
-        self.until = time.monotonic() + self._deadline + _START * self._fresh
-        self._fresh = False
+        self.until = time.monotonic() + self._deadline + _START * first
 
     def hear(self) -> dict[str, Any] | None:
         """Return a result if that is what it sent, or what it died with; raises Error."""

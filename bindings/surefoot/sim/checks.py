@@ -28,3 +28,18 @@ def number(name: str, value: Any, low: float, high: float) -> None:
         got = math.nan
     if not low <= got <= high:
         raise Error(f"{name}: got {value!r}, expected a number from {low:g} to {high:g}")
+
+
+def numbers(name: str, values: Any, low: float, high: float) -> None:
+    """Raise Error unless values are a tuple of numbers from low to high."""
+    if not isinstance(values, tuple) or not values:
+        raise Error(f"{name}: got {values!r}, expected a tuple of numbers (TOML: a list)")
+    for value in values:
+        number(name, value, low, high)
+
+
+def each_once(name: str, values: tuple[float, ...]) -> None:
+    """Raise Error if two numbers are written alike, as stores and tables write them."""
+    written = [f"{value:g}" for value in values]
+    if len(set(written)) < len(written):
+        raise Error(f"{name}: got {', '.join(written)}, expected each once")

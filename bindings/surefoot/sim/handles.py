@@ -77,7 +77,7 @@ def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
         joint_v=np.array([model.joint(name).dofadr[0] for name in joints]),
         foot_bodies=np.array([model.body(name).id for name in feet]),
         foot_geoms=np.array([model.geom(name).id for name in feet]),
-        ground_geom=int(model.geom(GROUND).id),
+        ground_geom=geom(GROUND),
         ground_geoms=tuple(id for id in map(geom, (GROUND, BLOCK)) if id >= 0),
         gyro=sensor("gyro"),
         accelerometer=sensor("accelerometer"),

@@ -8,6 +8,7 @@ from typing import Any
 from surefoot._core import Error, Gains
 from surefoot.gain_files import gain_values
 from surefoot.sim import PlantSettings
+from surefoot.sim.checks import whole
 from surefoot.tune.cost import weights_of
 from surefoot.tune.search.episodes import FINAL, HELD_OUT, Episode
 from surefoot.tune.search.space import Parameter, default_space, pair_of, widened
@@ -56,11 +57,9 @@ class SearchSettings:
         if len(set(self.objectives)) != len(self.objectives) or len(self.objectives) not in (1, 2):
             got = ",".join(self.objectives)
             raise Error(f"objective: got '{got}', expected one, or two that differ")
-        whole = (("trials", 1, 1_000_000), ("jobs", 1, MOST_JOBS), ("episodes", 1, 1000))
-        for name, low, high in (*whole, ("held_out", 1, 1000), ("seed", 0, FINAL - 1000)):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-                raise Error(f"{name}: got {value!r}, expected a whole number {low} .. {high}")
+        counts = (("trials", 1, 1_000_000), ("jobs", 1, MOST_JOBS), ("episodes", 1, 1000))
+        for name, low, high in (*counts, ("held_out", 1, 1000), ("seed", 0, FINAL - 1000)):
+            whole(name, getattr(self, name), low, high)
         if self.sampler is not None and self.sampler not in SAMPLERS:
             raise Error(f"sampler: got '{self.sampler}', expected one of {', '.join(SAMPLERS)}")
         if len(self.objectives) == 2 and self.sampler == "cmaes":
