@@ -45,15 +45,15 @@ stand: install
 	@if [ -n "$$(command -v chromium-headless-shell chromium google-chrome)" ]; then touch $@; fi
 
 # Tests that keep real time do so on a clock that waits while this machine stands still.
-PATIENT = rm -f build/patient_clock; PATIENT_CLOCK=$(CURDIR)/build/patient_clock \
-  LD_PRELOAD=$(CURDIR)/$(BUILD)/tests/cpp/libpatient_clock.so
+STALL_TOLERANT = rm -f build/stall_tolerant_clock; STALL_TOLERANT_CLOCK=$(CURDIR)/build/stall_tolerant_clock \
+  LD_PRELOAD=$(CURDIR)/$(BUILD)/tests/cpp/libstall_tolerant_clock.so
 
 test: install .venv/.browser
 	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
-	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz patient_clock
+	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz stall_tolerant_clock
 	cd $(BUILD) && ctest --output-on-failure
-	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not alone"; status=$$?; \
-	  $(PATIENT) $(BIN)/python -m pytest -m alone && exit $$status
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not real_time"; status=$$?; \
+	  $(STALL_TOLERANT) $(BIN)/python -m pytest -m real_time && exit $$status
 
 # The committed code of a tick's dynamics, anew from bindings/src/symbolic; a test compares them.
 GENERATED := controller/src/dynamics/generated/leg_dynamics.hpp

@@ -28,15 +28,19 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 import numpy as np
 import surefoot
 from seed_runs import ROBOTS
-from surefoot import Mode, Rung, Start, Status
-from surefoot.faults.joint_faults import power_level
+from surefoot import FallbackLevel, Mode, Start, Status
+from surefoot.geometry.rotations import matrix_from_wxyz
+from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
-from surefoot.sim.rotations import matrix_from_wxyz
 
-PERIOD = 0.002  # [s]
-SETTLED = 10.0  # [s] after which the pose and the memory are those to keep
-LOOK, WEIGH, HOUR = 50, 30_000, 1_800_000  # [ticks] between poses, between memory figures; an hour
-WRAP = 2**32  # [ms]
+CONTROL_PERIOD = 0.002  # [s]
+SETTLE_TIME = 10.0  # [s] after which the pose and the memory are those to keep
+DRIFT_TICKS, MEMORY_TICKS, HOUR_TICKS = (
+    50,
+    30_000,
+    1_800_000,
+)  # [ticks] between poses, between memory figures; an hour
+TICK_WRAP = 2**32  # [ms]
 # What may differ from after SETTLED: heights over and places relative to the feet's mean.
 LIMITS = {
     "height_mm": 1.0,
@@ -68,10 +72,10 @@ class Pose:
         """Return the true one."""
         data, handles = plant.data, plant.handles
         feet = data.xpos[handles.foot_bodies].T.copy()
-        middle = feet.mean(axis=1)
-        com = data.subtree_com[handles.root] - middle
+        feet_mean = feet.mean(axis=1)
+        com = data.subtree_com[handles.root] - feet_mean
         R = matrix_from_wxyz(data.qpos[3:7])
-        return Pose(feet, float(data.qpos[2] - middle[2]), R, com)
+        return Pose(feet, float(data.qpos[2] - feet_mean[2]), R, com)
 
     def drift(self, start: Pose) -> dict[str, float]:
         """Return by how much it differs from another, by LIMITS' names."""
@@ -86,7 +90,7 @@ class Pose:
 
 
 @dataclass
-class Watch:
+class DriftMonitor:
     """What is kept of a run: worst and last drifts, bad ticks, memory [MB] by the minute."""
 
     worst: dict[str, float] = field(default_factory=lambda: dict.fromkeys(LIMITS, 0.0))
@@ -94,27 +98,27 @@ class Watch:
     memory: list[float] = field(default_factory=list)
     memory_start: float = 0.0
     failed_ticks: int = 0
-    other_rungs: int = 0
+    fallback_ticks: int = 0
     wraps: int = 0
-    ended: str = ""
+    end_reason: str = ""
 
-    def look(self, drift: dict[str, float]) -> None:
+    def record_drift(self, drift: dict[str, float]) -> None:
         """Take down a drift."""
         self.last = {**self.last, **drift}
         for name, value in drift.items():
             self.worst[name] = float(np.maximum(self.worst[name], value))  # NaN stays
 
-    def weigh(self) -> None:
+    def record_memory(self) -> None:
         """Take down this process's memory."""
         self.memory.append(resident_mb())
-        self.look({"memory_mb": self.memory[-1] - self.memory_start})
+        self.record_drift({"memory_mb": self.memory[-1] - self.memory_start})
 
 
-def believed_tilt(plant: Plant, supervisor: surefoot.Supervisor) -> float:
+def estimated_tilt_error(plant: Plant, supervisor: surefoot.Supervisor) -> float:
     """Return how far the estimator's vertical is from the true one [deg]."""
-    q = supervisor.stand.state.q
-    believed, true = np.roll(q[3:7], 1), plant.data.qpos[3:7]
-    return angle_deg(matrix_from_wxyz(believed)[2], matrix_from_wxyz(true)[2])
+    q = supervisor.stand_controller.state.q
+    estimated, true = np.roll(q[3:7], 1), plant.data.qpos[3:7]
+    return angle_deg(matrix_from_wxyz(estimated)[2], matrix_from_wxyz(true)[2])
 
 
 def resident_mb() -> float:
@@ -123,75 +127,81 @@ def resident_mb() -> float:
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
-Progress = Callable[[float, Watch], None]  # is told the simulated time [s], and what was seen
+Progress = Callable[
+    [float, DriftMonitor], None
+]  # is told the simulated time [s], and what was seen
 
 
-def endure(
+def run_endurance(
     robot: str, seconds: float, seed: int = 0, progress: Progress | None = None
 ) -> dict[str, Any]:
-    """Stand for a time, the clock's wrap in its middle, and return what was found as plain JSON."""
-    ticks = round(seconds / PERIOD)
-    tick0 = (WRAP - round(500.0 * seconds)) % WRAP
+    """Stand for a time, the clock's wrap in its feet_mean, and return what was found as plain JSON."""
+    ticks = round(seconds / CONTROL_PERIOD)
+    tick0 = (TICK_WRAP - round(500.0 * seconds)) % TICK_WRAP
     plant = Plant(robot, PlantSettings(seed=seed, physics_dt=0.001), tick0=tick0)
     options = surefoot.SupervisorOptions(power_level=power_level(robot), start=Start.STANDING)
     supervisor = surefoot.Supervisor(plant.robot, options=options)
-    watch, begin = Watch(), time.process_time()
-    start, state, before = Pose.of(plant), plant.reset(), 0
+    monitor, begin = DriftMonitor(), time.process_time()
+    start, state, previous_tick = Pose.of(plant), plant.reset(), 0
     for k in range(ticks):
-        now = int(state.tick)
-        watch.wraps += now < before
-        before = now
+        tick = int(state.tick)
+        monitor.wraps += tick < previous_tick
+        previous_tick = tick
         state = plant.step(supervisor.update(state))
-        watch.failed_ticks += supervisor.stand.status != Status.OK
-        watch.other_rungs += supervisor.stand.rung != Rung.SOLVED
-        if k == round(SETTLED / PERIOD):
-            start, watch.memory_start = Pose.of(plant), resident_mb()
-        elif k * PERIOD > SETTLED and k % LOOK == 0:
-            watch.look(Pose.of(plant).drift(start))
-            watch.look({"believed_tilt_deg": believed_tilt(plant, supervisor)})
-            if k % WEIGH == 0:
-                watch.weigh()
+        monitor.failed_ticks += supervisor.stand_controller.status != Status.OK
+        monitor.fallback_ticks += supervisor.stand_controller.fallback_level != FallbackLevel.SOLVED
+        if k == round(SETTLE_TIME / CONTROL_PERIOD):
+            start, monitor.memory_start = Pose.of(plant), resident_mb()
+        elif k * CONTROL_PERIOD > SETTLE_TIME and k % DRIFT_TICKS == 0:
+            monitor.record_drift(Pose.of(plant).drift(start))
+            monitor.record_drift({"believed_tilt_deg": estimated_tilt_error(plant, supervisor)})
+            if k % MEMORY_TICKS == 0:
+                monitor.record_memory()
                 if progress is not None:
-                    progress(k * PERIOD, watch)
-        if supervisor.mode != Mode.STAND or (k % LOOK == 0 and plant.truth.fell):
-            watch.ended = f"{plant.time:.1f} s: {supervisor.mode.name}, {supervisor.reason.name}"
+                    progress(k * CONTROL_PERIOD, monitor)
+        if supervisor.mode != Mode.STAND or (k % DRIFT_TICKS == 0 and plant.truth.fell):
+            monitor.end_reason = (
+                f"{plant.time:.1f} s: {supervisor.mode.name}, {supervisor.damping_fault.name}"
+            )
             break
-    watch.weigh()
-    return summary(plant, supervisor, watch, time.process_time() - begin)
+    monitor.record_memory()
+    return summary(plant, supervisor, monitor, time.process_time() - begin)
 
 
 def summary(
-    plant: Plant, supervisor: surefoot.Supervisor, watch: Watch, cpu: float
+    plant: Plant, supervisor: surefoot.Supervisor, monitor: DriftMonitor, cpu: float
 ) -> dict[str, Any]:
     """Return a run's figures, and in `failures` what is not as it must be."""
     counts = {info.name: supervisor.faults.count(info.id) for info in surefoot.fault_table()}
     faults = {name: count for name, count in counts.items() if count}
     failures = [
-        f"{name} {watch.worst[name]:.3f}, at most {limit:g}"
+        f"{name} {monitor.worst[name]:.3f}, at most {limit:g}"
         for name, limit in LIMITS.items()
-        if not watch.worst[name] <= limit
+        if not monitor.worst[name] <= limit
     ]
     failures += [f"fault {name} {count} times" for name, count in faults.items()]
-    failures += [f"{watch.failed_ticks} ticks failed"] * bool(watch.failed_ticks)
-    failures += [f"{watch.other_rungs} ticks needed a lower rung"] * bool(watch.other_rungs)
-    failures += [f"LowState.tick wrapped {watch.wraps} times, not once"] * (watch.wraps != 1)
-    failures += [watch.ended] * bool(watch.ended)
-    per_hour = HOUR // WEIGH
+    failures += [f"{monitor.failed_ticks} ticks failed"] * bool(monitor.failed_ticks)
+    failures += [f"{monitor.fallback_ticks} ticks needed a lower rung"] * bool(
+        monitor.fallback_ticks
+    )
+    failures += [f"LowState.tick wrapped {monitor.wraps} times, not once"] * (monitor.wraps != 1)
+    failures += [monitor.end_reason] * bool(monitor.end_reason)
+    per_hour = HOUR_TICKS // MEMORY_TICKS
     return {
         "robot": plant.robot.name,
         "hours": plant.time / 3600.0,
         "cpu_hours": cpu / 3600.0,
         "limits": LIMITS,
-        "worst": watch.worst,
-        "last": watch.last,
+        "worst": monitor.worst,
+        "last": monitor.last,
         "memory_mb": {
-            "start": watch.memory_start,
-            "hour": watch.memory[per_hour - 1] if len(watch.memory) > per_hour else None,
-            "end": watch.memory[-1],
+            "start": monitor.memory_start,
+            "hour": monitor.memory[per_hour - 1] if len(monitor.memory) > per_hour else None,
+            "end": monitor.memory[-1],
         },
-        "wraps": watch.wraps,
-        "failed_ticks": watch.failed_ticks,
-        "other_rungs": watch.other_rungs,
+        "wraps": monitor.wraps,
+        "failed_ticks": monitor.failed_ticks,
+        "other_rungs": monitor.fallback_ticks,
         "faults": faults,
         "failures": failures,
     }
@@ -209,7 +219,7 @@ def text(result: dict[str, Any]) -> str:
         f"{result['robot']}: {result['hours']:.2f} h in {result['cpu_hours']:.2f} h of processor, "
         f"{result['wraps']} wrap, {result['failed_ticks']} failed ticks, faults "
         f"{result['faults'] or 'none'}\n  worst (limit): {drifts}\n"
-        f"  memory {memory['start']:.1f} MB at {SETTLED:g} s{hour}, "
+        f"  memory {memory['start']:.1f} MB at {SETTLE_TIME:g} s{hour}, "
         f"{memory['end']:.1f} at the end\n"
         f"  {'; '.join(result['failures']) or 'all within limits'}"
     )
@@ -223,17 +233,19 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--json", type=Path)
     options = parser.parse_args()
-    if 3600.0 * options.hours <= SETTLED:
-        parser.error(f"--hours: got {options.hours:g}, expected more than {SETTLED / 3600.0:.4f}")
+    if 3600.0 * options.hours <= SETTLE_TIME:
+        parser.error(
+            f"--hours: got {options.hours:g}, expected more than {SETTLE_TIME / 3600.0:.4f}"
+        )
 
-    def progress(seconds: float, watch: Watch) -> None:
+    def progress(seconds: float, monitor: DriftMonitor) -> None:
         every = 60.0 if sys.stderr.isatty() else 600.0
         if seconds % every < 1e-6:
             end = "\r" if sys.stderr.isatty() else "\n"
-            worst = ", ".join(f"{name} {value:.3f}" for name, value in watch.worst.items())
+            worst = ", ".join(f"{name} {value:.3f}" for name, value in monitor.worst.items())
             print(f"{seconds / 3600.0:.2f} h: {worst}", end=end, file=sys.stderr)
 
-    result = endure(options.robot, 3600.0 * options.hours, options.seed, progress)
+    result = run_endurance(options.robot, 3600.0 * options.hours, options.seed, progress)
     print(text(result))
     if options.json:
         options.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")

@@ -19,17 +19,18 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "tests" / "closed_loop"))
 
 import mujoco
 import numpy as np
-from get_up_helpers import Watched
-from seed_runs import ROBOTS, Job, add_seed_options, run_seeds, seeds_of
-from seed_runs import Outcome as RunOutcome
+from monitored_robot import MonitoredRobot
+from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds, seeds_of
 from surefoot import Error, Mode, RequestStatus, Status
-from surefoot.cli.simulation import write_json
-from surefoot.faults.joint_faults import power_level
+from surefoot.cli.environment import write_json
+from surefoot.robot.power_level import power_level
 
-ARMING_TIME = 20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
-MOST_TIME = 60.0  # [s] that a rise may take, tries and all
-STANDS_FOR = 1.5  # [s]
-STILL = 0.05  # [m/s], [rad/s]
+MAX_ARMING_TIME = (
+    20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
+)
+MAX_RISE_TIME = 60.0  # [s] that a rise may take, tries and all
+STAND_TIME = 1.5  # [s]
+MAX_STILL_SPEED = 0.05  # [m/s], [rad/s]
 
 
 @dataclass
@@ -49,11 +50,11 @@ def run(job: Job) -> Outcome:
     """Drop one robot and let it get up."""
     name, seed = str(job[0]), int(job[1])
     try:
-        robot = Watched(name, seed)
+        robot = MonitoredRobot(name, seed)
     except Error as error:
         return Outcome(False, f"no pose: {error}", name, seed, 0.0, 0.0, 0.0, 0.0, 0)
     why, seconds = get_up(robot)
-    if not why and robot.refused:
+    if not why and robot.protection_trips:
         why = "power protection"
     return Outcome(
         not why,
@@ -63,34 +64,34 @@ def run(job: Job) -> Outcome:
         round(seconds, 2),
         round(robot.power, 1),
         round(robot.tilt_deg, 1),
-        round(robot.mode_step, 4),
-        robot.refused,
+        round(robot.torque_step_at_mode_change, 4),
+        robot.protection_trips,
     )
 
 
-def get_up(robot: Watched) -> tuple[str, float]:
+def get_up(robot: MonitoredRobot) -> tuple[str, float]:
     """Arm, rise, stand; return why not, and how long it took [s]."""
     supervisor = robot.supervisor
-    if not robot.run(ARMING_TIME, lambda: supervisor.arming.ready):
+    if not robot.run(MAX_ARMING_TIME, lambda: supervisor.arming.ready):
         return f"not armed: {robot.failures}", 0.0
     robot.arm()
     if supervisor.request(Mode.RISE) != RequestStatus.ACCEPTED:
         return "rise refused", 0.0
     start = robot.plant.time
     robot.tick()
-    robot.run(MOST_TIME, lambda: supervisor.mode != Mode.RISE)
+    robot.run(MAX_RISE_TIME, lambda: supervisor.mode != Mode.RISE)
     seconds = robot.plant.time - start
     if supervisor.mode != Mode.STAND:
-        return f"{supervisor.mode}, {supervisor.reason}; {touching(robot)}", seconds
-    robot.run(STANDS_FOR)
+        return f"{supervisor.mode}, {supervisor.damping_fault}; {contacts_text(robot)}", seconds
+    robot.run(STAND_TIME)
     truth = robot.plant.truth
-    stands = supervisor.mode == Mode.STAND and supervisor.stand.status == Status.OK
-    if not stands or truth.fell or np.abs(truth.v[:6]).max() > STILL:
-        return f"does not stand: {supervisor.mode}, {supervisor.stand.status}", seconds
+    stands = supervisor.mode == Mode.STAND and supervisor.stand_controller.status == Status.OK
+    if not stands or truth.fell or np.abs(truth.v[:6]).max() > MAX_STILL_SPEED:
+        return f"does not stand: {supervisor.mode}, {supervisor.stand_controller.status}", seconds
     return "", seconds
 
 
-def touching(robot: Watched) -> str:
+def contacts_text(robot: MonitoredRobot) -> str:
     """Return the links that press on each other or, but for feet, on the ground."""
     model, data = robot.plant.model, robot.plant.data
     feet = {int(body) for body in robot.plant.handles.foot_bodies}
@@ -107,13 +108,13 @@ def touching(robot: Watched) -> str:
 
 def summarise(outcomes: list[Outcome]) -> dict[str, object]:
     """Return one robot's figures."""
-    risen = [o for o in outcomes if o.ok]
-    seconds = [o.seconds for o in risen] or [0.0]
+    standing = [o for o in outcomes if o.ok]
+    seconds = [o.seconds for o in standing] or [0.0]
     return {
         "robot": outcomes[0].robot,
         "level": power_level(outcomes[0].robot),
         "count": len(outcomes),
-        "stand": len(risen),
+        "stand": len(standing),
         "trips": sum(o.refused > 0 for o in outcomes),
         "peak_watts": max(o.watts for o in outcomes),
         "median_seconds": float(np.median(seconds)),
@@ -124,7 +125,7 @@ def summarise(outcomes: list[Outcome]) -> dict[str, object]:
     }
 
 
-def text_of(summary: dict[str, object]) -> str:
+def summary_line(summary: dict[str, object]) -> str:
     """Return one robot's line."""
     return (
         "{robot}: {stand} of {count} stand, level {level}, trips {trips}, peak {peak_watts:.0f} W, "
@@ -143,7 +144,7 @@ def main() -> int:
     outcomes = run_seeds(run, Outcome, jobs, options)
     robots = [[o for o in outcomes if o.robot == r] for r in options.robot or ROBOTS]
     summaries = [summarise(of_robot) for of_robot in robots]
-    print("\n".join(text_of(summary) for summary in summaries))
+    print("\n".join(summary_line(summary) for summary in summaries))
     if options.json:
         runs = [asdict(o) for o in sorted(outcomes, key=lambda o: (o.robot, o.seed))]
         write_json(options.json, {"robots": summaries, "runs": runs}, 1)

@@ -27,15 +27,15 @@ import casadi as ca
 import numpy as np
 from seed_runs import ROBOTS
 from surefoot import Robot, load_robot, symbolic
-from surefoot.assess.pinned import pin
 from surefoot.assess.push_limits import push_limit
+from surefoot.assess.stance_model import stance_model
 
-KNOT = 0.01  # [s]
-PUSH = 0.1  # [s]
+KNOT_TIME = 0.01  # [s]
+PUSH_TIME = 0.1  # [s]
 KNOTS = 80  # after as many it has to be at rest
-FORCE, TORQUE = 10.0, 5.0  # [N], [N.m] units of the variables
-WEIGHT = 0.1  # [1/(N.s)] of the impulse
-SMALL = 1e-5, 1e-6  # of squared velocities and torques, in units: breaks ties
+FORCE_UNIT, TORQUE_UNIT = 10.0, 5.0  # [N], [N.m] units of the variables
+IMPULSE_WEIGHT = 0.1  # [1/(N.s)] of the impulse
+REGULARISATION = 1e-5, 1e-6  # of squared velocities and torques, in units: breaks ties
 IPOPT = {
     "max_iter": 600,
     "print_level": 0,
@@ -67,14 +67,14 @@ def rotation(quaternion: ca.SX) -> ca.SX:
     )
 
 
-def integration(robot: Robot) -> ca.Function:
+def integrator(robot: Robot) -> ca.Function:
     """Make q a knot later of (q, v); the quaternion by its rate, normalised."""
     q, v = ca.SX.sym("q", robot.nq), ca.SX.sym("v", robot.nv)
-    p = q[:3] + KNOT * rotation(q[3:7]) @ v[:3]
-    half = 0.5 * KNOT * v[3:6]
+    p = q[:3] + KNOT_TIME * rotation(q[3:7]) @ v[:3]
+    half = 0.5 * KNOT_TIME * v[3:6]
     xyz = q[3:6] + q[6] * half + ca.cross(q[3:6], half)
     turned = ca.vertcat(xyz, q[6] - ca.dot(q[3:6], half))
-    after = ca.vertcat(p, turned / ca.norm_2(turned), q[7:] + KNOT * v[6:])
+    after = ca.vertcat(p, turned / ca.norm_2(turned), q[7:] + KNOT_TIME * v[6:])
     return ca.Function("integration", [q, v], [after])
 
 
@@ -82,21 +82,21 @@ def contact_jacobian(robot: Robot) -> ca.Function:
     """Make J(q), shape (12, nv), of contact points under feet that roll: J_c + r [z]x J_w."""
     q = ca.SX.sym("q", robot.nq)
     R = rotation(q[3:7])
-    below = robot.config.foot_radius * ca.DM([[0, -1, 0], [1, 0, 0], [0, 0, 0]])
+    radius_cross = robot.config.foot_radius * ca.DM([[0, -1, 0], [1, 0, 0], [0, 0, 0]])
     rows = []
     for leg in range(4):
         columns = [int(robot.motor_to_v[3 * leg + k]) for k in range(3)]
         hip = q[columns[0] + 1]
         pitch = ca.vertcat(0, ca.cos(hip), ca.sin(hip))
-        turns = ca.SX.zeros(3, robot.nv)
-        turns[:, 3:6] = R
+        angular_jacobian = ca.SX.zeros(3, robot.nv)
+        angular_jacobian[:, 3:6] = R
         for column, axis in zip(columns, (ca.DM([1, 0, 0]), pitch, pitch), strict=True):
-            turns[:, column] = R @ axis
-        rows.append(below @ turns)
+            angular_jacobian[:, column] = R @ axis
+        rows.append(radius_cross @ angular_jacobian)
     return ca.Function("contact", [q], [symbolic.foot_jacobian(robot)(q) + ca.vertcat(*rows)])
 
 
-def dynamics(robot: Robot, contact: ca.Function, heading: float) -> ca.Function:
+def dynamics_residual(robot: Robot, contact: ca.Function, heading: float) -> ca.Function:
     """Make the residual of the equations of motion of (q, v, v after, tau, f, push)."""
     q, v, after = (ca.SX.sym(n, k) for n, k in (("q", robot.nq), ("v", robot.nv), ("w", robot.nv)))
     tau, f, push = ca.SX.sym("tau", 12), ca.SX.sym("f", 12), ca.SX.sym("push")
@@ -104,12 +104,14 @@ def dynamics(robot: Robot, contact: ca.Function, heading: float) -> ca.Function:
     select[np.array(robot.motor_to_v), range(12)] = 1.0
     along = ca.DM([math.cos(math.radians(heading)), math.sin(math.radians(heading)), 0.0])
     com = symbolic.centroidal_matrix(robot)(q)[:3, :] / robot.mass
-    asked = symbolic.inverse_dynamics(robot)(q, after, (after - v) / KNOT)
-    given = ca.DM(select) @ tau + contact(q).T @ f + com.T @ (along * push)
-    return ca.Function("dynamics", [q, v, after, tau, f, push], [(asked - given) / FORCE])
+    required_force = symbolic.inverse_dynamics(robot)(q, after, (after - v) / KNOT_TIME)
+    applied_force = ca.DM(select) @ tau + contact(q).T @ f + com.T @ (along * push)
+    return ca.Function(
+        "dynamics", [q, v, after, tau, f, push], [(required_force - applied_force) / FORCE_UNIT]
+    )
 
 
-def standing(robot: Robot, contact: ca.Function) -> tuple[np.ndarray, np.ndarray]:
+def standing_forces(robot: Robot, contact: ca.Function) -> tuple[np.ndarray, np.ndarray]:
     """Return the forces (12,) and torques (12,) that hold the standing pose, least squares."""
     q = np.array(robot.q_standing())
     J = contact(q).full()
@@ -118,7 +120,7 @@ def standing(robot: Robot, contact: ca.Function) -> tuple[np.ndarray, np.ndarray
     return f, (h - J.T @ f)[np.array(robot.motor_to_v)]
 
 
-class Program:
+class PushOcp:
     """The optimal control of one push.
 
     Args:
@@ -135,13 +137,13 @@ class Program:
         self.tau = self.opti.variable(12, KNOTS)
         self.f = self.opti.variable(12, KNOTS)
         self.contact = contact_jacobian(robot)
-        self.motion = dynamics(robot, self.contact, case.heading)
-        self.step = integration(robot)
-        self.most = np.array(robot.config.tau_max) / TORQUE
+        self.dynamics = dynamics_residual(robot, self.contact, case.heading)
+        self.step = integrator(robot)
+        self.tau_limit = np.array(robot.config.tau_max) / TORQUE_UNIT
         self.q_rest = np.array(robot.q_standing())
-        self.f_rest, self.tau_rest = standing(robot, self.contact)
+        self.f_rest, self.tau_rest = standing_forces(robot, self.contact)
 
-    def largest(self, guess: float) -> tuple[float, str]:
+    def largest_impulse(self, guess: float) -> tuple[float, str]:
         """Return the largest impulse [N.s], NaN if none was found, and what IPOPT says of it.
 
         Args:
@@ -151,15 +153,15 @@ class Program:
         opti.subject_to(self.q[:, 0] == self.q_rest)
         opti.subject_to(self.v[:, 0] == 0)
         opti.subject_to(ca.vec(self.v[:, KNOTS - 1 :]) == 0)
-        opti.subject_to(self.tau[:, 0] == self.tau_rest / TORQUE)
+        opti.subject_to(self.tau[:, 0] == self.tau_rest / TORQUE_UNIT)
         for k in range(KNOTS):
-            self._move(k)
-            self._bear(k)
-        small = SMALL[0] * ca.sumsqr(self.v) + SMALL[1] * ca.sumsqr(self.tau)
-        opti.minimize(small - WEIGHT * self.impulse)
+            self._add_dynamics(k)
+            self._add_force_limits(k)
+        small = REGULARISATION[0] * ca.sumsqr(self.v) + REGULARISATION[1] * ca.sumsqr(self.tau)
+        opti.minimize(small - IMPULSE_WEIGHT * self.impulse)
         opti.set_initial(self.q, np.tile(self.q_rest[:, None], KNOTS + 1))
-        opti.set_initial(self.f, np.tile(self.f_rest[:, None] / FORCE, KNOTS))
-        opti.set_initial(self.tau, np.tile(self.tau_rest[:, None] / TORQUE, KNOTS))
+        opti.set_initial(self.f, np.tile(self.f_rest[:, None] / FORCE_UNIT, KNOTS))
+        opti.set_initial(self.tau, np.tile(self.tau_rest[:, None] / TORQUE_UNIT, KNOTS))
         opti.set_initial(self.impulse, guess)
         opti.solver("ipopt", {"expand": True, "print_time": False}, IPOPT)
         try:
@@ -168,23 +170,23 @@ class Program:
             found = math.nan
         return found, str(opti.return_status())
 
-    def _move(self, k: int) -> None:
+    def _add_dynamics(self, k: int) -> None:
         q, v, after = self.q[:, k], self.v[:, k], self.v[:, k + 1]
-        push = self.impulse / PUSH if k < round(PUSH / KNOT) else 0.0
-        tau, f = TORQUE * self.tau[:, k], FORCE * self.f[:, k]
-        self.opti.subject_to(self.motion(q, v, after, tau, f, push) == 0)
+        push = self.impulse / PUSH_TIME if k < round(PUSH_TIME / KNOT_TIME) else 0.0
+        tau, f = TORQUE_UNIT * self.tau[:, k], FORCE_UNIT * self.f[:, k]
+        self.opti.subject_to(self.dynamics(q, v, after, tau, f, push) == 0)
         self.opti.subject_to(self.q[:, k + 1] == self.step(q, after))
         self.opti.subject_to(self.contact(q) @ after == 0)
 
-    def _bear(self, k: int) -> None:
+    def _add_force_limits(self, k: int) -> None:
         if k > 0:
-            self.opti.subject_to(self.opti.bounded(-self.most, self.tau[:, k], self.most))
+            self.opti.subject_to(self.opti.bounded(-self.tau_limit, self.tau[:, k], self.tau_limit))
         for leg in range(4):
             x, y, z = (self.f[3 * leg + i, k] for i in range(3))
             self.opti.subject_to(z >= 0)
             self.opti.subject_to((self.case.friction * z) ** 2 >= x * x + y * y)
-        most = math.sin(0.5 * math.radians(self.case.tilt))
-        self.opti.subject_to(ca.sumsqr(self.q[3:5, k + 1]) <= most * most)
+        max_sin_half_tilt = math.sin(0.5 * math.radians(self.case.tilt))
+        self.opti.subject_to(ca.sumsqr(self.q[3:5, k + 1]) <= max_sin_half_tilt**2)
 
 
 def main() -> int:
@@ -202,11 +204,11 @@ def main() -> int:
         robot = load_robot(name)
         for heading in options.heading:
             case = Case(heading, options.tilt, options.friction)
-            own = push_limit(pin(robot), heading, PUSH, 0.0, options.friction).own
-            most, said = Program(case, robot).largest(0.7 * own)
+            own = push_limit(stance_model(robot), heading, PUSH_TIME, 0.0, options.friction).limit
+            max_impulse, ipopt_status = PushOcp(case, robot).largest_impulse(0.7 * own)
             print(
-                f"{name:6} {heading:6.1f} {own:6.2f} N.s {most:6.2f} N.s {100 * most / own:5.1f} %"
-                f"  {said}",
+                f"{name:6} {heading:6.1f} {own:6.2f} N.s {max_impulse:6.2f} N.s {100 * max_impulse / own:5.1f} %"
+                f"  {ipopt_status}",
                 flush=True,
             )
     return 0

@@ -14,11 +14,11 @@ from pathlib import Path
 from typing import TypeVar
 
 from surefoot import Error, available_robots
-from surefoot.cli.progress import kept_in
-from surefoot.cli.simulation import check_place
-from surefoot.processes import killable_pool
-from surefoot.robots import build
-from surefoot.store import open_store
+from surefoot.cli.environment import check_output_path
+from surefoot.cli.progress import report_kept_results
+from surefoot.files.result_store import open_result_store
+from surefoot.robot.loading import package_digest
+from surefoot.system.worker_processes import killable_pool
 
 ROBOTS = tuple(available_robots())
 
@@ -27,17 +27,17 @@ Job = tuple[str | int, ...]
 
 
 @dataclass
-class Outcome:
+class RunOutcome:
     """What comes of a run; those of a benchmark have more."""
 
     ok: bool  # all is as it should be
     why: str  # what is not
 
 
-Result = TypeVar("Result", bound=Outcome)
+Result = TypeVar("Result", bound=RunOutcome)
 
 
-def whole(text: str, low: int) -> int:
+def parse_integer(text: str, low: int) -> int:
     """Return the whole number that an option's text is, from `low` up."""
     value = int(text)
     if value < low:
@@ -50,11 +50,11 @@ def add_seed_options(parser: argparse.ArgumentParser, count: int | None = None) 
     add = parser.add_argument
 
     def positive(text: str) -> int:
-        return whole(text, 1)
+        return parse_integer(text, 1)
 
     if count is not None:
         add("--count", type=positive, default=count, help=f"seeds of each ({count})")
-    add("--first", type=lambda text: whole(text, 0), default=0, help="the first seed (0)")
+    add("--first", type=lambda text: parse_integer(text, 0), default=0, help="the first seed (0)")
     add("--jobs", type=positive, default=1, help="processes (1)")
     add("--store", metavar="FILE", help="keep every run when it is done; the same command goes on")
     add("--json", metavar="FILE", help="write the figures here")
@@ -67,7 +67,7 @@ def seeds_of(options: argparse.Namespace) -> range:
 
 def run_seeds(
     run: Callable[[Job], Result],
-    made: type[Result],
+    outcome_type: type[Result],
     jobs: list[Job],
     options: argparse.Namespace,
 ) -> list[Result]:
@@ -78,7 +78,7 @@ def run_seeds(
 
     Args:
         run: Runs one, in another process.
-        made: What it returns; plain fields.
+        outcome_type: What it returns; plain fields.
         jobs: What it gets.
         options: As add_seed_options() has them.
     """
@@ -86,43 +86,49 @@ def run_seeds(
     jobs = list(dict.fromkeys(jobs))
     begin = time.monotonic()
     try:
-        check_place("--store", options.store)
-        check_place("--json", options.json)
+        check_output_path("--store", options.store)
+        check_output_path("--json", options.json)
         with (
-            open_store(options.store, script, {"build": build(), "script": text_of(run)}) as store,
-            kept_in(options.store),
+            open_result_store(
+                options.store, script, {"build": package_digest(), "script": source_digest(run)}
+            ) as store,
+            report_kept_results(options.store),
             killable_pool(options.jobs) as pool,
         ):
-            found = {job: made(**r) for job in jobs if (r := store.results.get(label(job)))}
-            for job, outcome in found.items():
-                tell(job, outcome)
-            waiting = {pool.submit(run, job): job for job in jobs if job not in found}
-            for done in as_completed(waiting):
-                job = waiting[done]
-                found[job] = done.result()
-                store.add(*label(job), asdict(found[job]))
-                tell(job, found[job])
-                show(len(found), len(jobs), time.monotonic() - begin)
+            outcomes = {
+                job: outcome_type(**r)
+                for job in jobs
+                if (r := store.results.get(job_and_seed(job)))
+            }
+            for job, outcome in outcomes.items():
+                print_failure(job, outcome)
+            futures = {pool.submit(run, job): job for job in jobs if job not in outcomes}
+            for done in as_completed(futures):
+                job = futures[done]
+                outcomes[job] = done.result()
+                store.add(*job_and_seed(job), asdict(outcomes[job]))
+                print_failure(job, outcomes[job])
+                print_progress(len(outcomes), len(jobs), time.monotonic() - begin)
     except Error as problem:
         print(f"{script}: {problem}", file=sys.stderr)
         sys.exit(2)
-    return [found[job] for job in jobs]
+    return [outcomes[job] for job in jobs]
 
 
-def text_of(run: Callable[[Job], Result]) -> str:
+def source_digest(run: Callable[[Job], Result]) -> str:
     """Return a digest of the file that says how a run goes: others' results are not its own."""
     file = inspect.getsourcefile(run)
     assert file
     return hashlib.sha256(Path(file).read_bytes()).hexdigest()[:16]
 
 
-def tell(job: Job, outcome: Outcome) -> None:
+def print_failure(job: Job, outcome: RunOutcome) -> None:
     """Print what is not as it should be."""
     if not outcome.ok:
-        print(f"{' '.join(label(job))}: {outcome.why}", flush=True)
+        print(f"{' '.join(job_and_seed(job))}: {outcome.why}", flush=True)
 
 
-def show(done: int, total: int, seconds: float) -> None:
+def print_progress(done: int, total: int, seconds: float) -> None:
     """Say how far it is: on one line of a terminal, or now and then."""
     terminal = sys.stderr.isatty()
     if terminal or done % 50 == 0:
@@ -130,6 +136,6 @@ def show(done: int, total: int, seconds: float) -> None:
         print(f"{done} of {total}, {seconds:.0f} s", end=end, file=sys.stderr, flush=True)
 
 
-def label(job: Job) -> tuple[str, str]:
+def job_and_seed(job: Job) -> tuple[str, str]:
     """Return of what a job is, and its seed."""
     return " ".join(str(part) for part in job[:-1]), f"seed {job[-1]}"

@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests" / "closed_loop"))
 
-from design_helpers import GOAL, body_of, gains_of, rests
+from design_helpers import GOAL, body_of, comes_to_rest, gains_with_factor
 from surefoot.tune.design import (
     AXES,
     ClosedLoop,
@@ -27,10 +27,10 @@ from surefoot.tune.design import (
 )
 
 DELAYS = (0.004, 0.012)  # [s]
-MOST = 200.0 / GOAL.kd  # times: kd may be 200 1/s
+MAX_FACTOR = 200.0 / GOAL.kd  # times: kd may be 200 1/s
 
 
-def predicted(robot: str, axis: str, delay: float) -> float:
+def predicted_factor(robot: str, axis: str, delay: float) -> float:
     """Return the model's factor, in the direction that bears least."""
     body = body_of(robot)
     observers = Observers.of(body.robot.config.gains)
@@ -38,11 +38,11 @@ def predicted(robot: str, axis: str, delay: float) -> float:
         oscillation_boundary(
             ClosedLoop(direction, Timing(delay=delay), observers), GOAL.kp, GOAL.kd
         )
-        for direction in body.of_axis(axis)
+        for direction in body.axis_directions(axis)
     )
 
 
-def measured(
+def measured_factor(
     robot: str,
     axis: str,
     delay: float,
@@ -53,10 +53,12 @@ def measured(
     """Return the simulated robot's factor, looked for between half a guess and twice."""
 
     def stable(factor: float) -> bool:
-        gains = gains_of(robot, axis, factor)
-        return all(rests(robot, delay, gains, direction, friction) for direction in directions)
+        gains = gains_with_factor(robot, axis, factor)
+        return all(
+            comes_to_rest(robot, delay, gains, direction, friction) for direction in directions
+        )
 
-    low, high = 0.5 * guess, min(2.0 * guess, MOST)
+    low, high = 0.5 * guess, min(2.0 * guess, MAX_FACTOR)
     while high > 1.03 * low:
         middle = math.sqrt(low * high)
         low, high = (middle, high) if stable(middle) else (low, middle)
@@ -70,8 +72,8 @@ def print_sideways(robots: list[str]) -> None:
     for robot in robots:
         sideways = [body_of(robot).directions["y"]]
         for delay in DELAYS:
-            guess = predicted(robot, "sway", delay)
-            found = [measured(robot, "sway", delay, guess, sideways, f) for f in (0.25, 1.0)]
+            guess = predicted_factor(robot, "sway", delay)
+            found = [measured_factor(robot, "sway", delay, guess, sideways, f) for f in (0.25, 1.0)]
             print(f"| {robot} | {1000.0 * delay:g} | {found[0]:.2f} | {found[1]:.2f} |", flush=True)
 
 
@@ -83,8 +85,8 @@ def main() -> None:
     for robot in robots:
         for delay in DELAYS:
             for axis in AXES:
-                p = predicted(robot, axis, delay)
-                m = measured(robot, axis, delay, p, body_of(robot).of_axis(axis))
+                p = predicted_factor(robot, axis, delay)
+                m = measured_factor(robot, axis, delay, p, body_of(robot).axis_directions(axis))
                 print(
                     f"| {robot} | {axis} | {1000.0 * delay:g} | {p:.2f} | {m:.2f} | {m / p:.2f} |",
                     flush=True,

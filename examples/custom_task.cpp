@@ -20,14 +20,14 @@ struct CameraHeight : surefoot::Task {
     height = data.oMi[1].act(camera).translation().z();
     rows.A_a = J.row(2);
     rows.weight[0] = 3.0;  // at m/s^2: dear beside the trunk's level, of which g counts 1
-    rows.b[0] = 100.0 * (wanted - height) - 20.0 * speed - drift;
+    rows.b[0] = 100.0 * (target_height - height) - 20.0 * speed - drift;
     return true;
   }
   const pinocchio::SE3 camera{surefoot::Matrix3::Identity(), surefoot::Vector3(0.3, 0.0, 0.05)};
   const pinocchio::Model& model;
   pinocchio::Data data;
   pinocchio::Data::Matrix6x J = pinocchio::Data::Matrix6x::Zero(6, 18);
-  double wanted = 0.08, height = 0.0;  // [m] 3 cm above where it is
+  double target_height = 0.08, height = 0.0;  // [m] 3 cm above where it is
 };
 
 int main(int argc, char** argv) {
@@ -42,5 +42,5 @@ int main(int argc, char** argv) {
     state.v += 0.002 * controller.update(state, reference).accelerations;
     state.q = pinocchio::integrate(robot.model(), state.q, 0.002 * state.v);
   }
-  std::printf("camera at %.3f m, wanted at %.3f m\n", task->height, task->wanted);
+  std::printf("camera at %.3f m, wanted at %.3f m\n", task->height, task->target_height);
 }

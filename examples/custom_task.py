@@ -13,10 +13,10 @@ AXES = pin.LOCAL_WORLD_ALIGNED
 class CameraHeight(surefoot.Task):
     """The camera accelerates by J a + drift; what is wanted of that pulls it to its height."""
 
-    def __init__(self, model: pin.Model, wanted: float) -> None:
+    def __init__(self, model: pin.Model, target_height: float) -> None:
         super().__init__()
         self.model, self.data = model, model.createData()
-        self.wanted, self.height = wanted, 0.0
+        self.target_height, self.height = target_height, 0.0
 
     def rows(self) -> int:
         """One: upwards."""
@@ -32,7 +32,7 @@ class CameraHeight(surefoot.Task):
         self.height = data.oMi[1].act(CAMERA).translation[2]
         # Weight 3 at m/s^2: dear beside the trunk's level, of which g counts 1.
         rows.weight[:], rows.A_a[:] = 3.0, pin.getFrameJacobian(model, data, 1, CAMERA, AXES)[2]
-        rows.b[:] = 100.0 * (self.wanted - self.height) - 20.0 * speed - drift
+        rows.b[:] = 100.0 * (self.target_height - self.height) - 20.0 * speed - drift
         return True
 
 
@@ -50,7 +50,7 @@ def main() -> None:
     for _ in range(1000):  # 2 s
         state.v = state.v + 0.002 * controller.update(state, reference).accelerations
         state.q = pin.integrate(model, state.q, 0.002 * state.v)
-    print(f"camera at {task.height:.3f} m, wanted at {task.wanted:.3f} m")
+    print(f"camera at {task.height:.3f} m, wanted at {task.target_height:.3f} m")
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 // Position mode: the front right leg goes to a pose in a straight line, then its calf swings.
 //   surefoot export go1 go1.robot; surefoot robot --robot go1 --hung &
 //   example_position go1.robot --duration 6
-#include "low_level.hpp"
+#include "low_level_loop.hpp"
 
 using namespace example;
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 
-from low_level import run
+from low_level_loop import run
 from surefoot import FR_0, LowCmd, LowState
 
 POSE = (0.0, 1.2, -2.0)  # [rad] hip, thigh, calf
@@ -29,4 +29,4 @@ def control(n: int, state: LowState, cmd: LowCmd) -> str:
     return f"{n * 0.002:5.1f} s  FR_2 {calf:6.3f} of {target[2]:6.3f} rad" if n % 250 == 0 else ""
 
 
-sys.exit(run(control, "Position mode: one leg moves.", protect_from=11))
+sys.exit(run(control, "Position mode: one leg moves.", protect_from_tick=11))

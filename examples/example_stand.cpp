@@ -10,7 +10,7 @@
 
 using namespace surefoot;
 
-StandRunner* running = nullptr;  // for the signal handler
+StandRunner* active_runner = nullptr;  // for the signal handler
 
 int main(int argc, char** argv) {
   if (argc < 2) return std::puts("usage: example_stand NAME.robot [--port N] ..."), 2;
@@ -26,16 +26,16 @@ int main(int argc, char** argv) {
     }
     const Robot robot = Robot::load(argv[1]);
     StandRunner runner(robot, robot.config().gains, StandOptions(), link, options);
-    running = &runner;
+    active_runner = &runner;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-      std::signal(number, [](int) { running->stop(); });  // it damps, and ends
+      std::signal(number, [](int) { active_runner->stop(); });  // it damps, and ends
     }
     runner.run();
     const RunSnapshot end = runner.snapshot();
     std::printf("ended: %s; height %.3f m, tick %.0f us median, %.0f p99.9, %s\n",
                 to_string(end.reason), end.height, end.tick_p50, end.tick_p999,
                 runner.real_time().c_str());
-    return end.reason == RunReason::kAsked ? 0 : 3;
+    return end.reason == RunReason::kRequested ? 0 : 3;
   } catch (const Error& problem) {
     return std::printf("%s\n", problem.what()), 1;
   }

@@ -51,16 +51,16 @@ def loop(
     duration: float,
 ) -> bool:
     """Control until the time is over: True; False if something says no before."""
-    end = due = time.monotonic()
+    end = next_tick_time = time.monotonic()
     end += duration
     while (now := time.monotonic()) < end:
-        newer = link.receive()
-        if not link.known:
+        has_new_state = link.receive()
+        if not link.has_state:
             link.send(surefoot.damping_low_cmd(3.0))  # so that the robot knows whom to answer
-        elif link.age > 0.1:
-            print(f"no LowState for {1000 * link.age:.0f} ms", flush=True)
+        elif link.state_age > 0.1:
+            print(f"no LowState for {1000 * link.state_age:.0f} ms", flush=True)
             return False
-        elif newer:
+        elif has_new_state:
             command = controller.update(link.state)
             if safety.power_protect(command, link.state, 1) < 0:
                 print(f"power protection, {safety.power:.0f} W", flush=True)
@@ -69,8 +69,8 @@ def loop(
         if controller.status == surefoot.Status.DAMPING:
             print(f"the controller damps: {controller.fault.name}", flush=True)
             return False
-        due = max(due + 0.002, now)
-        time.sleep(max(0.0, due - time.monotonic()))
+        next_tick_time = max(next_tick_time + 0.002, now)
+        time.sleep(max(0.0, next_tick_time - time.monotonic()))
     return True
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Torque mode: a torque of at most 5 N.m holds the front right thigh at zero.
-#include "low_level.hpp"
+#include "low_level_loop.hpp"
 
 using namespace example;
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from low_level import run
+from low_level_loop import run
 from surefoot import FR_1, LowCmd, LowState, PosStopF, VelStopF
 
 

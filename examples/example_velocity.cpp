@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Velocity mode: the front right thigh follows a speed of 2 sin at 0.5 Hz.
-#include "low_level.hpp"
+#include "low_level_loop.hpp"
 
 using namespace example;
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import sys
 
-from low_level import run
+from low_level_loop import run
 from surefoot import FR_1, LowCmd, LowState, PosStopF
 
 
@@ -19,4 +19,4 @@ def control(n: int, state: LowState, cmd: LowCmd) -> str:
     return f"{n * 0.002:5.1f} s  FR_1 {thigh.dq:6.3f} of {speed:6.3f} rad/s" if n % 250 == 0 else ""
 
 
-sys.exit(run(control, "Velocity mode: one thigh moves to and fro.", protect_from=11))
+sys.exit(run(control, "Velocity mode: one thigh moves to and fro.", protect_from_tick=11))

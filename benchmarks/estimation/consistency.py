@@ -9,15 +9,15 @@ import numpy as np
 
 from estimation.log_rows import Array
 
-SHARE = 0.95  # of the band
+BAND_PROBABILITY = 0.95  # of the band
 
 
-def band(dof: Array) -> tuple[Array, Array]:
+def chi_square_band(dof: Array) -> tuple[Array, Array]:
     """Return the ends of the chi-square band of 95 % for degrees of freedom (n,).
 
     Wilson's and Hilferty's approximation: within 1 % for 5 degrees and more.
     """
-    z = NormalDist().inv_cdf(0.5 + SHARE / 2.0)
+    z = NormalDist().inv_cdf(0.5 + BAND_PROBABILITY / 2.0)
     spread = 2.0 / (9.0 * np.maximum(dof, 1))
     low, high = (
         dof * np.maximum(1.0 - spread + sign * z * np.sqrt(spread), 0.0) ** 3 for sign in (-1, 1)
@@ -38,9 +38,9 @@ def within_band(squares: Sequence[Array], dofs: Sequence[Array]) -> tuple[float,
     n = min(len(values) for values in squares)
     total = np.sum([values[:n] for values in squares], axis=0)
     dof = np.sum([values[:n] for values in dofs], axis=0)
-    judged = (dof > 0) & np.isfinite(total)
-    if not judged.any():
+    defined = (dof > 0) & np.isfinite(total)
+    if not defined.any():
         return float("nan"), float("nan")
-    low, high = band(dof[judged])
-    inside = (total[judged] >= low) & (total[judged] <= high)
-    return 100.0 * float(inside.mean()), float(total[judged].sum() / dof[judged].sum())
+    low, high = chi_square_band(dof[defined])
+    inside = (total[defined] >= low) & (total[defined] <= high)
+    return 100.0 * float(inside.mean()), float(total[defined].sum() / dof[defined].sum())

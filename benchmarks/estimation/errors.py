@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from surefoot.row_rotations import matrices_from_xyzw, rotation_vectors
+from surefoot.geometry.batch_rotations import matrices_from_xyzw, rotation_vectors
 
 from estimation.log_rows import Array, Log
 from estimation.replay import Estimates
@@ -23,7 +23,7 @@ class Errors:
 
     Attributes:
         tilt: (n, 2) x and y of the rotation vector [rad].
-        explained: (n, 2) part of it that the accelerometer's bias alone makes: no standing robot's
+        tilt_from_bias: (n, 2) part of it that the accelerometer's bias alone makes: no standing robot's
             sensors can tell it from a tilt.
         velocity: (n, 3) [m/s].
         height: (n,) [m] of the base, the estimator's offset of the first row taken out.
@@ -31,7 +31,7 @@ class Errors:
     """
 
     tilt: Array
-    explained: Array
+    tilt_from_bias: Array
     velocity: Array
     height: Array
     covariance: Array
@@ -49,24 +49,28 @@ class Errors:
         return nees
 
 
-def compare(log: Log, estimates: Estimates) -> Errors:
+def compute_errors(log: Log, estimates: Estimates) -> Errors:
     """Return the errors of estimates against their log's truth."""
     R_true = matrices(log["truth_quaternion"])
     R = matrices(estimates.q[:, [6, 3, 4, 5]])
-    turn = R @ np.swapaxes(R_true, 1, 2)
+    R_error = R @ np.swapaxes(R_true, 1, 2)
     # A rotation is one about the vertical after one about a horizontal axis.
-    yaw = np.arctan2(turn[:, 1, 0] - turn[:, 0, 1], turn[:, 0, 0] + turn[:, 1, 1])
-    unturn = about_z(-yaw)
-    v_world = np.einsum("nij,njk,nk->ni", unturn, R, estimates.v[:, :3])
+    yaw = np.arctan2(R_error[:, 1, 0] - R_error[:, 0, 1], R_error[:, 0, 0] + R_error[:, 1, 1])
+    R_yaw_removed = rotations_about_z(-yaw)
+    v_world = np.einsum("nij,njk,nk->ni", R_yaw_removed, R, estimates.v[:, :3])
     up = np.einsum("nij,j->ni", R_true, log["truth_accelerometer_bias"]) / GRAVITY
-    pick = [0, 1, 3, 4, 5]
-    turn5 = np.zeros((len(yaw), 5, 5))
-    turn5[:, :2, :2], turn5[:, 2:, 2:] = unturn[:, :2, :2], unturn
+    tilt_and_velocity = [0, 1, 3, 4, 5]
+    R_blocks = np.zeros((len(yaw), 5, 5))
+    R_blocks[:, :2, :2], R_blocks[:, 2:, 2:] = R_yaw_removed[:, :2, :2], R_yaw_removed
     covariance = np.zeros((len(yaw), 5, 5))
     if len(estimates.covariance):
-        covariance = turn5 @ estimates.covariance[:, pick][:, :, pick] @ np.swapaxes(turn5, 1, 2)
+        covariance = (
+            R_blocks
+            @ estimates.covariance[:, tilt_and_velocity][:, :, tilt_and_velocity]
+            @ np.swapaxes(R_blocks, 1, 2)
+        )
     return Errors(
-        rotation_vectors(unturn @ turn)[:, :2],
+        rotation_vectors(R_yaw_removed @ R_error)[:, :2],
         np.stack([up[:, 1], -up[:, 0]], axis=1),
         v_world - log["truth_v"],
         estimates.q[:, 2] - log["truth_p"][:, 2],
@@ -80,7 +84,7 @@ def matrices(quaternions: Array) -> Array:
     return matrices_from_xyzw(q[:, [1, 2, 3, 0]])
 
 
-def about_z(angle: Array) -> Array:
+def rotations_about_z(angle: Array) -> Array:
     """Return rotations (n, 3, 3) by angles (n,) [rad] about z."""
     R = np.zeros((len(angle), 3, 3))
     R[:, 0, 0] = R[:, 1, 1] = np.cos(angle)

@@ -9,8 +9,8 @@ from pathlib import Path
 from surefoot import Robot, load_robot
 
 from estimation.biases import bias
-from estimation.cache import cached
-from estimation.cases import RECORDINGS
+from estimation.cache import load_or_record
+from estimation.cases import SCENARIOS
 from estimation.dropping import dropout
 from estimation.figures import Result
 from estimation.loaded import payload
@@ -19,7 +19,7 @@ from estimation.standing import push60, quiet, quiet_long
 from estimation.starting import init
 from estimation.touching import contact
 
-Evaluate = Callable[[Robot, dict[str, Log], int], Result]
+CaseFunction = Callable[[Robot, dict[str, Log], int], Result]
 
 
 @dataclass(frozen=True)
@@ -27,13 +27,13 @@ class Case:
     """One case.
 
     Attributes:
-        needs: Recordings by name.
+        scenarios: Recorded scenarios by name.
         evaluate: Makes figures of them; None for the payload, which has no logs.
         seeds: At most so many, for they are long.
     """
 
-    needs: tuple[str, ...]
-    evaluate: Evaluate | None
+    scenarios: tuple[str, ...]
+    evaluate: CaseFunction | None
     seeds: int = 1000
 
 
@@ -60,14 +60,14 @@ class Task:
     record_only: bool = False
 
 
-def carry_out(task: Task) -> tuple[Task, Result]:
+def run_task(task: Task) -> tuple[Task, Result]:
     """Record what is not there yet, and evaluate."""
     case = CASES[task.case]
     if case.evaluate is None:
         return task, Result({}) if task.record_only else payload(task.robot, task.seed)
     logs = {
-        name: cached(task.folder, name, task.seed, RECORDINGS[name](task.robot, task.seed))
-        for name in case.needs
+        name: load_or_record(task.folder, name, task.seed, SCENARIOS[name](task.robot, task.seed))
+        for name in case.scenarios
     }
     if task.record_only:
         return task, Result({})

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from surefoot.sim.wire import LOW_STATE, MOTORS
+from surefoot.sim.hardware.wire_format import LOW_STATE, MOTOR_COUNT
 
 Array = npt.NDArray[Any]
 Log = dict[str, Array]
@@ -25,7 +25,7 @@ _SENSORS = ("accelerometer", "gyroscope", "quaternion", "footForce", "footForceE
 _MOTORS = ("q", "dq", "tauEst")
 
 
-class LogRows:
+class LogBuilder:
     """Rows that fill up.
 
     Args:
@@ -50,6 +50,6 @@ class LogRows:
         frames = self._frames[: self._count].view(LOW_STATE)[:, 0]
         log = {name: frames[name].copy() for name in (*_SENSORS, "tick")}
         for name in _MOTORS:
-            log[name] = frames["motorState"][name][:, :MOTORS].copy()
+            log[name] = frames["motorState"][name][:, :MOTOR_COUNT].copy()
         truth = {name: np.array(rows) for name, rows in self._truth.items()}
         return {**log, **truth}

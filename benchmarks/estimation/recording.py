@@ -7,19 +7,19 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from surefoot import LowCmd, LowState, StandController
+from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.sim import Lift, Plant, PlantSettings
-from surefoot.sim.rotations import matrix_from_wxyz
 from surefoot.stand import PushRequest, ReferenceRequest
-from surefoot.stand.references import body_references
+from surefoot.stand.reference_request import body_references
 
-from estimation.log_rows import Array, Log, LogRows
+from estimation.log_rows import Array, Log, LogBuilder
 from estimation.stepping import Step, Stepper
 
-SINGLE = ("truth_gyro_bias", "truth_accelerometer_bias", "push_times", "weight", "fell")
+SINGLE_ENTRIES = ("truth_gyro_bias", "truth_accelerometer_bias", "push_times", "weight", "fell")
 
 
 @dataclass(frozen=True)
-class Recording:
+class Scenario:
     """What is to be recorded; the same gives the same log.
 
     Attributes:
@@ -41,7 +41,7 @@ class Recording:
     steps: tuple[Step, ...] = ()
 
 
-def record(recording: Recording) -> Log:
+def record(recording: Scenario) -> Log:
     """Run the robot under its controller and return what it sensed and what was true."""
     plant = Plant(recording.robot, recording.plant)
     if not plant.settings.real:
@@ -50,9 +50,9 @@ def record(recording: Recording) -> Log:
         plant.add_push(push)
     for lift in recording.lifts:
         plant.add_lift(lift)
-    rows = LogRows(round(recording.duration * plant.settings.control_rate))
+    rows = LogBuilder(round(recording.duration * plant.settings.control_rate))
     state = plant.reset()
-    control = _control(recording, plant)
+    control = _make_control(recording, plant)
     for k in range(rows.size):
         command = control(k, state)
         # step() hands out the reading of this instant and keeps that of the next for later.
@@ -61,10 +61,10 @@ def record(recording: Recording) -> Log:
         rows.add(state.raw, truth)
         if plant.truth.fell:
             break
-    return {**rows.log(), **_head(recording, plant)}
+    return {**rows.log(), **_single_entries(recording, plant)}
 
 
-def _control(recording: Recording, plant: Plant) -> Callable[[int, LowState], LowCmd]:
+def _make_control(recording: Scenario, plant: Plant) -> Callable[[int, LowState], LowCmd]:
     """Return what makes a command of a row and its report."""
     if recording.steps:
         stepper = Stepper(plant, recording.steps)
@@ -80,7 +80,7 @@ def _control(recording: Recording, plant: Plant) -> Callable[[int, LowState], Lo
     return stand
 
 
-def _head(recording: Recording, plant: Plant) -> Log:
+def _single_entries(recording: Scenario, plant: Plant) -> Log:
     R_base_imu = matrix_from_wxyz(plant.robot.config.quat_base_imu)
     return {
         "truth_gyro_bias": R_base_imu @ plant.imu_bias[:3],
@@ -106,11 +106,11 @@ def _truth(plant: Plant) -> Log:
     }
 
 
-def cut(log: Log, rows: slice | Array) -> Log:
+def select_rows(log: Log, rows: slice | Array) -> Log:
     """Return a log of some rows only."""
-    return {name: array if name in SINGLE else array[rows] for name, array in log.items()}
+    return {name: array if name in SINGLE_ENTRIES else array[rows] for name, array in log.items()}
 
 
-def rate_of(log: Log) -> float:
+def sample_rate(log: Log) -> float:
     """Return reports per second [Hz]."""
     return 1000.0 / float(log["tick"][1] - log["tick"][0])

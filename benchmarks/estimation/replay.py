@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from surefoot import LowState, Robot, StateEstimator
-from surefoot.sim.wire import LOW_STATE, MOTORS, resting_state
+from surefoot.sim.hardware.wire_format import LOW_STATE, MOTOR_COUNT, default_low_state
 
 from estimation.log_rows import Array, Log
-from estimation.recording import rate_of
+from estimation.recording import sample_rate
 
-MOST_DT = 0.1  # [s] that StateEstimator.update takes
+MAX_DT = 0.1  # [s] that StateEstimator.update takes
 
 
 @dataclass(frozen=True)
@@ -43,10 +43,10 @@ def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
 
     A covariance takes a kilobyte a row, which is why it must be asked for.
     """
-    frames, n = frames_of(log), len(log["tick"])
+    frames, n = low_state_bytes(log), len(log["tick"])
     dt = np.diff(log["tick"].astype(np.int64), prepend=0) / 1000.0
-    dt[0] = 1.0 / rate_of(log)
-    steps = np.clip(dt, 0.0, MOST_DT).tolist()
+    dt[0] = 1.0 / sample_rate(log)
+    time_steps = np.clip(dt, 0.0, MAX_DT).tolist()
     out = Estimates(
         *(np.zeros((n, robot.nq)), np.zeros((n, robot.nv)), np.zeros((n, 4))),
         np.zeros((n if keep_covariance else 0, 15, 15), np.float32),
@@ -57,10 +57,10 @@ def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
     raw = low_state.raw  # the LowState's own memory
     for k in range(n):
         raw[:] = frames[k]
-        estimator.update(low_state, steps[k])
+        estimator.update(low_state, time_steps[k])
         state, report = estimator.state, estimator.report
         out.q[k], out.v[k], out.contact[k] = state.q, state.v, state.contact
-        out.forces[k] = report.torque_forces
+        out.forces[k] = report.foot_forces_from_torques
         if keep_covariance:
             out.covariance[k] = report.covariance
         out.nis[k], out.nis_dimension[k] = report.nis, report.nis_dimension
@@ -69,13 +69,13 @@ def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
     return out
 
 
-def frames_of(log: Log) -> Array:
+def low_state_bytes(log: Log) -> Array:
     """Return the LowStates of a log as bytes (n, 937)."""
-    template = np.array(resting_state().raw)
+    template = np.array(default_low_state().raw)
     rows = np.tile(template, (len(log["tick"]), 1))
     fields = rows.view(LOW_STATE)[:, 0]
     for name in ("accelerometer", "gyroscope", "quaternion", "footForce", "footForceEst", "tick"):
         fields[name] = log[name]
     for name in ("q", "dq", "tauEst"):
-        fields["motorState"][name][:, :MOTORS] = log[name]
+        fields["motorState"][name][:, :MOTOR_COUNT] = log[name]
     return rows

@@ -9,7 +9,7 @@ from typing import Any
 
 from estimation.consistency import within_band
 from estimation.evaluation import Task
-from estimation.figures import Result, find
+from estimation.figures import Result, find_metric
 
 HEADER = ("robot", "case", "figure", "asked", "got", "unit", "", "worst", "of seed")
 
@@ -35,12 +35,16 @@ class Row:
         verdict = {True: "pass", False: "MISS", None: ""}[self.passed]
         worst = "" if self.worst is None else f"{self.worst:.4g}"
         seed = "" if self.worst_seed is None else str(self.worst_seed)
-        where = self.robot, self.case, self.figure, self.asked
-        return (*where, got, self.unit, verdict, worst, seed)
+        labels = self.robot, self.case, self.figure, self.asked
+        return (*labels, got, self.unit, verdict, worst, seed)
 
     def json(self) -> dict[str, Any]:
         """Return the row as plain JSON types."""
-        return {**self.__dict__, "got": _plain(self.got), "worst": _plain(self.worst)}
+        return {
+            **self.__dict__,
+            "got": _finite_or_none(self.got),
+            "worst": _finite_or_none(self.worst),
+        }
 
 
 def summarise(results: Iterable[tuple[Task, Result]]) -> list[Row]:
@@ -53,7 +57,7 @@ def summarise(results: Iterable[tuple[Task, Result]]) -> list[Row]:
         names = list(dict.fromkeys(name for result in seeds.values() for name in result.values))
         for name in names:
             values = {seed: r.values[name] for seed, r in seeds.items() if name in r.values}
-            got, seed, worst = find(case, name).merge(values)
+            got, seed, worst = find_metric(case, name).merge(values)
             rows.append(_row(robot, case, name, len(values), got, worst, seed))
         for name, got in _consistency(seeds).items():
             rows.append(_row(robot, case, name, len(seeds), got))
@@ -79,13 +83,13 @@ def _row(
     worst: float | None = None,
     worst_seed: int | None = None,
 ) -> Row:
-    figure = find(case, name)
-    verdict = figure.passes(got)
-    head = robot, case, name, figure.asked, got, figure.unit, verdict
-    return Row(*head, worst, worst_seed, seeds)
+    metric = find_metric(case, name)
+    verdict = metric.passes(got)
+    leading_cells = robot, case, name, metric.limit_text, got, metric.unit, verdict
+    return Row(*leading_cells, worst, worst_seed, seeds)
 
 
-def _plain(value: float | None) -> float | None:
+def _finite_or_none(value: float | None) -> float | None:
     return float(f"{value:.6g}") if value is not None and math.isfinite(value) else None
 
 

@@ -17,14 +17,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from estimation.evaluation import CASES, Task, carry_out
+from estimation.evaluation import CASES, Task, run_task
 from estimation.figures import Result
 from estimation.report import summarise, table
 
 ROBOTS = ("a1", "go1", "go2", "b1")
 
 
-def parse() -> argparse.Namespace:
+def parse_arguments() -> argparse.Namespace:
     """Read the command line."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -39,7 +39,7 @@ def parse() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def tasks_of(options: argparse.Namespace) -> list[Task]:
+def make_tasks(options: argparse.Namespace) -> list[Task]:
     """Return every seed of every case of every robot."""
     return [
         Task(robot, case, seed, options.folder, options.record_only)
@@ -53,7 +53,7 @@ def run_all(tasks: list[Task], jobs: int) -> list[tuple[Task, Result]]:
     """Carry tasks out over processes; progress goes to stderr if that is a terminal."""
     results = []
     with get_context("spawn").Pool(jobs) as pool:
-        for result in pool.imap_unordered(carry_out, tasks):
+        for result in pool.imap_unordered(run_task, tasks):
             results.append(result)
             if sys.stderr.isatty():
                 print(f"\r{len(results)} of {len(tasks)}", end="", file=sys.stderr)
@@ -62,8 +62,8 @@ def run_all(tasks: list[Task], jobs: int) -> list[tuple[Task, Result]]:
 
 def main() -> None:
     """Run everything and print the table."""
-    options = parse()
-    rows = summarise(run_all(tasks_of(options), options.jobs))
+    options = parse_arguments()
+    rows = summarise(run_all(make_tasks(options), options.jobs))
     if options.json is not None:
         text = json.dumps([row.json() for row in rows], indent=1)
         options.json.write_text(text + "\n", encoding="utf-8")

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from surefoot import LowCmd, Reference, WholeBodyController
-from surefoot.bench.problems.limp import ease, torque_command, true_state
+from surefoot.bench.problems.three_legged_stance import smoothstep, torque_command, true_state
 from surefoot.sim import Plant
 
-RELEASE = 0.01  # [s] in which a foot gives up its load, and takes it again
-LEAN = 0.45  # of the way from the middle of four feet to that of the three that stay
+LOAD_TRANSFER_TIME = 0.01  # [s] in which a foot gives up its load, and takes it again
+LEAN_SHARE = 0.45  # of the way from the middle of four feet to that of the three that stay
 LEAN_TIME = 0.5  # [s] to lean over, before; and back, after
 
 
@@ -51,26 +51,28 @@ class Stepper:
         """Return the command for the plant's present state."""
         time = self._plant.time
         step = min(self._steps, key=lambda s: abs(time - s.time - 0.5 * s.duration))
-        self._ask(step, time - step.time)
+        self._set_reference(step, time - step.time)
         airborne = step.foot if 0.0 <= time - step.time < step.duration else None
         solution = self._controller.update(true_state(self._plant, airborne), self._reference)
         return torque_command(self._plant.robot, solution.torques)
 
-    def _ask(self, step: Step, time: float) -> None:
+    def _set_reference(self, step: Step, time: float) -> None:
         """Set the reference at a time [s] since a step began."""
         r: Reference = self._reference
         others = [k for k in range(4) if k != step.foot]
-        towards = self._anchors[others].mean(axis=0) - self._anchors.mean(axis=0)
-        until = time - step.duration
-        over = ease(1.0 + time / LEAN_TIME) * (1.0 - ease(until / LEAN_TIME))
-        r.p_com = self._start + LEAN * over * np.array([towards[0], towards[1], 0.0])
+        lean_direction = self._anchors[others].mean(axis=0) - self._anchors.mean(axis=0)
+        load_time = time - step.duration
+        lean = smoothstep(1.0 + time / LEAN_TIME) * (1.0 - smoothstep(load_time / LEAN_TIME))
+        r.p_com = self._start + LEAN_SHARE * lean * np.array(
+            [lean_direction[0], lean_direction[1], 0.0]
+        )
         foot = r.foot(step.foot)
-        foot.load = float(np.clip(max(-time, until) / RELEASE, 0.0, 1.0))
+        foot.load = float(np.clip(max(-time, load_time) / LOAD_TRANSFER_TIME, 0.0, 1.0))
         foot.stance = foot.load > 0.0
         phase = np.clip(time / step.duration, 0.0, 1.0)
         foot.p_world = self._anchors[step.foot] + [0.0, 0.0, step.height * np.sin(np.pi * phase)]
-        inside = 0.0 < phase < 1.0
+        in_swing = 0.0 < phase < 1.0
         rate = np.pi / step.duration
-        speed = step.height * rate * np.cos(np.pi * phase) if inside else 0.0
-        rise = -step.height * rate**2 * np.sin(np.pi * phase) if inside else 0.0
-        foot.v_world, foot.a_world = [0.0, 0.0, speed], [0.0, 0.0, rise]
+        speed = step.height * rate * np.cos(np.pi * phase) if in_swing else 0.0
+        acceleration = -step.height * rate**2 * np.sin(np.pi * phase) if in_swing else 0.0
+        foot.v_world, foot.a_world = [0.0, 0.0, speed], [0.0, 0.0, acceleration]

@@ -18,10 +18,10 @@ struct Problem {
 };
 
 /// What a solver says of its answer.
-enum class Said { kNothing = 0, kSolved = 1, kFailed = 2 };
+enum class SolveStatus { kUnknown = 0, kSolved = 1, kFailed = 2 };
 
 /// H x + g + A'y + C'z = 0; z > 0 pushes from u, z < 0 from l.
-struct Answer {
+struct Solution {
   std::vector<double> x, y, z;
 };
 
@@ -46,14 +46,14 @@ class Adapter {
   /// False if it has nothing to keep from one tick to the next.
   virtual bool can_warm_start() const { return true; }
   /// Not timed. Forget all answers; memory and sparsity may stay.
-  virtual void forget() = 0;
+  virtual void clear_warm_start() = 0;
   /// Not timed. Put the program where a user would have written it in the first place.
-  virtual void take(const Problem& problem) = 0;
+  virtual void load_problem(const Problem& problem) = 0;
   /// Timed: all that a tick needs, conversions that the solver's format forces included.
-  virtual Said solve() = 0;
+  virtual SolveStatus solve() = 0;
   virtual int iterations() const = 0;  ///< -1: it does not say
   /// Not timed.
-  virtual void read(Answer& answer) const = 0;
+  virtual void read_solution(Solution& solution) const = 0;
 };
 
 /// Every adapter's file defines this one.

@@ -17,13 +17,13 @@ namespace {
 
 using namespace bench;
 
-double now(clockid_t clock) {
+double nanoseconds(clockid_t clock) {
   timespec t{};
   clock_gettime(clock, &t);
   return 1e9 * double(t.tv_sec) + double(t.tv_nsec);
 }
 
-std::vector<double> read_answers(const std::string& path, std::size_t count) {
+std::vector<double> read_reference(const std::string& path, std::size_t count) {
   std::vector<double> answers(count, std::nan(""));
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(answers.data()), std::streamsize(8 * count));
@@ -35,26 +35,27 @@ Record time_solve(Adapter& adapter) {
   Record record{};
   const long before = allocations();
   count_allocations(true);
-  const double cpu = now(CLOCK_THREAD_CPUTIME_ID);
-  const double wall = now(CLOCK_MONOTONIC);
-  const Said said = adapter.solve();
-  record.wall_ns = now(CLOCK_MONOTONIC) - wall;
-  record.cpu_ns = now(CLOCK_THREAD_CPUTIME_ID) - cpu;
+  const double cpu = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+  const double wall = nanoseconds(CLOCK_MONOTONIC);
+  const SolveStatus status = adapter.solve();
+  record.wall_ns = nanoseconds(CLOCK_MONOTONIC) - wall;
+  record.cpu_ns = nanoseconds(CLOCK_THREAD_CPUTIME_ID) - cpu;
   count_allocations(false);
   record.allocations = double(allocations() - before);
-  record.said = double(said);
+  record.status = double(status);
   record.iterations = adapter.iterations();
   return record;
 }
 
-void judge(const Problem& problem, const Answer& answer, const double* expected, Record& record) {
-  const Residuals r = residuals(problem, answer);
+void add_residuals(const Problem& problem, const Solution& solution, const double* reference,
+                   Record& record) {
+  const Residuals r = residuals(problem, solution);
   record.primal = r.primal;
   record.dual = r.dual;
   record.gap = r.gap;
   record.distance = 0.0;
   for (int j = 0; j < problem.n; ++j) {
-    const double distance = std::abs(answer.x[j] - expected[j]);
+    const double distance = std::abs(solution.x[j] - reference[j]);
     if (!(distance <= record.distance)) record.distance = distance;  // NaN stays
   }
 }
@@ -71,31 +72,31 @@ int describe() {
 int run(int count, char** words) {
   SequenceFile sequence(words[1]);
   Setup setup;
-  setup.n = sequence.size().n;
-  setup.n_eq = sequence.size().n_eq;
-  setup.n_in = sequence.size().n_in;
+  setup.n = sequence.first_problem().n;
+  setup.n_eq = sequence.first_problem().n_eq;
+  setup.n_in = sequence.first_problem().n_in;
   setup.warm = std::string(words[2]) == "warm";
   if (count > 5) setup.tolerance = std::stod(words[5]);
-  sequence.patterns(setup);
+  sequence.find_patterns(setup);
   const std::unique_ptr<Adapter> adapter = make_adapter(setup);
   if (setup.warm && !adapter->can_warm_start()) return 3;
   RecordFile records(words[3], sequence.ticks());
-  const std::vector<double> expected =
-      read_answers(words[4], std::size_t(sequence.ticks()) * setup.n);
+  const std::vector<double> reference =
+      read_reference(words[4], std::size_t(sequence.ticks()) * setup.n);
   std::ofstream written;
   if (count > 6) written.open(words[6], std::ios::binary);
-  Answer answer{std::vector<double>(setup.n), std::vector<double>(setup.n_eq),
-                std::vector<double>(setup.n_in)};
-  adapter->forget();
+  Solution solution{std::vector<double>(setup.n), std::vector<double>(setup.n_eq),
+                    std::vector<double>(setup.n_in)};
+  adapter->clear_warm_start();
   for (int tick = 0; tick < sequence.ticks(); ++tick) {
-    if (!setup.warm) adapter->forget();
+    if (!setup.warm) adapter->clear_warm_start();
     const Problem& problem = sequence.load(tick);
-    adapter->take(problem);
+    adapter->load_problem(problem);
     Record record = time_solve(*adapter);
-    adapter->read(answer);
-    judge(problem, answer, &expected[std::size_t(tick) * setup.n], record);
+    adapter->read_solution(solution);
+    add_residuals(problem, solution, &reference[std::size_t(tick) * setup.n], record);
     records[tick] = record;
-    written.write(reinterpret_cast<const char*>(answer.x.data()), std::streamsize(8 * setup.n));
+    written.write(reinterpret_cast<const char*>(solution.x.data()), std::streamsize(8 * setup.n));
   }
   return 0;
 }

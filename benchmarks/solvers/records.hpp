@@ -8,7 +8,7 @@ namespace bench {
 
 /// What is kept of one solve, all doubles so that NumPy reads the file as a (T, 9) array.
 struct Record {
-  double wall_ns, cpu_ns, said, iterations, allocations, primal, dual, gap, distance;
+  double wall_ns, cpu_ns, status, iterations, allocations, primal, dual, gap, distance;
 };
 
 /// Records in a mapped file: what was done before a crash is there after it. A tick that was not

@@ -34,7 +34,7 @@ double row_gap(double z, double Cx, double l, double u) {
 
 }  // namespace
 
-Residuals residuals(const Problem& p, const Answer& a) {
+Residuals residuals(const Problem& p, const Solution& a) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (!finite(a.x) || !finite(a.y) || !finite(a.z)) return {kInfinity, kInfinity, kInfinity};
   Residuals r;

@@ -14,6 +14,6 @@ struct Residuals {
 };
 
 /// Infinities where anything is not a number.
-Residuals residuals(const Problem& problem, const Answer& answer);
+Residuals residuals(const Problem& problem, const Solution& solution);
 
 }  // namespace bench

@@ -37,51 +37,51 @@ SequenceFile::SequenceFile(const std::string& path) {
     throw std::runtime_error(path + ": is no sequence of programs");
   }
   ticks_ = static_cast<int>(T);
-  size_.n = static_cast<int>(n);
-  size_.n_eq = static_cast<int>(eq);
-  size_.n_in = static_cast<int>(in);
+  first_problem_.n = static_cast<int>(n);
+  first_problem_.n_eq = static_cast<int>(eq);
+  first_problem_.n_in = static_cast<int>(in);
   const double* next = reinterpret_cast<const double*>(static_cast<char*>(map_) + sizeof header);
-  for (auto [field, count] : {std::pair{&size_.H, n * n},
-                              {&size_.g, n},
-                              {&size_.A, eq * n},
-                              {&size_.b, eq},
-                              {&size_.C, in * n},
-                              {&size_.l, in},
-                              {&size_.u, in}}) {
+  for (auto [field, count] : {std::pair{&first_problem_.H, n * n},
+                              {&first_problem_.g, n},
+                              {&first_problem_.A, eq * n},
+                              {&first_problem_.b, eq},
+                              {&first_problem_.C, in * n},
+                              {&first_problem_.l, in},
+                              {&first_problem_.u, in}}) {
     *field = next;
     next += T * count;
   }
   buffer_.resize(static_cast<std::size_t>(doubles));
-  now_ = size_;
+  current_problem_ = first_problem_;
 }
 
 SequenceFile::~SequenceFile() { munmap(map_, bytes_); }
 
 const Problem& SequenceFile::load(int tick) {
-  const int n = size_.n, eq = size_.n_eq, in = size_.n_in;
+  const int n = first_problem_.n, eq = first_problem_.n_eq, in = first_problem_.n_in;
   double* next = buffer_.data();
   const auto copy = [&](const double*& to, const double* from, int count) {
     std::memcpy(next, from + static_cast<std::ptrdiff_t>(tick) * count, 8 * std::size_t(count));
     to = next;
     next += count;
   };
-  copy(now_.H, size_.H, n * n);
-  copy(now_.g, size_.g, n);
-  copy(now_.A, size_.A, eq * n);
-  copy(now_.b, size_.b, eq);
-  copy(now_.C, size_.C, in * n);
-  copy(now_.l, size_.l, in);
-  copy(now_.u, size_.u, in);
-  return now_;
+  copy(current_problem_.H, first_problem_.H, n * n);
+  copy(current_problem_.g, first_problem_.g, n);
+  copy(current_problem_.A, first_problem_.A, eq * n);
+  copy(current_problem_.b, first_problem_.b, eq);
+  copy(current_problem_.C, first_problem_.C, in * n);
+  copy(current_problem_.l, first_problem_.l, in);
+  copy(current_problem_.u, first_problem_.u, in);
+  return current_problem_;
 }
 
-void SequenceFile::patterns(Setup& setup) const {
-  setup.H_pattern = pattern(size_.H, size_.n * size_.n);
-  setup.A_pattern = pattern(size_.A, size_.n_eq * size_.n);
-  setup.C_pattern = pattern(size_.C, size_.n_in * size_.n);
+void SequenceFile::find_patterns(Setup& setup) const {
+  setup.H_pattern = nonzero_pattern(first_problem_.H, first_problem_.n * first_problem_.n);
+  setup.A_pattern = nonzero_pattern(first_problem_.A, first_problem_.n_eq * first_problem_.n);
+  setup.C_pattern = nonzero_pattern(first_problem_.C, first_problem_.n_in * first_problem_.n);
 }
 
-std::vector<char> SequenceFile::pattern(const double* data, int entries) const {
+std::vector<char> SequenceFile::nonzero_pattern(const double* data, int entries) const {
   std::vector<char> used(static_cast<std::size_t>(entries), 0);
   for (int tick = 0; tick < ticks_; ++tick) {
     for (int i = 0; i < entries; ++i) used[i] |= *data++ != 0.0;

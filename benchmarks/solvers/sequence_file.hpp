@@ -19,19 +19,19 @@ class SequenceFile {
   SequenceFile& operator=(const SequenceFile&) = delete;
 
   int ticks() const { return ticks_; }
-  const Problem& size() const { return size_; }
+  const Problem& first_problem() const { return first_problem_; }
   /// Copy a tick's program into memory that stays, where it is as warm as one just written.
   const Problem& load(int tick);
   /// Which entries are not zero in any tick.
-  void patterns(Setup& setup) const;
+  void find_patterns(Setup& setup) const;
 
  private:
-  std::vector<char> pattern(const double* data, int entries) const;
+  std::vector<char> nonzero_pattern(const double* data, int entries) const;
   void* map_ = nullptr;
   std::size_t bytes_ = 0;
   int ticks_ = 0;
-  Problem size_;  // pointers to the first tick
-  Problem now_;   // pointers into buffer_
+  Problem first_problem_;    // pointers to the first tick
+  Problem current_problem_;  // pointers into buffer_
   std::vector<double> buffer_;
 };
 

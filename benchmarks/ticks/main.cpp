@@ -3,7 +3,7 @@
 //   surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N] [--period-us P]
 //                       [--references FILE]
 // REPORTS are LowStates byte for byte, references BodyReferences, one before each. OUT begins with
-// a line of JSON that names the series; their samples follow, in the layout of bench::Sample.
+// a line of JSON that names the series; their samples follow, in the layout of bench::CallTiming.
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include <iostream>
 #include <surefoot/error.hpp>
 
-#include "passes.hpp"
+#include "tick_timing.hpp"
 
 namespace {
 
@@ -30,15 +30,15 @@ std::vector<Record> read_records(const char* path) {
   return records;
 }
 
-Form to_form(const std::string& name) {
-  for (const Form form : {Form::kAuto, Form::kCondensed, Form::kGeneral}) {
+QpForm to_form(const std::string& name) {
+  for (const QpForm form : {QpForm::kAuto, QpForm::kCondensed, QpForm::kGeneral}) {
     if (name == to_string(form)) return form;
   }
   throw Error("--form: got '" + name + "', expected auto, condensed or general");
 }
 
-bench::Plan read_plan(int argc, char** argv) {
-  bench::Plan plan(Robot::load(argv[1]));
+bench::ReplayPlan read_plan(int argc, char** argv) {
+  bench::ReplayPlan plan(Robot::load(argv[1]));
   plan.reports = read_records<LowState>(argv[2]);
   plan.gains = plan.robot.config().gains;
   for (int k = 4; k + 1 < argc; k += 2) {
@@ -57,29 +57,29 @@ bench::Plan read_plan(int argc, char** argv) {
 }
 
 double median(const bench::Series& series) {
-  std::vector<float> walls;
-  for (const bench::Sample& sample : series.samples) walls.push_back(sample.wall);
-  const auto middle = walls.begin() + static_cast<std::ptrdiff_t>(walls.size() / 2);
-  std::nth_element(walls.begin(), middle, walls.end());
+  std::vector<float> wall_times;
+  for (const bench::CallTiming& timing : series.timings) wall_times.push_back(timing.wall);
+  const auto middle = wall_times.begin() + static_cast<std::ptrdiff_t>(wall_times.size() / 2);
+  std::nth_element(wall_times.begin(), middle, wall_times.end());
   return *middle;
 }
 
-void write(const char* path, const std::vector<bench::Series>& all, bool locked) {
+void write_series(const char* path, const std::vector<bench::Series>& all, bool locked) {
   std::ofstream file(path, std::ios::binary);
   file << "{\"compiler\": \"" << SUREFOOT_COMPILER << "\", \"flags\": \"" << SUREFOOT_FLAGS
        << "\", \"memory_locked\": " << (locked ? "true" : "false") << ", \"series\": [";
   for (const bench::Series& s : all) {
     file << (&s == all.data() ? "" : ", ") << "{\"name\": \"" << s.name
-         << "\", \"n\": " << s.samples.size() << ", \"allocations\": " << s.allocations
+         << "\", \"n\": " << s.timings.size() << ", \"allocations\": " << s.allocations
          << ", \"page_faults\": " << s.page_faults
          << ", \"first_allocations\": " << s.first_allocations
          << ", \"first_page_faults\": " << s.first_page_faults
-         << ", \"cpu\": " << (s.wants_cpu ? "true" : "false") << "}";
+         << ", \"cpu\": " << (s.has_cpu_time ? "true" : "false") << "}";
   }
   file << "]}\n";
   for (const bench::Series& s : all) {
-    file.write(reinterpret_cast<const char*>(s.samples.data()),
-               static_cast<std::streamsize>(s.samples.size() * sizeof(bench::Sample)));
+    file.write(reinterpret_cast<const char*>(s.timings.data()),
+               static_cast<std::streamsize>(s.timings.size() * sizeof(bench::CallTiming)));
   }
   if (!file.flush()) throw Error(std::string(path) + ": could not be written");
 }
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const bench::Plan plan = read_plan(argc, argv);
+    const bench::ReplayPlan plan = read_plan(argc, argv);
     // Where permitted; page faults are counted either way.
     const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
     std::vector<bench::Series> all;
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     all.push_back(bench::time_state_to_torque(plan));
     all.push_back(bench::time_null(plan, median(all.front())));
     for (bench::Series& stage : bench::time_stages(plan)) all.push_back(std::move(stage));
-    write(argv[3], all, locked);
+    write_series(argv[3], all, locked);
   } catch (const Error& problem) {
     std::cerr << problem.what() << "\n";
     return 1;

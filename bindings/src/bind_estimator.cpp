@@ -12,14 +12,14 @@ using namespace surefoot;
 namespace {
 
 void bind_enums(nb::module_& m) {
-  nb::enum_<Verdict>(m, "Verdict", "What a sensor is worth at present.")
-      .value("GOOD", Verdict::kGood, "Believed.")
-      .value("UNJUDGED", Verdict::kUnjudged, "Nothing has happened yet that could tell.")
-      .value("ZERO", Verdict::kZero, "Reads exactly zero.")
-      .value("CONSTANT", Verdict::kConstant, "Stands still while the robot moves.")
-      .value("SATURATED", Verdict::kSaturated, "At the end of its range.")
-      .value("DISAGREES", Verdict::kDisagrees, "Contradicts the others.")
-      .value("IMPLAUSIBLE", Verdict::kImplausible, "Beyond what it can measure.");
+  nb::enum_<SensorVerdict>(m, "SensorVerdict", "What a sensor is worth at present.")
+      .value("GOOD", SensorVerdict::kGood, "Believed.")
+      .value("UNJUDGED", SensorVerdict::kUnjudged, "Nothing has happened yet that could tell.")
+      .value("ZERO", SensorVerdict::kZero, "Reads exactly zero.")
+      .value("CONSTANT", SensorVerdict::kConstant, "Stands still while the robot moves.")
+      .value("SATURATED", SensorVerdict::kSaturated, "At the end of its range.")
+      .value("DISAGREES", SensorVerdict::kDisagrees, "Contradicts the others.")
+      .value("IMPLAUSIBLE", SensorVerdict::kImplausible, "Beyond what it can measure.");
   nb::enum_<ContactSource>(m, "ContactSource", "What tells of a foot's contact.")
       .value("FOOT_FORCE_EST", ContactSource::kFootForceEst, "footForceEst: newtons.")
       .value("FOOT_FORCE", ContactSource::kFootForce, "footForce: raw counts, by their change.")
@@ -39,7 +39,7 @@ void bind_report(nb::module_& m) {
       .def_ro("contact_by_source", &R::contact_by_source,
               "What each source alone says, shape (4, 4): row ContactSource, column foot; 0.5 is "
               "nothing.")
-      .def_ro("torque_forces", &R::torque_forces,
+      .def_ro("foot_forces_from_torques", &R::foot_forces_from_torques,
               "Ground on foot from joint torques [N], world axes, shape (3, 4).")
       .def_ro("slip", &R::slip, "How surely a standing foot slips, 0 .. 1, shape (4,).")
       .def_ro("gyroscope_bias", &R::gyroscope_bias, "[rad/s], base axes.")
@@ -49,9 +49,9 @@ void bind_report(nb::module_& m) {
               "[m]\nof the base, gyroscope_bias, accelerometer_bias.")
       .def_ro("nis", &R::nis, "Normalised innovation squared of the last update.")
       .def_ro("nis_dimension", &R::nis_dimension, "Its dimension.")
-      .def_ro("refused", &R::refused, "Feet that the innovation gate refused.")
-      .def_ro("force_outside", &R::force_outside, "Slow force from outside [N], world axes.")
-      .def_ro("moment_outside", &R::moment_outside,
+      .def_ro("rejected_feet", &R::rejected_feet, "Feet that the innovation gate refused.")
+      .def_ro("force_external", &R::force_external, "Slow force from outside [N], world axes.")
+      .def_ro("moment_external", &R::moment_external,
               "Slow moment from outside about the centre of mass [N.m], world axes.")
       .def_ro("payload", &R::payload, "[kg] more than the model has.")
       .def_ro("com_shift", &R::com_shift,
@@ -67,8 +67,10 @@ void bind_state_estimator(nb::module_& m) {
           "state", [](const StateEstimator& e) { return RobotState(e.state()); }, "A copy.")
       .def_prop_ro(
           "report", [](const StateEstimator& e) { return EstimatorReport(e.report()); }, "A copy.")
-      .def_prop_ro("torque_force", &StateEstimator::torque_force, "Normal force per foot [N].")
-      .def_prop_ro("foot_force_alive", &StateEstimator::foot_force_alive, "Does footForceEst live?")
+      .def_prop_ro("normal_forces_from_torques", &StateEstimator::normal_forces_from_torques,
+                   "Normal force per foot [N].")
+      .def_prop_ro("has_foot_force_est", &StateEstimator::has_foot_force_est,
+                   "Does footForceEst live?")
       .def("set_gains", &StateEstimator::set_gains, "gains"_a, "Raise Error if one is invalid.")
       .def("reset", &StateEstimator::reset, "Begin anew with the next report.");
 }

@@ -5,7 +5,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
-#include "packed.hpp"
+#include "packed_fields.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/frames.hpp"
 #include "surefoot/wireless_remote.hpp"
@@ -28,24 +28,25 @@ using Decode = FrameReport (*)(const std::uint8_t*, std::size_t, Generation, Str
 
 template <typename Struct>
 void def_frame(nb::module_& m, const char* what, Encode<Struct> encode, Decode<Struct> decode) {
-  m.def(
-      (std::string("_encode_") + what).c_str(),
-      [encode, what](const Struct& said, const FrameExtras& extras, const std::string& generation) {
-        Frame frame;
-        const FrameReport report = encode(said, extras, to_generation(generation), frame);
-        require_usable(what, report);
-        const nb::bytes bytes(reinterpret_cast<const char*>(frame.bytes.data()), frame.size);
-        return std::make_pair(bytes,
-                              report.status == FrameStatus::kOk ? std::string() : to_text(report));
-      },
-      "said"_a, "extras"_a, "generation"_a);
+  m.def((std::string("_encode_") + what).c_str(),
+        [encode, what](const Struct& message, const FrameExtras& extras,
+                       const std::string& generation) {
+          Frame frame;
+          const FrameReport report = encode(message, extras, to_generation(generation), frame);
+          require_usable(what, report);
+          const nb::bytes bytes(reinterpret_cast<const char*>(frame.bytes.data()), frame.size);
+          return std::make_pair(
+              bytes, report.status == FrameStatus::kOk ? std::string() : to_text(report));
+        },
+        "message"_a, "extras"_a, "generation"_a);
   m.def((std::string("_decode_") + what).c_str(),
-        [decode, what](const nb::bytes& frame, const std::string& generation, Struct& told,
+        [decode, what](const nb::bytes& frame, const std::string& generation, Struct& decoded,
                        FrameExtras& extras) {
           const auto* data = reinterpret_cast<const std::uint8_t*>(frame.c_str());
-          require_usable(what, decode(data, frame.size(), to_generation(generation), told, extras));
+          require_usable(what,
+                         decode(data, frame.size(), to_generation(generation), decoded, extras));
         },
-        "frame"_a, "generation"_a, "told"_a, "extras"_a);
+        "frame"_a, "generation"_a, "decoded"_a, "extras"_a);
 }
 
 void bind_extras(nb::module_& m) {

@@ -50,10 +50,11 @@ void bind_udp_link(nb::module_& m) {
       .def(
           "send", [](UdpLink& link, const LowCmd& cmd) { return to_text(link.send(cmd)); }, "cmd"_a,
           "Put a command on the wire: 'ok', or what was saturated or refused.")
-      .def_prop_ro("known", &UdpLink::known, "Has a valid LowState come?")
+      .def_prop_ro("has_state", &UdpLink::has_state, "Has a valid LowState come?")
       .def_prop_ro(
           "state", [](const UdpLink& link) { return LowState(link.state()); }, "Newest, a copy.")
-      .def_prop_ro("age", &UdpLink::age, "[s] since the newest arrived; inf before the first.")
+      .def_prop_ro("state_age", &UdpLink::state_age,
+                   "[s] since the newest arrived; inf before the first.")
       .def_prop_ro(
           "counts", [](const UdpLink& link) { return LinkCounts(link.counts()); }, "A copy.")
       .def_prop_ro(

@@ -3,7 +3,7 @@
 #include <nanobind/stl/string.h>
 
 #include "bindings.hpp"
-#include "packed.hpp"
+#include "packed_fields.hpp"
 #include "surefoot/low_level.hpp"
 
 namespace nb = nanobind;
@@ -14,7 +14,7 @@ namespace {
 
 // A fixed row of structs that hands out references.
 template <typename Element, std::size_t N>
-void bind_row(nb::module_& m, const char* name) {
+void bind_struct_array(nb::module_& m, const char* name) {
   using Row = std::array<Element, N>;
   nb::class_<Row>(m, name, "Fixed row of motor slots; elements are references into the frame.")
       .def("__len__", [](const Row&) { return N; })
@@ -31,7 +31,7 @@ void bind_row(nb::module_& m, const char* name) {
 }
 
 template <typename Struct>
-void def_raw(nb::class_<Struct>& c, Struct (*make)() noexcept) {
+void def_bytes_access(nb::class_<Struct>& c, Struct (*make)() noexcept) {
   c.def("__init__", [make](Struct* self) { new (self) Struct(make()); });
   c.def("__copy__", [](const Struct& self) { return Struct(self); });
   c.def("__deepcopy__", [](const Struct& self, nb::dict) { return Struct(self); });
@@ -83,7 +83,7 @@ void bind_motor_state(nb::module_& m) {
   def_number(c, "ddq_raw", &MotorState::ddq_raw, "Vendor's reserve. Carried, not used.");
   def_number(c, "temperature", &MotorState::temperature, "[deg C]. Carried, not used.");
   def_array(c, "reserve", &MotorState::reserve, "Vendor's reserve. Carried, not used.");
-  bind_row<MotorState, kMotorSlots>(m, "MotorStateRow");
+  bind_struct_array<MotorState, kMotorSlots>(m, "MotorStateArray");
 }
 
 void bind_motor_cmd(nb::module_& m) {
@@ -96,7 +96,7 @@ void bind_motor_cmd(nb::module_& m) {
   def_number(c, "Kp", &MotorCmd::Kp, "Position stiffness [N.m/rad].");
   def_number(c, "Kd", &MotorCmd::Kd, "Velocity stiffness [N.m.s/rad].");
   def_array(c, "reserve", &MotorCmd::reserve, "Vendor's reserve.");
-  bind_row<MotorCmd, kMotorSlots>(m, "MotorCmdRow");
+  bind_struct_array<MotorCmd, kMotorSlots>(m, "MotorCmdArray");
 }
 
 void bind_battery(nb::module_& m) {
@@ -135,7 +135,7 @@ void bind_states(nb::module_& m) {
       "Used: imu.quaternion, gyroscope, accelerometer; motorState q, dq, tauEst of motors 0 .. "
       "11;\n"
       "footForceEst; tick. Everything else is carried unused.");
-  def_raw(state, init_low_state);
+  def_bytes_access(state, init_low_state);
   def_header(state);
   state.def_prop_ro(
       "imu", [](LowState& s) -> IMU& { return s.imu; }, nb::rv_policy::reference_internal, "IMU.");
@@ -155,7 +155,7 @@ void bind_states(nb::module_& m) {
       "packed.\n\n"
       "LowCmd() is what the SDK's InitCmdData makes: 20 slots, mode 0x0A, q = PosStopF,\n"
       "dq = VelStopF, tau = Kp = Kd = 0.");
-  def_raw(cmd, init_low_cmd);
+  def_bytes_access(cmd, init_low_cmd);
   def_header(cmd);
   cmd.def_prop_ro(
       "motorCmd", [](LowCmd& c) -> auto& { return c.motorCmd; }, nb::rv_policy::reference_internal,

@@ -25,12 +25,12 @@ void bind_snapshot(nb::module_& m) {
       .def_prop_ro(
           "reason", [](const RunSnapshot& s) { return to_string(s.reason); },
           "Of the last damping or of the end: none, asked, no_state, wrong_generation, stale, "
-          "away, restart, controller, power_protect, button or fault (see damping).")
+          "away, restart, controller, power_protect, button or fault (see damping_fault).")
       .def_prop_ro(
-          "reject", [](const RunSnapshot& s) { return to_text(s.reject); },
+          "last_reject", [](const RunSnapshot& s) { return to_text(s.last_reject); },
           "Why the last bad datagram was not taken.")
       .def_ro("mode", &RunSnapshot::mode, "Of the supervisor.")
-      .def_ro("damping", &RunSnapshot::damping, "Why the supervisor damped last.")
+      .def_ro("damping_fault", &RunSnapshot::damping_fault, "Why the supervisor damped last.")
       .def_ro("faults", &RunSnapshot::faults, "Which there are and have been.")
       .def_ro("arming", &RunSnapshot::arming, "What passes and what does not.")
       .def_ro("armed", &RunSnapshot::armed)
@@ -39,38 +39,47 @@ void bind_snapshot(nb::module_& m) {
           "stood_to_end", &RunSnapshot::stood_to_end,
           "Has it stood, and lain down because it was asked to (start STANDING: stood on), until "
           "the end?")
-      .def_ro("stuck", &RunSnapshot::stuck, "Has the last rise given up?")
-      .def_ro("way_up", &RunSnapshot::way_up, "From lying (0) to standing (1).")
-      .def_ro("stage", &RunSnapshot::stage, "Of the last rise.")
-      .def_ro("status", &RunSnapshot::status, "Of the controller's last tick.")
-      .def_ro("fault", &RunSnapshot::fault, "Of the controller.")
+      .def_ro("rise_failed", &RunSnapshot::rise_failed, "Has the last rise given up?")
+      .def_ro("rise_progress", &RunSnapshot::rise_progress, "From lying (0) to standing (1).")
+      .def_ro("rise_stage", &RunSnapshot::rise_stage, "Of the last rise.")
+      .def_ro("controller_status", &RunSnapshot::controller_status,
+              "Of the controller's last tick.")
+      .def_ro("controller_fault", &RunSnapshot::controller_fault, "Of the controller.")
       .def_ro("link", &RunSnapshot::link, "Counts of the link.")
       .def_ro("time", &RunSnapshot::time, "[s] since run() began.")
-      .def_ro("age", &RunSnapshot::age, "[s] of the newest LowState.")
+      .def_ro("state_age", &RunSnapshot::state_age, "[s] of the newest LowState.")
       .def_ro("ticks", &RunSnapshot::ticks, "Of control.")
-      .def_ro("usable", &RunSnapshot::usable, "Of those, with a fresh command.")
-      .def_ro("bridged", &RunSnapshot::bridged, "Of those, without a new LowState.")
-      .def_ro("gap", &RunSnapshot::gap, "[s] that robot or program was silent: stale, away.")
-      .def_ro("saturated", &RunSnapshot::saturated, "Of those, with a motor at its limit.")
-      .def_ro("missed", &RunSnapshot::missed, "Periods left out: a tick or the system was late.")
+      .def_ro("usable_ticks", &RunSnapshot::usable_ticks, "Of those, with a fresh command.")
+      .def_ro("ticks_without_state", &RunSnapshot::ticks_without_state,
+              "Of those, without a new LowState.")
+      .def_ro("silence_time", &RunSnapshot::silence_time,
+              "[s] that robot or program was silent: stale, away.")
+      .def_ro("saturated_ticks", &RunSnapshot::saturated_ticks,
+              "Of those, with a motor at its limit.")
+      .def_ro("missed_periods", &RunSnapshot::missed_periods,
+              "Periods left out: a tick or the system was late.")
       .def_ro("dampings", &RunSnapshot::dampings, "Times that it latched.")
-      .def_ro("pauses", &RunSnapshot::pauses,
+      .def_ro("resumed_dampings", &RunSnapshot::resumed_dampings,
               "Of those, left because the robot's clock had stood still with it.")
       .def_ro("rearms", &RunSnapshot::rearms, "Times that it began anew.")
       .def_ro("refused_rearms", &RunSnapshot::refused_rearms,
               "By rearm(): no state came, or checks failed.")
-      .def_ro("power", &RunSnapshot::power, "[W] that the protection judged last.")
-      .def_ro("damped_power", &RunSnapshot::damped_power, "[W] the same, when it damped last.")
+      .def_ro("measured_power", &RunSnapshot::measured_power,
+              "[W] that the protection judged last.")
+      .def_ro("power_at_damping", &RunSnapshot::power_at_damping,
+              "[W] the same, when it damped last.")
       .def_ro("greatest_power", &RunSnapshot::greatest_power, "[W] that it ever judged.")
       .def_ro("height", &RunSnapshot::height, "[m] estimated.")
       .def_ro("tilt", &RunSnapshot::tilt, "[rad] estimated.")
       .def_ro("q", &RunSnapshot::q, "(19,) Pinocchio's, estimated.")
-      .def_ro("joints", &RunSnapshot::joints, "(12,) [rad] as reported, SDK motor order.")
-      .def_ro("forces", &RunSnapshot::forces,
+      .def_ro("joint_angles", &RunSnapshot::joint_angles,
+              "(12,) [rad] as reported, SDK motor order.")
+      .def_ro("desired_forces", &RunSnapshot::desired_forces,
               "(12,) [N] asked of FR FL RR RL, each x y z, world axes.")
       .def_ro("contact", &RunSnapshot::contact, "(4,) belief that each foot bears.")
-      .def_ro("distance", &RunSnapshot::distance, "[m] of the base from its reference.")
-      .def_ro("angle", &RunSnapshot::angle, "[rad] of the base from its reference.")
+      .def_ro("position_error", &RunSnapshot::position_error, "[m] of the base from its reference.")
+      .def_ro("orientation_error", &RunSnapshot::orientation_error,
+              "[rad] of the base from its reference.")
       .def_ro("torque_ratio", &RunSnapshot::torque_ratio, "Greatest share of its limit in tauEst.")
       .def_ro("command_power", &RunSnapshot::command_power,
               "[W] sum |tau dq| that the last command takes.")
@@ -95,10 +104,10 @@ void bind_snapshot(nb::module_& m) {
 }
 
 // Python's signal handlers run in its main thread only, between its own instructions.
-void run_and_heed_signals(StandRunner& runner) {
+void run_and_handle_signals(StandRunner& runner) {
   std::future<void> loop = std::async(std::launch::async, [&runner] { runner.run(); });
   const auto ended = [&loop] {
-    const nb::gil_scoped_release others_may_run;
+    const nb::gil_scoped_release gil_release;
     return loop.wait_for(std::chrono::milliseconds(20)) == std::future_status::ready;
   };
   std::optional<nb::python_error> interruption;
@@ -116,19 +125,21 @@ void bind_runner(nb::module_& m) {
       .def(
           "__init__",
           [](RunOptions* o, double rate, double duration, int power_level, bool remote,
-             double patience, Start start, double operator_timeout, double log_time) {
-            new (o) RunOptions{rate,     duration, power_level,      remote,
-                               patience, start,    operator_timeout, log_time};
+             double connect_timeout, Start start, double operator_timeout, double log_time) {
+            new (o) RunOptions{rate,  duration,         power_level, remote, connect_timeout,
+                               start, operator_timeout, log_time};
           },
           "rate"_a = 500.0, "duration"_a = std::numeric_limits<double>::infinity(),
-          "power_level"_a = 1, "remote"_a = true, "patience"_a = 5.0, "start"_a = Start::kStanding,
+          "power_level"_a = 1, "remote"_a = true, "connect_timeout"_a = 5.0,
+          "start"_a = Start::kStanding,
           "operator_timeout"_a = std::numeric_limits<double>::infinity(), "log_time"_a = 0.0)
       .def_rw("rate", &RunOptions::rate, "[Hz] of the control loop.")
       .def_rw("duration", &RunOptions::duration,
               "[s] from when it stands first, then finish(); inf: until finish() or stop().")
       .def_rw("power_level", &RunOptions::power_level, "Of power_protect(); 0 switches it off.")
       .def_rw("remote", &RunOptions::remote, "Sticks move the body, button B damps.")
-      .def_rw("patience", &RunOptions::patience, "[s] to wait for the first valid LowState.")
+      .def_rw("connect_timeout", &RunOptions::connect_timeout,
+              "[s] to wait for the first valid LowState.")
       .def_rw("start", &RunOptions::start, "STANDING: taken over at once; LYING: behind arming.")
       .def_rw("operator_timeout", &RunOptions::operator_timeout,
               "[s] without heartbeat(), which another thread calls, before the robot sits down; "
@@ -155,7 +166,7 @@ void bind_runner(nb::module_& m) {
           "options"_a = RunOptions(), "real_robot"_a = false,
           "Raise Error: an invalid option, a real robot that is not started lying, or what UdpLink "
           "raises.\nreal_robot: may the host be beyond this machine?")
-      .def("run", &run_and_heed_signals,
+      .def("run", &run_and_handle_signals,
            "Run until stop(), finish(), or a robot that cannot be controlled.\n\n"
            "The loop has a thread of its own; Ctrl-C is finish(), a second one stop(); then "
            "KeyboardInterrupt is raised. Raise Error if it was called before.")

@@ -56,9 +56,9 @@ void bind_run_log(nb::module_& m) {
           },
           nb::rv_policy::automatic, "(n,) [s] since run() began.")
       .def_prop_ro(
-          "heard",
+          "has_new_state",
           [](const RunLog& log) {
-            return column<bool>(log, [](const RunTick& t) { return t.heard; });
+            return column<bool>(log, [](const RunTick& t) { return t.has_new_state; });
           },
           nb::rv_policy::automatic, "(n,) did the LowState come with this tick?")
       .def_prop_ro(
@@ -68,9 +68,9 @@ void bind_run_log(nb::module_& m) {
           },
           nb::rv_policy::automatic, "(n,) values of Mode: the supervisor's, after the tick.")
       .def_prop_ro(
-          "damping",
+          "damping_fault",
           [](const RunLog& log) {
-            return column<std::int64_t>(log, [](const RunTick& t) { return t.damping; });
+            return column<std::int64_t>(log, [](const RunTick& t) { return t.damping_fault; });
           },
           nb::rv_policy::automatic, "(n,) values of FaultId: why the supervisor damped last.")
       .def_prop_ro(

@@ -56,7 +56,7 @@ void bind_safety(nb::module_& m) {
       .def(nb::init<const Robot&>(), "robot"_a)
       .def("power_protect", &Safety::power_protect, "cmd"_a, "state"_a, "level"_a, kPowerProtect)
       .def("position_protect", &Safety::position_protect, "cmd"_a, "state"_a,
-           "limit"_a = Safety::kMargin, kPositionProtect)
+           "limit"_a = Safety::kPositionMargin, kPositionProtect)
       .def("position_limit", &Safety::position_limit, "cmd"_a, kPositionLimit)
       .def_prop_ro("power", &Safety::power, "Sum |tauEst dq| of the last power_protect() [W].")
       .def_prop_ro("power_counter", &Safety::power_counter,

@@ -45,29 +45,31 @@ void bind_body_reference(nb::module_& m) {
 }
 
 void bind_rung(nb::module_& m) {
-  nb::enum_<Rung>(m, "Rung", "Where a command comes from: a ladder, the best first.")
-      .value("SOLVED", Rung::kSolved, "The whole-body program.")
-      .value("COLD_SOLVE", Rung::kColdSolve,
+  nb::enum_<FallbackLevel>(m, "FallbackLevel",
+                           "Where a command comes from: a ladder, the best first.")
+      .value("SOLVED", FallbackLevel::kSolved, "The whole-body program.")
+      .value("COLD_SOLVE", FallbackLevel::kColdSolve,
              "The same program once more, from nothing and to ten times the tolerance.")
-      .value("FORCES", Rung::kForces,
+      .value("FORCES", FallbackLevel::kForces,
              "No program: the last solution's forces, and what the body's tasks want more than\n"
              "then, shared among the feet.")
-      .value("LAST_FORCES", Rung::kLastForces,
+      .value("LAST_FORCES", FallbackLevel::kLastForces,
              "The last solution's forces, through today's Jacobians.")
-      .value("GRAVITY", Rung::kGravity,
+      .value("GRAVITY", FallbackLevel::kGravity,
              "The weight shared among the feet, and damping of the joints.")
-      .value("HOLD", Rung::kHold, "The command that left last, once more: the report is bad.")
-      .value("DAMPING", Rung::kDamping, "The motors brake by themselves.");
+      .value("HOLD", FallbackLevel::kHold,
+             "The command that left last, once more: the report is bad.")
+      .value("DAMPING", FallbackLevel::kDamping, "The motors brake by themselves.");
 }
 
 void bind_controller(nb::module_& m) {
   nb::class_<StandOptions>(m, "StandOptions", "What is set once, as opposed to tuned.")
       .def(
           "__init__",
-          [](StandOptions* o, double motor_damping, double delay, Form form, double power_limit) {
+          [](StandOptions* o, double motor_damping, double delay, QpForm form, double power_limit) {
             new (o) StandOptions{motor_damping, delay, form, power_limit};
           },
-          "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = Form::kAuto,
+          "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = QpForm::kAuto,
           "power_limit"_a = StandOptions().power_limit)
       .def_rw("motor_damping", &StandOptions::motor_damping,
               "[N.m.s/rad] motor-side damping in every command; 0 is pure torque mode.")
@@ -104,17 +106,18 @@ void bind_controller(nb::module_& m) {
            "Ask for another pose of the body; it goes there at limited speed.")
       .def_prop_ro("body_reference", &StandController::body_reference, "Where it is on the way.")
       .def_prop_ro("reach", &StandController::reach, "What keeps it from getting there.")
-      .def("give_up", &StandController::give_up, "leg"_a,
+      .def("give_up_leg", &StandController::give_up_leg, "leg"_a,
            "Give a leg up (0 .. 3) until reset: its foot bears nothing from now on.")
       .def_prop_ro("lost_leg", &StandController::lost_leg, "The leg that was given up, or -1.")
-      .def("margin_without", &StandController::margin_without, "leg"_a,
+      .def("capture_margin_without", &StandController::capture_margin_without, "leg"_a,
            "Return how far the capture point is inside the other three feet's triangle [m].\n\n"
            "Infinite where another leg is lost, NaN for no leg's number and before the first tick.")
       .def("add_task", &StandController::add_task, "task"_a, "Add a task of your own.")
       .def_prop_ro("status", &StandController::status, "What this tick's command is worth.")
       .def_prop_ro("fault", &StandController::fault, "What was wrong when a tick last was not OK.")
-      .def_prop_ro("rung", &StandController::rung, "Where this tick's command came from.")
-      .def("rung_count", &StandController::rung_count, "rung"_a,
+      .def_prop_ro("fallback_level", &StandController::fallback_level,
+                   "Where this tick's command came from.")
+      .def("fallback_count", &StandController::fallback_count, "fallback_level"_a,
            "Return how many ticks came to this rung, since construction.")
       .def_prop_ro(
           "state", [](const StandController& c) { return RobotState(c.state()); },
@@ -122,18 +125,18 @@ void bind_controller(nb::module_& m) {
       .def_prop_ro(
           "reference", [](const StandController& c) { return Reference(c.reference()); }, "A copy.")
       .def_prop_ro(
-          "program", [](const StandController& c) { return QpProblem(c.program()); },
+          "qp", [](const StandController& c) { return QpProblem(c.qp()); },
           "The program that the last tick solved: a copy.")
       .def_prop_ro(
           "solution", [](const StandController& c) { return Solution(c.solution()); }, "A copy.")
       .def_prop_ro(
           "estimator_report",
           [](const StandController& c) { return EstimatorReport(c.estimator_report()); }, "A copy.")
-      .def_prop_ro("torque_force", &StandController::torque_force,
+      .def_prop_ro("normal_forces_from_torques", &StandController::normal_forces_from_torques,
                    "Normal force per foot from torques [N].")
-      .def_prop_ro("foot_force_alive", &StandController::foot_force_alive,
+      .def_prop_ro("has_foot_force_est", &StandController::has_foot_force_est,
                    "Does footForceEst live?")
-      .def_prop_ro("power", &StandController::power,
+      .def_prop_ro("command_power", &StandController::command_power,
                    "Sum |tau dq| [W] of the last command made from a report.")
       .def_prop_ro("power_scale", &StandController::power_scale,
                    "How much of the torques' way from holding still power_limit left, 0 .. 1.\n"
@@ -142,7 +145,7 @@ void bind_controller(nb::module_& m) {
           "gains", [](const StandController& c) { return Gains(c.gains()); },
           "A copy of those asked for.")
       .def_prop_ro(
-          "gains_in_force", [](const StandController& c) { return Gains(c.gains_in_force()); },
+          "active_gains", [](const StandController& c) { return Gains(c.active_gains()); },
           "A copy; on their way to `gains`.")
       .def("set_gains", &StandController::set_gains, "gains"_a,
            "Change gains; those of a controller at work move there in 0.1 s of good ticks, for "

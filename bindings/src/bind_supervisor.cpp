@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-std::string upper(std::string name) {
+std::string to_upper(std::string name) {
   for (char& c : name) c = static_cast<char>(std::toupper(c));
   return name;
 }
@@ -63,15 +63,16 @@ void bind_faults(nb::module_& m) {
   nb::enum_<FaultId> id(m, "FaultId", "What can be wrong; fault_table() says more.");
   id.value("NONE", FaultId::kNone, "Nothing.");
   for (const FaultInfo& info : fault_table()) {
-    id.value(upper(to_string(info.id)).c_str(), info.id, std::string(info.meaning).c_str());
+    id.value(to_upper(to_string(info.id)).c_str(), info.id, std::string(info.meaning).c_str());
   }
   nb::class_<FaultInfo>(m, "FaultInfo", "One row of fault_table().")
       .def_ro("id", &FaultInfo::id)
       .def_ro("reaction", &FaultInfo::reaction)
-      .def_ro("detect", &FaultInfo::detect, "[s] from its begin to the reaction, at most.")
+      .def_ro("detection_time", &FaultInfo::detection_time,
+              "[s] from its begin to the reaction, at most.")
       .def_prop_ro("name", [](const FaultInfo& info) { return std::string(to_string(info.id)); })
       .def_prop_ro(
-          "clears", [](const FaultInfo& info) { return std::string(info.clears); },
+          "cleared_by", [](const FaultInfo& info) { return std::string(info.cleared_by); },
           "What ends the reaction, once the fault is no longer seen.")
       .def_prop_ro(
           "meaning", [](const FaultInfo& info) { return std::string(info.meaning); },
@@ -109,9 +110,9 @@ void bind_arming(nb::module_& m) {
       .def_ro("value", &ArmingCheck::value, "The worst that was found; unit in the text.")
       .def_ro("limit", &ArmingCheck::limit, "What it was held against.")
       .def_ro("motor", &ArmingCheck::motor, "SDK number of the motor found at, or -1.")
-      .def_ro("other", &ArmingCheck::other, "Motor it seems swapped with, or -1.");
+      .def_ro("swapped_with", &ArmingCheck::swapped_with, "Motor it seems swapped with, or -1.");
   nb::class_<ArmingReport>(m, "ArmingReport", "All arming checks of one tick.")
-      .def_ro("held", &ArmingReport::held, "[s] that all have passed without a break.")
+      .def_ro("passed_for", &ArmingReport::passed_for, "[s] that all have passed without a break.")
       .def_ro("ready", &ArmingReport::ready, "Have they for the time that arming asks for?")
       .def_prop_ro(
           "checks",
@@ -132,7 +133,7 @@ void bind_arming(nb::module_& m) {
           "robot"_a, "Return a sentence for every check that failed, one a line.");
 }
 
-void bind_machine(nb::module_& m) {
+void bind_supervisor_class(nb::module_& m) {
   nb::class_<SupervisorOptions>(m, "SupervisorOptions", "What is set once for a Supervisor.")
       .def(
           "__init__",
@@ -192,15 +193,17 @@ void bind_machine(nb::module_& m) {
           "update", [](Supervisor& s, const LowState& state) { return LowCmd(s.update(state)); },
           "low_state"_a, "Compute one tick: LowState in, a copy of the LowCmd out.")
       .def(
-          "bridge", [](Supervisor& s, double age) { return LowCmd(s.bridge(age)); }, "age"_a,
+          "update_without_state",
+          [](Supervisor& s, double age) { return LowCmd(s.update_without_state(age)); }, "age"_a,
           "Go on without a LowState, the newest `age` seconds old: a copy of the LowCmd.\n\n"
           "The last command while it is no older than 10 ms, then damping; after 20 ms requests "
           "are "
           "refused until update() is called again. Negative or NaN is too old. Nothing latches and "
           "no fault is told but what stop() asks for: call lose() once the robot has been silent "
           "for too long (surefoot run: 20 ms).")
-      .def("lose", &Supervisor::lose, "The robot is not heard: latch, if armed.")
-      .def("count_reports", &Supervisor::count_reports, "come"_a, "missing"_a,
+      .def("report_link_lost", &Supervisor::report_link_lost,
+           "The robot is not heard: latch, if armed.")
+      .def("count_samples", &Supervisor::count_samples, "received"_a, "missing"_a,
            "Say what the link has counted since the last call, for the arming check.")
       .def("request", &Supervisor::request, "mode"_a,
            "Ask for RISE (from PASSIVE), SIT (from RISE and STAND) or STAND (from SIT).")
@@ -209,22 +212,24 @@ void bind_machine(nb::module_& m) {
       .def("heartbeat", &Supervisor::heartbeat, "Say that the operator is there.")
       .def_prop_ro("mode", &Supervisor::mode)
       .def_prop_ro("armed", &Supervisor::armed)
-      .def_prop_ro("reason", &Supervisor::reason, "Why the damping latched last.")
+      .def_prop_ro("damping_fault", &Supervisor::damping_fault, "Why the damping latched last.")
       .def_prop_ro("faults", &Supervisor::faults, "Which faults there are: a copy.")
       .def_prop_ro("arming", &Supervisor::arming, "Every check of the last tick: a copy.")
-      .def_prop_ro("height", &Supervisor::height, "Way from lying (0) to standing (1).")
+      .def_prop_ro("rise_progress", &Supervisor::rise_progress,
+                   "Way from lying (0) to standing (1).")
       .def_prop_ro("rise_time", &Supervisor::rise_time, "[s] from legs folded to standing.")
       .def_prop_ro("fading", &Supervisor::fading, "Are torques on their way from mode to mode?")
-      .def_prop_ro("stuck", &Supervisor::stuck, "Did the last rise give up?")
-      .def_prop_ro("stage", &Supervisor::stage, "Of the last rise, or of this.")
-      .def_prop_ro("fresh", &Supervisor::fresh, "Was the last command made from its LowState?")
-      .def_prop_ro("power", &Supervisor::power,
+      .def_prop_ro("rise_failed", &Supervisor::rise_failed, "Did the last rise give up?")
+      .def_prop_ro("rise_stage", &Supervisor::rise_stage, "Of the last rise, or of this.")
+      .def_prop_ro("command_is_fresh", &Supervisor::command_is_fresh,
+                   "Was the last command made from its LowState?")
+      .def_prop_ro("measured_power", &Supervisor::measured_power,
                    "[W] that the power protection judged last; 0 while it has nothing to judge.")
       .def("set_gains", &Supervisor::set_gains, "gains"_a, "As StandController's; raise Error.")
       .def("set_body_reference", &Supervisor::set_body_reference, "target"_a,
            "Ask for another pose of the body while standing.")
-      .def_prop_ro("stand", &Supervisor::stand, nb::rv_policy::reference_internal,
-                   "The StandController, to look at.");
+      .def_prop_ro("stand_controller", &Supervisor::stand_controller,
+                   nb::rv_policy::reference_internal, "The StandController, to look at.");
 }
 
 }  // namespace
@@ -233,5 +238,5 @@ void bind_supervisor(nb::module_& m) {
   bind_enums(m);
   bind_faults(m);
   bind_arming(m);
-  bind_machine(m);
+  bind_supervisor_class(m);
 }

@@ -32,10 +32,10 @@ void bind_status(nb::module_& m) {
              "Good to send; a motor, or the power, is at its limit.")
       .value("DIVERGED", Status::kDiverged, "The state estimate ran away.");
   m.def("is_usable", &is_usable, "status"_a, "Does this status come with a command to send?");
-  nb::enum_<Form>(m, "Form", "How the program eliminates the equations of motion.")
-      .value("AUTO", Form::kAuto, "Condensed where it holds, general elsewhere.")
-      .value("CONDENSED", Form::kCondensed, "Contact forces alone.")
-      .value("GENERAL", Form::kGeneral, "Accelerations and contact forces.");
+  nb::enum_<QpForm>(m, "QpForm", "How the program eliminates the equations of motion.")
+      .value("AUTO", QpForm::kAuto, "Condensed where it holds, general elsewhere.")
+      .value("CONDENSED", QpForm::kCondensed, "Contact forces alone.")
+      .value("GENERAL", QpForm::kGeneral, "Accelerations and contact forces.");
   nb::enum_<BodyPoint>(m, "BodyPoint", "Which point of the body the position task moves.")
       .value("CENTER_OF_MASS", BodyPoint::kCenterOfMass, "The centre of mass.")
       .value("BASE", BodyPoint::kBase, "The origin of the base.");
@@ -71,7 +71,7 @@ Quaternion from_xyzw(const Eigen::Vector4d& q) {
   return Quaternion(q[3], q[0], q[1], q[2]);
 }
 
-void bind_structs(nb::module_& m) {
+void bind_robot_state(nb::module_& m) {
   nb::class_<RobotState>(m, "RobotState",
                          "Where the robot is and how it moves.\n\n"
                          "q and v are Pinocchio's; contact is the belief per foot, 0 .. 1.")
@@ -87,16 +87,16 @@ void bind_structs(nb::module_& m) {
                    "Belief 0 .. 1 that the foot stands, FR FL RR RL: gains force_lost_contact and "
                    "share_lost_contact say what is left of its load at 0. To lift a foot see "
                    "FootReference.stance.")
-      .def_prop_rw("f_outside", get(&RobotState::f_outside),
-                   set("f_outside", &RobotState::f_outside),
+      .def_prop_rw("f_external", get(&RobotState::f_external),
+                   set("f_external", &RobotState::f_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Force from outside through the CoM [N], world.")
-      .def_prop_rw("f_lasting", get(&RobotState::f_lasting),
-                   set("f_lasting", &RobotState::f_lasting),
+      .def_prop_rw("f_sustained", get(&RobotState::f_sustained),
+                   set("f_sustained", &RobotState::f_sustained),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "The part of f_outside that lasts, a payload [N].")
-      .def_prop_rw("moment_outside", get(&RobotState::moment_outside),
-                   set("moment_outside", &RobotState::moment_outside),
+                   "The part of f_external that lasts, a payload [N].")
+      .def_prop_rw("moment_external", get(&RobotState::moment_external),
+                   set("moment_external", &RobotState::moment_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
                    "Moment from outside about the CoM [N.m], world.")
       .def_prop_rw("friction", get(&RobotState::friction), set("friction", &RobotState::friction),
@@ -174,10 +174,11 @@ void bind_solution(nb::module_& m) {
       .def_ro("accelerations", &Solution::accelerations, "Shape (nv,), Pinocchio's order.")
       .def_ro("forces", &Solution::forces, "Ground on foot [N], world, (3, 4), FR FL RR RL.")
       .def_ro("torques", &Solution::torques, "[N.m] shape (nv - 6,), order of v[6:].")
-      .def_ro("torque_residual", &Solution::torque_residual, "Most the final clip took [N.m].")
-      .def_ro("torque_excess", &Solution::torque_excess, "Most torque limits gave, of tau_max.")
-      .def_ro("joint_limit_excess", &Solution::joint_limit_excess, "Same, joints [rad/s^2].")
-      .def_ro("hold_down_missing", &Solution::hold_down_missing, "Same, feet held down [N].")
+      .def_ro("clipped_torque", &Solution::clipped_torque, "Most the final clip took [N.m].")
+      .def_ro("torque_limit_violation", &Solution::torque_limit_violation,
+              "Most torque limits gave, of tau_max.")
+      .def_ro("joint_limit_violation", &Solution::joint_limit_violation, "Same, joints [rad/s^2].")
+      .def_ro("hold_down_violation", &Solution::hold_down_violation, "Same, feet held down [N].")
       .def_ro("iterations", &Solution::iterations, "Inner iterations of the solver.")
       .def_ro("primal_residual", &Solution::primal_residual, "Our own check.")
       .def_ro("dual_residual", &Solution::dual_residual, "Our own check.");
@@ -187,7 +188,7 @@ void bind_solution(nb::module_& m) {
 
 void bind_types(nb::module_& m) {
   bind_status(m);
-  bind_structs(m);
+  bind_robot_state(m);
   bind_reference(m);
   bind_solution(m);
 }

@@ -17,15 +17,15 @@ void bind_options(nb::module_& m) {
   nb::class_<WholeBodyOptions>(m, "WholeBodyOptions", "What is set once, as opposed to tuned.")
       .def(
           "__init__",
-          [](WholeBodyOptions* o, Form form, double tolerance) {
+          [](WholeBodyOptions* o, QpForm form, double tolerance) {
             new (o) WholeBodyOptions{form, tolerance};
           },
-          "form"_a = Form::kAuto, "tolerance"_a = 1e-6)
+          "form"_a = QpForm::kAuto, "tolerance"_a = 1e-6)
       .def_rw("form", &WholeBodyOptions::form, "AUTO, CONDENSED or GENERAL.")
       .def_rw("tolerance", &WholeBodyOptions::tolerance, "Of the program's scaled residuals.");
 }
 
-void bind_program(nb::module_& m) {
+void bind_qp_problem(nb::module_& m) {
   nb::class_<QpProblem>(m, "QpProblem",
                         "A quadratic program: minimise 1/2 x'H x + g'x  subject to  A x = b,  "
                         "l <= C x <= u.\n\n"
@@ -43,7 +43,7 @@ void bind_program(nb::module_& m) {
 
 void bind_whole_body(nb::module_& m) {
   bind_options(m);
-  bind_program(m);
+  bind_qp_problem(m);
   nb::class_<WholeBodyController>(m, "WholeBodyController",
                                   "State and reference in, joint torques out.\n\n"
                                   "For people who bring their own estimator or planner.")
@@ -73,7 +73,7 @@ void bind_whole_body(nb::module_& m) {
       .def_prop_ro(
           "gains", [](const WholeBodyController& c) { return Gains(c.gains()); }, "A copy.")
       .def_prop_ro(
-          "program", [](const WholeBodyController& c) { return QpProblem(c.program()); },
+          "qp", [](const WholeBodyController& c) { return QpProblem(c.qp()); },
           "The program that the last tick solved, with slacks where something gave: a copy.")
       .def("reset", &WholeBodyController::reset, "Forget the warm start.");
 }

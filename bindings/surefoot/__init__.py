@@ -2,9 +2,9 @@
 
 from surefoot import _core
 from surefoot._core import *  # noqa: F403
-from surefoot.delay import identify_delay
-from surefoot.gain_files import load_gains, save_gains
-from surefoot.robots import available_robots, load_robot
+from surefoot.robot.delay_identification import identify_delay
+from surefoot.robot.gain_files import load_gains, save_gains
+from surefoot.robot.loading import available_robots, load_robot
 
 __version__ = "0.1.0"
 __all__ = [

@@ -37,7 +37,7 @@ __all__ = [
 
 GENERATIONS: tuple[str, ...] = tuple(_core._generations())
 
-_DEFAULTS = {"a1": "a1-v3.3", "go1": "go1-v3.8", "b1": "b1-v3.8"}
+_DEFAULT_GENERATIONS = {"a1": "a1-v3.3", "go1": "go1-v3.8", "b1": "b1-v3.8"}
 
 
 class Frame(bytes):
@@ -117,14 +117,14 @@ def decode_low_cmd(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowCmd
             a wrong CRC or a number that is not finite. The message says which.
     """
     cmd = ReceivedLowCmd()
-    _core._decode_low_cmd(_bytes(frame), generation, cmd, cmd.extras)
+    _core._decode_low_cmd(_as_bytes(frame), generation, cmd, cmd.extras)
     return cmd
 
 
 def decode_low_state(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowState:
     """Return the report in a frame; errors as decode_low_cmd()."""
     state = ReceivedLowState()
-    _core._decode_low_state(_bytes(frame), generation, state, state.extras)
+    _core._decode_low_state(_as_bytes(frame), generation, state, state.extras)
     return state
 
 
@@ -139,7 +139,7 @@ def crc32(data: Bytes) -> int:
     Polynomial 0x04C11DB7, initial value 0xFFFFFFFF, nothing reflected, no final xor; the words are
     little-endian and enter most significant bit first.
     """
-    return _core._crc32(_bytes(data))
+    return _core._crc32(_as_bytes(data))
 
 
 def default_generation(robot: str) -> str:
@@ -148,25 +148,25 @@ def default_generation(robot: str) -> str:
     Raises:
         Error: The robot does not speak UDP frames (go2), or is none we know: name a generation.
     """
-    if robot in _DEFAULTS:
-        return _DEFAULTS[robot]
+    if robot in _DEFAULT_GENERATIONS:
+        return _DEFAULT_GENERATIONS[robot]
     raise Error(
         f"robot '{robot}' has no UDP frames of its own that are known (a Go2 speaks DDS); name a "
         f"generation: {', '.join(GENERATIONS)}"
     )
 
 
-def _bytes(data: Bytes) -> bytes:
+def _as_bytes(data: Bytes) -> bytes:
     if not isinstance(data, bytes | bytearray | memoryview):
         raise Error(f"frame: got {type(data).__name__}, expected bytes, bytearray or memoryview")
     return bytes(data)
 
 
-def _extras_of(said: LowCmd | LowState, extras: FrameExtras | None) -> FrameExtras:
+def _extras_of(message: LowCmd | LowState, extras: FrameExtras | None) -> FrameExtras:
     if extras is not None:
         return extras
-    if isinstance(said, ReceivedLowCmd | ReceivedLowState):
-        return said.extras
+    if isinstance(message, ReceivedLowCmd | ReceivedLowState):
+        return message.extras
     return FrameExtras()
 
 

@@ -24,9 +24,9 @@ def children() -> set[int]:
 
 
 @pytest.fixture(autouse=True)
-def leaves_nobody_behind(request: pytest.FixtureRequest) -> Iterator[None]:
+def kill_leftover_processes(request: pytest.FixtureRequest) -> Iterator[None]:
     """Kill the robots and controllers that a test which keeps real time did not come to end."""
-    if request.node.get_closest_marker("alone") is None:
+    if request.node.get_closest_marker("real_time") is None:
         yield
         return
     others = children()

@@ -7,20 +7,22 @@ import functools
 
 import numpy as np
 from surefoot import Gains, StandController
-from surefoot.robot_files import describe_robot
+from surefoot.robot.description import describe_robot
 from surefoot.sim import Plant, PlantSettings
-from surefoot.tune.design import AXES, Body, Direction, Goal, measure_body
+from surefoot.tune.design import AXES, Direction, Goal, StandingBody, compute_standing_body
 
-DIRECTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
+DIRECTION_NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
 GOAL = Goal(2.0, 0.8)  # of every axis; one at a time gets a factor
-PUSHED, LASTS, END = 0.6, 0.01, 2.6  # [s]
-REST = 0.6  # [s] at the end in which it has to be quiet
-QUIET = np.array([0.15, 0.15, 0.15, 1.0, 1.0, 1.0])  # [m/s^2, rad/s^2] RMS; noise is 0.02 and 0.1
+PUSH_TIME, PUSH_DURATION, RUN_TIME = 0.6, 0.01, 2.6  # [s]
+REST_TIME = 0.6  # [s] at the end in which it has to be quiet
+MAX_REST_RMS = np.array(
+    [0.15, 0.15, 0.15, 1.0, 1.0, 1.0]
+)  # [m/s^2, rad/s^2] RMS; noise is 0.02 and 0.1
 
 
 @functools.cache
-def body_of(robot: str) -> Body:
-    return measure_body(describe_robot(robot))
+def body_of(robot: str) -> StandingBody:
+    return compute_standing_body(describe_robot(robot))
 
 
 @functools.cache
@@ -28,7 +30,7 @@ def plant_of(robot: str, delay: float, friction: float) -> Plant:
     return Plant(robot, PlantSettings(extra_delay=delay, joint_friction_scale=friction, seed=1))
 
 
-def gains_of(robot: str, axis: str, factor: float) -> Gains:
+def gains_with_factor(robot: str, axis: str, factor: float) -> Gains:
     """All axes as GOAL has them, one with a factor on kp and kd."""
     gains = body_of(robot).robot.config.gains
     for name, (kp, kd, _) in AXES.items():
@@ -38,7 +40,7 @@ def gains_of(robot: str, axis: str, factor: float) -> Gains:
     return gains
 
 
-def rests(
+def comes_to_rest(
     robot: str, delay: float, gains: Gains, direction: Direction, friction: float = 1.0
 ) -> bool:
     """Whether all six accelerations are quiet in the end; a robot that fell is not.
@@ -50,10 +52,12 @@ def rests(
     state = plant.reset()
     root = plant.handles.root
     rate = plant.settings.control_rate
-    first, last = round(PUSHED * rate), round((PUSHED + LASTS) * rate)
+    first, last = round(PUSH_TIME * rate), round((PUSH_TIME + PUSH_DURATION) * rate)
     wrench = np.zeros(6)
-    wrench[DIRECTIONS.index(direction.name)] = direction.inertia * direction.kick / LASTS
-    speeds = np.zeros((round(END * rate), 6))
+    wrench[DIRECTION_NAMES.index(direction.name)] = (
+        direction.inertia * direction.push_velocity / PUSH_DURATION
+    )
+    speeds = np.zeros((round(RUN_TIME * rate), 6))
     for k in range(len(speeds)):
         plant.data.xfrc_applied[root] = 0.0
         if first <= k < last:
@@ -67,5 +71,5 @@ def rests(
     plant.data.xfrc_applied[root] = 0.0
     if plant.truth.fell:
         return False
-    a = rate * np.diff(speeds[-round(REST * rate) :], axis=0)
-    return bool(np.all(np.sqrt(np.mean(a**2, axis=0)) < QUIET))
+    a = rate * np.diff(speeds[-round(REST_TIME * rate) :], axis=0)
+    return bool(np.all(np.sqrt(np.mean(a**2, axis=0)) < MAX_REST_RMS))

@@ -16,7 +16,7 @@ CMAKE = Path(sys.executable).with_name("cmake")
 
 
 @cache
-def built() -> Path:
+def build_examples() -> Path:
     """Return the folder with every example's program, and go1.robot for them."""
     build = EXAMPLES.parent / "build" / "examples"
     path = {"PATH": f"{CMAKE.parent}:{os.environ['PATH']}"}

@@ -17,7 +17,7 @@ def pd_command(plant: Plant, kp: float = 5.0, kd: float = 0.2) -> surefoot.LowCm
     return cmd
 
 
-def hover(plant: Plant) -> None:
+def float_without_gravity(plant: Plant) -> None:
     """Lift the robot off the ground and switch gravity off."""
     plant.model.opt.gravity[:] = 0.0
     plant.data.qpos[2] += 1.0

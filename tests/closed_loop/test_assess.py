@@ -17,27 +17,40 @@ import numpy as np
 import pytest
 import surefoot
 from surefoot import Error, cli
-from surefoot.assess import AssessSettings, Card, Condition, Contestant, read_card, run_assess
-from surefoot.assess.card import standard_card
-from surefoot.assess.contestant import BUILT_IN
-from surefoot.assess.ground import plant_of
-from surefoot.assess.push_limits import Limits
-from surefoot.assess.push_run import Outcome, judge
+from surefoot.assess import (
+    AssessSettings,
+    Condition,
+    ControllerUnderTest,
+    Scorecard,
+    read_scorecard,
+    run_assess,
+)
+from surefoot.assess.condition_plant import plant_of
+from surefoot.assess.controller_under_test import BUILT_IN_CONTROLLERS
+from surefoot.assess.push_limits import PushLimits
+from surefoot.assess.push_outcome import PushOutcome, judge_push
 from surefoot.assess.rollout import roll_out
-from surefoot.assess.sweep import as_rows, first_level, from_rows, sweep
-from surefoot.assess.unit import PushUnit, StandUnit, run_unit
+from surefoot.assess.scorecard import standard_scorecard
+from surefoot.assess.sweep import first_level, outcome_rows, rows_to_sweep, run_sweep
+from surefoot.assess.work_units import PushUnit, StandUnit, run_unit
 
-LEVEL = Condition("level ground")
-FEW = Card("few", directions=1, seeds=1, condition_directions=1, condition_seeds=1, faults="none")
-
-
-def push_unit(degrees: float = 90.0) -> PushUnit:
-    limit = Limits(surefoot.load_robot("go1")).of(LEVEL, degrees, 0.1, 0.0).own
-    return PushUnit(LEVEL, degrees, 0.1, 0.0, 0, limit)
+LEVEL_GROUND = Condition("level ground")
+FEW = Scorecard(
+    "few", directions=1, seeds=1, condition_directions=1, condition_seeds=1, faults="none"
+)
 
 
-def contestant(name: str) -> Contestant:
-    return Contestant(f"assess_contestants:{name}")
+def push_unit(direction_deg: float = 90.0) -> PushUnit:
+    limit = (
+        PushLimits(surefoot.load_robot("go1"))
+        .push_limit(LEVEL_GROUND, direction_deg, 0.1, 0.0)
+        .limit
+    )
+    return PushUnit(LEVEL_GROUND, direction_deg, 0.1, 0.0, 0, limit)
+
+
+def controller_under_test(name: str) -> ControllerUnderTest:
+    return ControllerUnderTest(f"assess_controllers:{name}")
 
 
 # The sweep.
@@ -45,43 +58,53 @@ def contestant(name: str) -> Contestant:
 
 @pytest.mark.parametrize("first", [10.0, 20.0, 60.0])
 @pytest.mark.parametrize("survives", [*np.arange(0.0, 202.5, 2.5)])
-def test_a_sweep_finds_the_last_level_below_which_all_pass(first: float, survives: float) -> None:
+def test_sweep_finds_the_highest_level_below_the_first_failure(
+    first: float, survives: float
+) -> None:
     strict = min(47.0, 0.8 * survives)
-    done = sweep(lambda level: Outcome(level <= survives, level <= strict, 0.0, 0.0, 0.0), first)
-    assert done.largest("survived") == survives
-    assert strict - 2.5 < done.largest("strict") <= strict
-    assert set(np.arange(first, min(survives + 20.0, 200.0), 20.0)) <= set(done.tried)
+    done = run_sweep(
+        lambda level: PushOutcome(level <= survives, level <= strict, 0.0, 0.0, 0.0), first
+    )
+    assert done.largest_passed("survived") == survives
+    assert strict - 2.5 < done.largest_passed("in_place") <= strict
+    assert set(np.arange(first, min(survives + 20.0, 200.0), 20.0)) <= set(done.outcomes)
     # A sweep that begins above what passes goes up from nothing.
     missed = ((survives < first) + (strict < first)) * first / 5.0
-    assert len(done.tried) <= max(0.0, survives - first) / 20.0 + 10 + missed
+    assert len(done.outcomes) <= max(0.0, survives - first) / 20.0 + 10 + missed
 
 
-def test_a_sweep_is_as_fine_as_is_asked() -> None:
-    done = sweep(lambda level: Outcome(level < 109.0, level < 71.0, 0.0, 0.0, 0.0), finest=5.0)
-    assert (done.largest("survived"), done.largest("strict")) == (105.0, 70.0)
-    assert all(level % 5.0 == 0.0 for level in done.tried)
+def test_sweep_uses_the_requested_resolution() -> None:
+    done = run_sweep(
+        lambda level: PushOutcome(level < 109.0, level < 71.0, 0.0, 0.0, 0.0), finest_step=5.0
+    )
+    assert (done.largest_passed("survived"), done.largest_passed("in_place")) == (105.0, 70.0)
+    assert all(level % 5.0 == 0.0 for level in done.outcomes)
     with pytest.raises(Error, match=r"finest: got 3 %, expected 5 or 2\.5"):
-        sweep(lambda level: Outcome(True, True, 0.0, 0.0, 0.0), finest=3.0)
+        run_sweep(lambda level: PushOutcome(True, True, 0.0, 0.0, 0.0), finest_step=3.0)
 
 
-def test_seeds_take_turns_at_the_coarse_levels() -> None:
-    passes, tried = Outcome(True, True, 0.0, 0.0, 0.0), set[float]()
+def test_seeds_start_at_different_coarse_levels() -> None:
+    passes, tried = PushOutcome(True, True, 0.0, 0.0, 0.0), set[float]()
     assert [first_level(turn) for turn in range(7)] == [10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 10.0]
     for turn in range(6):
-        tried |= set(sweep(lambda level: passes, first_level(turn)).tried)
+        tried |= set(run_sweep(lambda level: passes, first_level(turn)).outcomes)
     assert tried == set(np.arange(10.0, 210.0, 10.0))
 
 
-def test_a_sweep_stops_the_count_at_a_weak_push_that_fails_where_a_strong_one_passes() -> None:
-    done = sweep(lambda level: Outcome(level < 120.0, not 38.0 < level < 42.0, 0.0, 0.0, 0.0), 20.0)
-    assert done.tried[100.0].strict
-    assert done.largest("strict") == 37.5
+def test_sweep_result_ends_below_the_weakest_failed_push() -> None:
+    done = run_sweep(
+        lambda level: PushOutcome(level < 120.0, not 38.0 < level < 42.0, 0.0, 0.0, 0.0), 20.0
+    )
+    assert done.outcomes[100.0].in_place
+    assert done.largest_passed("in_place") == 37.5
 
 
-def test_a_sweep_of_a_robot_that_falls_by_itself_is_nothing() -> None:
-    done = sweep(lambda level: Outcome(False, False, 0.0, None, None))
-    assert done.largest("survived") == done.largest("strict") == 0.0
-    assert from_rows(json.loads(json.dumps(as_rows(done)))).largest("survived") == 0.0
+def test_sweep_of_a_robot_that_always_falls_is_zero() -> None:
+    done = run_sweep(lambda level: PushOutcome(False, False, 0.0, None, None))
+    assert done.largest_passed("survived") == done.largest_passed("in_place") == 0.0
+    assert (
+        rows_to_sweep(json.loads(json.dumps(outcome_rows(done)))).largest_passed("survived") == 0.0
+    )
 
 
 # The card.
@@ -114,16 +137,16 @@ def test_a_sweep_of_a_robot_that_falls_by_itself_is_nothing() -> None:
         ("seeds = ", "not valid TOML"),
     ],
 )
-def test_a_scenario_that_makes_no_sense_is_refused(tmp_path: Path, text: str, words: str) -> None:
+def test_invalid_scorecard_file_is_refused(tmp_path: Path, text: str, words: str) -> None:
     file = tmp_path / "card.toml"
     file.write_text(text)
     with pytest.raises(Error) as caught:
-        read_card(file)
+        read_scorecard(file)
     assert words in str(caught.value) and "card.toml" in str(caught.value)
 
 
-def test_the_cards_that_ship_have_what_the_protocol_asks_for() -> None:
-    full, quick = standard_card("full"), standard_card("quick")
+def test_standard_scorecards_match_the_protocol() -> None:
+    full, quick = standard_scorecard("full"), standard_scorecard("quick")
     assert full.directions == quick.directions == 16 and full.seeds == 20 and quick.seeds == 3
     assert full.lengths_s == (0.02, 0.1, 0.5) and set(full.heights_m) == {0.0, 0.1, -0.1}
     assert quick.lengths_s == (0.1,) and quick.heights_m == (0.0,)
@@ -139,54 +162,54 @@ def test_the_cards_that_ship_have_what_the_protocol_asks_for() -> None:
     ("name", "words"),
     [
         ("throws", "threw ValueError: no idea"),
-        ("leaves", "threw SystemExit: 3"),
-        ("cancels", "threw CancelledError"),
-        ("nan", "returned tau = nan for motor 3"),
-        ("infinite", "returned Kd = inf for motor 11"),
-        ("wrong_shape", "returned ndarray of shape (11,), expected a LowCmd"),
-        ("nothing", "returned NoneType, expected a LowCmd"),
-        ("not_callable", "making it gave int"),
-        ("mapping", "making it gave dict"),
-        ("no_factory", "making it threw RuntimeError: cannot be made"),
+        ("exits", "threw SystemExit: 3"),
+        ("raises_cancelled", "threw CancelledError"),
+        ("returns_nan", "returned tau = nan for motor 3"),
+        ("returns_infinity", "returned Kd = inf for motor 11"),
+        ("returns_wrong_shape", "returned ndarray of shape (11,), expected a LowCmd"),
+        ("returns_none", "returned NoneType, expected a LowCmd"),
+        ("factory_returns_int", "making it gave int"),
+        ("factory_returns_dict", "making it gave dict"),
+        ("factory_raises", "making it threw RuntimeError: cannot be made"),
     ],
 )
-def test_a_controller_that_is_none_is_marked_with_the_reason(name: str, words: str) -> None:
-    found = run_unit(push_unit(), "go1", contestant(name))
+def test_invalid_controller_is_recorded_as_broken_with_the_reason(name: str, words: str) -> None:
+    found = run_unit(push_unit(), "go1", controller_under_test(name))
     assert words in found["broken"]
     assert not any(survived for _, survived, *_ in found["rows"])
 
 
-def test_a_controller_that_breaks_under_hard_pushes_has_survived_the_others() -> None:
-    found = run_unit(push_unit(), "go1", contestant("gives_up"))
+def test_controller_that_fails_at_strong_pushes_keeps_its_weaker_results() -> None:
+    found = run_unit(push_unit(), "go1", controller_under_test("fails_above_1_rad_s"))
     assert found["broken"] == "threw RuntimeError: too far"
-    done = from_rows(json.loads(json.dumps(found["rows"])))
-    assert 10.0 <= done.largest("survived") <= 100.0
-    assert all(o.survived == (o.foot_mm is not None) for o in done.tried.values())
+    done = rows_to_sweep(json.loads(json.dumps(found["rows"])))
+    assert 10.0 <= done.largest_passed("survived") <= 100.0
+    assert all(o.survived == (o.foot_mm is not None) for o in done.outcomes.values())
 
 
-def test_a_robot_that_falls_before_its_push_has_survived_nothing() -> None:
-    rows = run_unit(push_unit(), "go1", contestant("limp"))["rows"]
-    assert from_rows(rows).largest("survived") == 0.0
+def test_robot_that_falls_before_the_push_survives_zero_percent() -> None:
+    rows = run_unit(push_unit(), "go1", controller_under_test("zero_command"))["rows"]
+    assert rows_to_sweep(rows).largest_passed("survived") == 0.0
 
 
 @pytest.mark.parametrize(
     ("name", "words"),
     [
         ("nobody", "expected surefoot, pd, force_qp or module:callable"),
-        ("assess_contestants:missing", "has no attribute 'missing'"),
-        ("assess_contestants:number", "got int, expected a callable"),
+        ("assess_controllers:missing", "has no attribute 'missing'"),
+        ("assess_controllers:not_a_factory", "got int, expected a callable"),
         ("no_such_module:x", "ModuleNotFoundError"),
     ],
 )
-def test_a_controller_that_is_not_there_is_refused_at_once(name: str, words: str) -> None:
+def test_missing_controller_is_refused_before_the_run(name: str, words: str) -> None:
     with pytest.raises(Error) as caught:
-        AssessSettings("go1", Contestant(name))
+        AssessSettings("go1", ControllerUnderTest(name))
     assert words in str(caught.value)
 
 
-def test_a_module_that_does_not_come_to_its_end_is_refused_in_time() -> None:
+def test_module_import_beyond_the_deadline_is_refused() -> None:
     with pytest.raises(Error, match=r"its import took longer than 0\.2 s"):
-        AssessSettings("go1", Contestant("assess_sleeper:make"), deadline=0.2)
+        AssessSettings("go1", ControllerUnderTest("assess_slow_import:make"), deadline=0.2)
 
 
 @pytest.mark.parametrize(
@@ -198,11 +221,9 @@ def test_a_module_that_does_not_come_to_its_end_is_refused_in_time() -> None:
         ({"name": None}, "controller: got None"),
     ],
 )
-def test_a_contestant_that_would_be_taken_for_another_is_refused(
-    what: dict[str, Any], words: str
-) -> None:
+def test_ambiguous_controller_under_test_is_refused(what: dict[str, Any], words: str) -> None:
     with pytest.raises(Error, match=words):
-        Contestant(**what)
+        ControllerUnderTest(**what)
 
 
 @pytest.mark.parametrize(
@@ -212,44 +233,49 @@ def test_a_contestant_that_would_be_taken_for_another_is_refused(
         ({"jobs": "2"}, "jobs: got '2'"),
         ({"deadline": "2"}, "deadline: got '2', expected a number"),
         ({"card": "quick"}, "card: got 'quick', expected a Card"),
-        ({"contestant": "pd"}, "contestant: got 'pd', expected a Contestant"),
+        ({"controller_under_test": "pd"}, "contestant: got 'pd', expected a Contestant"),
     ],
 )
-def test_settings_that_make_no_sense_are_refused(what: dict[str, Any], words: str) -> None:
+def test_invalid_settings_are_refused(what: dict[str, Any], words: str) -> None:
     with pytest.raises(Error, match=words):
         AssessSettings("go1", **what)
 
 
-def test_a_factory_that_cannot_travel_is_refused_at_once() -> None:
+def test_factory_that_cannot_be_pickled_is_refused() -> None:
     with pytest.raises(Error, match="cannot be handed to another process"):
-        AssessSettings("go1", Contestant("mine", factory=lambda robot: None))
+        AssessSettings("go1", ControllerUnderTest("mine", factory=lambda robot: None))
 
 
-def test_any_callable_gets_the_same_run_as_the_built_in() -> None:
+def test_callable_controller_gets_the_same_run_as_the_built_in() -> None:
     unit = push_unit()
-    built_in = unit.play("go1", Contestant("surefoot"), 60.0)
-    for other in (contestant("good"), Contestant("mine", factory=surefoot.StandController)):
-        assert (unit.play("go1", other, 60.0).base == built_in.base).all()
-    assert judge(built_in, LEVEL.quiet_s, 0.1).strict
+    built_in = unit.simulate("go1", ControllerUnderTest("surefoot"), 60.0)
+    for other in (
+        controller_under_test("stand_controller"),
+        ControllerUnderTest("mine", factory=surefoot.StandController),
+    ):
+        assert (unit.simulate("go1", other, 60.0).base == built_in.base).all()
+    assert judge_push(built_in, LEVEL_GROUND.quiet_s, 0.1).in_place
 
 
-@pytest.mark.parametrize("name", BUILT_IN)
+@pytest.mark.parametrize("name", BUILT_IN_CONTROLLERS)
 @pytest.mark.parametrize("robot", ["go1", "b1"])
-def test_every_built_in_stands_still_and_takes_a_push(robot: str, name: str) -> None:
-    stood = run_unit(StandUnit(LEVEL, 0.0, 1), robot, Contestant(name))
+def test_built_in_controllers_stand_and_survive_a_60_percent_push(robot: str, name: str) -> None:
+    stood = run_unit(StandUnit(LEVEL_GROUND, 0.0, 1), robot, ControllerUnderTest(name))
     assert stood["passed"] and stood["foot_mm"] < 2.0
-    limit = Limits(surefoot.load_robot(robot)).of(LEVEL, 90.0, 0.1, 0.0).own
-    unit = PushUnit(LEVEL, 90.0, 0.1, 0.0, 1, limit)
-    assert judge(unit.play(robot, Contestant(name), 60.0), LEVEL.quiet_s, 0.1).survived
+    limit = PushLimits(surefoot.load_robot(robot)).push_limit(LEVEL_GROUND, 90.0, 0.1, 0.0).limit
+    unit = PushUnit(LEVEL_GROUND, 90.0, 0.1, 0.0, 1, limit)
+    assert judge_push(
+        unit.simulate(robot, ControllerUnderTest(name), 60.0), LEVEL_GROUND.quiet_s, 0.1
+    ).survived
 
 
 # The run.
 
 
-def test_lost_reports_come_again_and_lost_commands_stay_in_force() -> None:
+def test_lost_samples_repeat_and_lost_commands_keep_the_last_command() -> None:
     condition = Condition("lossy", loss_percent=30.0)
     plant = plant_of("go1", condition)
-    plant.renew(4)
+    plant.reseed(4)
     ticks: list[int] = []
     controller = surefoot.StandController(plant.robot)
 
@@ -257,25 +283,25 @@ def test_lost_reports_come_again_and_lost_commands_stay_in_force() -> None:
         ticks.append(state.tick)
         return controller.update(state)
 
-    track = roll_out(plant, condition, act, 0.6)
+    trajectory = roll_out(plant, condition, act, 0.6)
     steps = [b - a for a, b in pairwise(ticks)]
-    assert track.fell is None and len(track.base) == 301
+    assert trajectory.fall_tick is None and len(trajectory.base) == 301
     assert steps.count(0) == pytest.approx(0.3 * 300, rel=0.35) and min(steps) == 0
     assert ticks[0] == 0 and ticks[-1] <= 2 * 299
 
 
-def test_a_run_can_be_had_again_from_the_same_plant() -> None:
+def test_run_is_repeatable_on_the_same_plant() -> None:
     unit = push_unit(0.0)
-    first = unit.play("go1", Contestant(), 50.0)
-    push_unit(180.0).play("go1", Contestant(), 80.0)
-    again = unit.play("go1", Contestant(), 50.0)
+    first = unit.simulate("go1", ControllerUnderTest(), 50.0)
+    push_unit(180.0).simulate("go1", ControllerUnderTest(), 80.0)
+    again = unit.simulate("go1", ControllerUnderTest(), 50.0)
     assert (first.base == again.base).all() and (first.feet == again.feet).all()
 
 
 # The store.
 
 
-def test_an_assessment_that_was_killed_goes_on(tmp_path: Path) -> None:
+def test_killed_assessment_resumes_from_its_store(tmp_path: Path) -> None:
     card = tmp_path / "card.toml"
     card.write_text("directions = 2\nseeds = 1\ncondition_seeds = 0\nfaults = 'none'\n")
     store, place = tmp_path / "store", tmp_path / "out.json"
@@ -292,15 +318,17 @@ def test_an_assessment_that_was_killed_goes_on(tmp_path: Path) -> None:
     assert not place.exists() and 2 <= lines(store) < 3
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL, timeout=300)
     assert store.read_bytes().startswith(kept[: kept.rindex(b"\n")]) and lines(store) == 3
-    alone = run_assess(AssessSettings("go1", Contestant("pd"), read_card(card)))
+    alone = run_assess(AssessSettings("go1", ControllerUnderTest("pd"), read_scorecard(card)))
     resumed = json.loads(place.read_text())
     assert resumed["push"] == alone["push"]
 
 
-def test_a_sweep_that_broke_its_controller_is_done_and_can_be_filmed(tmp_path: Path) -> None:
-    card = Card("few", directions=1, seeds=1, condition_seeds=0, faults="none")
+def test_sweep_with_a_broken_controller_is_complete_and_filmed(tmp_path: Path) -> None:
+    card = Scorecard("few", directions=1, seeds=1, condition_seeds=0, faults="none")
     store = tmp_path / "store"
-    settings = AssessSettings("go1", contestant("gives_up"), card, store=str(store))
+    settings = AssessSettings(
+        "go1", controller_under_test("fails_above_1_rad_s"), card, store=str(store)
+    )
     first = run_assess(settings, films=tmp_path / "films")
     assert first["push"]["broken"] == ["threw RuntimeError: too far"]
     assert [film["film"] for film in first["films"]] == ["film_survive.webp", "film_strict.webp"]
@@ -315,7 +343,7 @@ def lines(path: Path) -> int:
 # The command.
 
 
-def test_the_command_writes_json_and_report(
+def test_assess_command_writes_json_and_report(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     card = tmp_path / "card.toml"
@@ -346,7 +374,9 @@ def test_the_command_writes_json_and_report(
     assert "worst direction" in capsys.readouterr().out
 
 
-def test_the_command_refuses(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_assess_command_refuses_invalid_arguments(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     for words, complaint in (
         (["--controller", "nobody"], "module:callable"),
         (["--jobs", "0"], "jobs: got 0"),

@@ -8,18 +8,18 @@ from typing import Any
 import numpy as np
 import pytest
 import surefoot
-from surefoot.assess import AssessSettings, Card, Condition, Contestant, assess_text
-from surefoot.assess.card import standard_card
+from surefoot.assess import AssessSettings, Condition, ControllerUnderTest, Scorecard, assess_text
 from surefoot.assess.fault_unit import FaultUnit
-from surefoot.assess.plan import pushes, works
-from surefoot.assess.push_limits import Limits
-from surefoot.assess.push_run import Outcome
-from surefoot.assess.push_score import low_end, statistic
+from surefoot.assess.plan import planned_work, push_units
+from surefoot.assess.push_limits import PushLimits
+from surefoot.assess.push_outcome import PushOutcome
+from surefoot.assess.push_score import low_percentile, statistic
 from surefoot.assess.score import score
-from surefoot.assess.sweep import as_rows, sweep
-from surefoot.assess.unit import PushUnit, StandUnit, run_unit
+from surefoot.assess.scorecard import standard_scorecard
+from surefoot.assess.sweep import outcome_rows, run_sweep
+from surefoot.assess.work_units import PushUnit, StandUnit, run_unit
 
-CARD = Card(
+CARD = Scorecard(
     "mine",
     directions=4,
     seeds=20,
@@ -33,18 +33,18 @@ CARD = Card(
     ),
 )
 ROBOT = surefoot.load_robot("go1")
-LIMITS = Limits(ROBOT)
+LIMITS = PushLimits(ROBOT)
 
 
 def pushed(survives: float, strict: float) -> dict[str, Any]:
-    done = sweep(lambda level: Outcome(level <= survives, level <= strict, 1.0, 1.0, 0.1))
-    return {"rows": as_rows(done)}
+    done = run_sweep(lambda level: PushOutcome(level <= survives, level <= strict, 1.0, 1.0, 0.1))
+    return {"rows": outcome_rows(done)}
 
 
 def result_of(unit: PushUnit | StandUnit | FaultUnit) -> dict[str, Any]:
     """Seed 0 is bad, direction 90 worse; one heading fails once; one fault fails."""
     if isinstance(unit, PushUnit):
-        bad = 50.0 * (unit.seed == 0) + 10.0 * (unit.degrees == 90.0)
+        bad = 50.0 * (unit.seed == 0) + 10.0 * (unit.direction_deg == 90.0)
         return pushed(110.0 - bad, 80.0 - bad)
     if isinstance(unit, StandUnit):
         failed = unit.heading == 90.0 and unit.seed == 2
@@ -58,18 +58,21 @@ def result_of(unit: PushUnit | StandUnit | FaultUnit) -> dict[str, Any]:
 @pytest.fixture(scope="module")
 def card() -> dict[str, Any]:
     settings = AssessSettings("go1", card=CARD)
-    results = {(w.contestant.name, w.unit.key): result_of(w.unit) for w in works(settings, LIMITS)}
+    results = {
+        (w.controller_under_test.name, w.unit.key): result_of(w.unit)
+        for w in planned_work(settings, LIMITS)
+    }
     return score(settings, ROBOT, LIMITS, results)
 
 
-def test_many_seeds_have_a_percentile_and_few_a_minimum_that_is_labelled_so() -> None:
-    assert low_end([float(k) for k in range(20)]) == pytest.approx(0.95)
-    assert low_end([3.0, 1.0, 2.0]) == 1.0
+def test_statistic_is_a_percentile_of_many_seeds_and_a_minimum_of_few() -> None:
+    assert low_percentile([float(k) for k in range(20)]) == pytest.approx(0.95)
+    assert low_percentile([3.0, 1.0, 2.0]) == 1.0
     assert statistic(20) == "5th percentile of 20 seeds"
     assert statistic(3) == "minimum of 3 seeds"
 
 
-def test_the_worst_direction_counts_by_its_percentile(card: dict[str, Any]) -> None:
+def test_summary_is_the_5th_percentile_of_the_worst_direction(card: dict[str, Any]) -> None:
     push = card["push"]
     expected = np.percentile([50.0, *[100.0] * 19], 5.0)
     assert push["survive_percent_of_limit_p5"] == pytest.approx(expected)
@@ -82,7 +85,7 @@ def test_the_worst_direction_counts_by_its_percentile(card: dict[str, Any]) -> N
         assert share == pytest.approx(100.0 * impulse, rel=1e-4)
 
 
-def test_conditions_have_limits_of_their_own_and_count_what_passed(card: dict[str, Any]) -> None:
+def test_conditions_have_their_own_limits_and_pass_counts(card: dict[str, Any]) -> None:
     usual, icy, slope = card["conditions"]
     assert usual["settings"] == {} and usual["stand"]["passed"] == 3 and usual["push"] is None
     assert icy["settings"]["friction"] == 0.2 and icy["push"]["statistic"] == "minimum of 3 seeds"
@@ -95,13 +98,14 @@ def test_conditions_have_limits_of_their_own_and_count_what_passed(card: dict[st
     assert stand["tilt_deg"] == 3.0 and stand["headings_deg"]["0"]["tilt_deg"] == 0.1
 
 
-def test_impulses_a_kilogram_are_of_the_mass_that_was_pushed() -> None:
+def test_impulse_per_kilogram_uses_the_pushed_mass() -> None:
     for more in ({"mass_share": 0.2}, {"payload_share": 0.4}):
         conditions = (Condition("usual"), Condition("heavy", pushes=True, **more))
-        few = Card("few", directions=1, seeds=1, condition_seeds=1, conditions=conditions)
-        settings = AssessSettings("go1", Contestant("pd"), few)
+        few = Scorecard("few", directions=1, seeds=1, condition_seeds=1, conditions=conditions)
+        settings = AssessSettings("go1", ControllerUnderTest("pd"), few)
         results = {
-            (w.contestant.name, w.unit.key): result_of(w.unit) for w in works(settings, LIMITS)
+            (w.controller_under_test.name, w.unit.key): result_of(w.unit)
+            for w in planned_work(settings, LIMITS)
         }
         filled = score(settings, ROBOT, LIMITS, results)
         mass = (1.0 + sum(more.values())) * filled["pinned_pose"]["mass_kg"]
@@ -109,7 +113,7 @@ def test_impulses_a_kilogram_are_of_the_mass_that_was_pushed() -> None:
         assert survived["ns_per_kg"] == pytest.approx(survived["ns"] / mass, rel=1e-4)
 
 
-def test_faults_and_references_are_on_the_card(card: dict[str, Any]) -> None:
+def test_scorecard_contains_faults_and_reference_controllers(card: dict[str, Any]) -> None:
     assert card["faults"]["failures"] == {"healthy/off/standing": "a false alarm"}
     assert card["faults"]["rows"]["healthy"]["failed"] == 1 and card["faults"]["passed"] > 100
     assert set(card["references"]) == {"pd", "force_qp"}
@@ -118,23 +122,24 @@ def test_faults_and_references_are_on_the_card(card: dict[str, Any]) -> None:
     assert "reference pd" in text and "a false alarm" in text and "5 of 6" in text
 
 
-def test_references_get_the_pushes_that_the_summary_is_about() -> None:
+def test_reference_controllers_get_the_pushes_of_the_summary() -> None:
     usual = {"directions": 1, "seeds": 1, "faults": "none", "references": True}
     for lengths, main in (((0.02, 0.1), (0.1, 0.0)), ((0.5, 0.02), (0.5, 0.0))):
-        settings = AssessSettings("go1", card=Card("mine", lengths_s=lengths, **usual))
+        settings = AssessSettings("go1", card=Scorecard("mine", lengths_s=lengths, **usual))
         asked = {
-            (w.contestant.name, w.unit.duration, w.unit.lift)
-            for w in works(settings, LIMITS)
+            (w.controller_under_test.name, w.unit.duration, w.unit.push_height)
+            for w in planned_work(settings, LIMITS)
             if isinstance(w.unit, PushUnit)
         }
         assert {push[1:] for push in asked if push[0] != "surefoot"} == {main}
 
 
-def test_what_broke_has_survived_nothing_and_says_why() -> None:
-    few = Card("mine", directions=2, seeds=2, condition_seeds=0, faults="none")
-    settings = AssessSettings("go1", Contestant("pd"), few)
+def test_broken_direction_survives_zero_and_reports_the_reason() -> None:
+    few = Scorecard("mine", directions=2, seeds=2, condition_seeds=0, faults="none")
+    settings = AssessSettings("go1", ControllerUnderTest("pd"), few)
     results = {
-        (w.contestant.name, w.unit.key): pushed(100.0, 90.0) for w in works(settings, LIMITS)
+        (w.controller_under_test.name, w.unit.key): pushed(100.0, 90.0)
+        for w in planned_work(settings, LIMITS)
     }
     results[next(iter(results))] = {"broken": "threw ValueError"}
     card = score(settings, ROBOT, LIMITS, results)
@@ -144,27 +149,34 @@ def test_what_broke_has_survived_nothing_and_says_why() -> None:
     assert card["push"]["broken"] == ["threw ValueError"] and card["faults"] is None
 
 
-def test_seeds_that_nobody_was_tuned_on_can_be_asked_for() -> None:
+def test_first_seed_selects_seeds_not_used_in_tuning() -> None:
     level = Condition("level ground")
-    card = Card("mine", seeds=2, condition_seeds=3, first_seed=100, conditions=(level,))
-    units = [w.unit for w in works(AssessSettings("go1", Contestant("pd"), card), LIMITS)]
+    card = Scorecard("mine", seeds=2, condition_seeds=3, first_seed=100, conditions=(level,))
+    units = [
+        w.unit for w in planned_work(AssessSettings("go1", ControllerUnderTest("pd"), card), LIMITS)
+    ]
     assert {u.seed for u in units if isinstance(u, PushUnit)} == {100, 101}
     assert {u.seed for u in units if isinstance(u, StandUnit)} == {100, 101, 102}
-    assert [u.first for u in pushes(card, LIMITS)][:2] == [10.0, 20.0]
+    assert [u.start_level for u in push_units(card, LIMITS)][:2] == [10.0, 20.0]
 
 
-def test_the_full_card_is_fine_where_its_summary_is_and_known_in_length() -> None:
-    settings = AssessSettings("go1", card=standard_card("full"))
-    units = [w.unit for w in works(settings, LIMITS)]
+def test_full_scorecard_has_5244_units_and_fine_steps_for_its_summary() -> None:
+    settings = AssessSettings("go1", card=standard_scorecard("full"))
+    units = [w.unit for w in planned_work(settings, LIMITS)]
     pushed = [u for u in units if isinstance(u, PushUnit)]
     assert (len(units), len(pushed)) == (5244, 4640)  # docs/assess.md says so
-    assert all((u.finest == 2.5) == ((u.duration, u.lift) == (0.1, 0.0)) for u in pushed)
-    assert {u.first for u in pushed} == {10.0, 20.0, 30.0, 40.0, 50.0, 60.0}
+    assert all(
+        (u.finest_step == 2.5) == ((u.duration, u.push_height) == (0.1, 0.0)) for u in pushed
+    )
+    assert {u.start_level for u in pushed} == {10.0, 20.0, 30.0, 40.0, 50.0, 60.0}
 
 
-def test_what_broke_under_conditions_and_references_is_told() -> None:
+def test_text_reports_failures_under_conditions_and_references() -> None:
     settings = AssessSettings("go1", card=CARD)
-    results = {(w.contestant.name, w.unit.key): result_of(w.unit) for w in works(settings, LIMITS)}
+    results = {
+        (w.controller_under_test.name, w.unit.key): result_of(w.unit)
+        for w in planned_work(settings, LIMITS)
+    }
     for key in results:
         if "push | icy" in key[1] and key[1].endswith("| 2"):
             results[key]["broken"] = "threw OSError"
@@ -179,20 +191,20 @@ def test_what_broke_under_conditions_and_references_is_told() -> None:
     assert "5th percentile of 20 seeds, in steps of 2.5 %" in text
 
 
-def test_a_cell_of_the_matrix_of_faults_is_a_unit() -> None:
+def test_fault_matrix_cell_runs_as_a_unit() -> None:
     unit = FaultUnit("emergency_stop/wrong/lying")
-    found = run_unit(unit, "go1", Contestant("surefoot"))
+    found = run_unit(unit, "go1", ControllerUnderTest("surefoot"))
     assert found == {"row": "emergency_stop", "verdict": "pass", "reason": ""}
 
 
-def test_who_asks_for_the_delay_is_told_it() -> None:
+def test_factory_with_delay_parameter_receives_the_delay() -> None:
     told: list[float] = []
 
-    def asks(robot: surefoot.Robot, delay: float) -> Any:
+    def factory_with_delay(robot: surefoot.Robot, delay: float) -> Any:
         told.append(delay)
         return surefoot.StandController(robot)
 
     for latency in (0.0, 1.6, 20.0):  # the plant delays by whole steps of its physics
         unit = StandUnit(Condition("late", latency_ms=latency, quiet_s=0.1), 0.0, 1)
-        run_unit(unit, "go1", Contestant("asks", factory=asks))
+        run_unit(unit, "go1", ControllerUnderTest("factory_with_delay", factory=factory_with_delay))
     np.testing.assert_allclose(told, [0.004, 0.006, 0.024])

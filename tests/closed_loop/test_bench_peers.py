@@ -8,21 +8,21 @@ import numpy as np
 import pytest
 import surefoot
 from surefoot.bench import BenchSettings, peers, record
-from surefoot.bench.peers import RATIOS, PeerOptions, PeerProblem, compiled, run_peers
-from surefoot.bench.peers.contestant import SOLVED, StateToTorque, WholeTick, tick_width
+from surefoot.bench.peers import RATIOS, PeerError, PeerOptions, cpp_program, run_peers
 from surefoot.bench.peers.environment import Environment
-from surefoot.bench.peers.files import write_problem
-from surefoot.bench.peers.languages import PACKAGE
+from surefoot.bench.peers.implementation import SOLVED, StateToTorque, WholeTick, tick_width
+from surefoot.bench.peers.paired_run_setup import PACKAGE_FOLDER
 from surefoot.bench.peers.peer import OUR_PROGRAM, PEERS, Peer
 from surefoot.bench.peers.problem import make_problem
+from surefoot.bench.peers.problem_files import write_problem
 from surefoot.bench.peers.worker import Worker
 from surefoot.cli import main
-from surefoot.robot_files import describe_robot
+from surefoot.robot.description import describe_robot
 
 TICKS = 600  # with the first push in it, at 1 s
 WORKERS = Path(peers.__file__).parent / "workers"
 # A peer that has the answers from a file, and spoils them from tick 60 on in a way of its own.
-FAKE = """
+FAKE_PEER_SCRIPT = """
 import os, sys, time
 sys.path.insert(0, {workers!r})
 import numpy as np
@@ -37,15 +37,15 @@ class Fake:
     def tick(self):
         self.row = self.answers[self.k % len(self.answers)].copy()
         if self.k > 60:
-            {spoil}
-    def answer(self):
+            {corruption}
+    def read_result(self):
         return self.row[2], self.row[3:15], self.row[15:]
 
 serve(Fake, ["numpy"])
 """
 
 
-class Here(Environment):
+class CurrentInterpreter(Environment):
     """This interpreter as a peer's environment."""
 
     def prepare(self, options):
@@ -64,25 +64,29 @@ def problem(recording):
 
 
 @pytest.fixture
-def fake(tmp_path, problem):
-    np.save(tmp_path / "answers.npy", StateToTorque(problem).play(0, TICKS))
+def make_fake_peer(tmp_path, problem):
+    np.save(tmp_path / "answers.npy", StateToTorque(problem).run_ticks(0, TICKS))
 
-    def make(name, spoil="pass", environment=None):
+    def make(name, corruption="pass", environment=None):
         script = tmp_path / f"{name}.py"
         answers = str(tmp_path / "answers.npy")
-        script.write_text(FAKE.format(workers=str(WORKERS), answers=answers, spoil=spoil))
-        return Peer(name, environment or Here(name, ()), str(script), None, "a tick", "none")
+        script.write_text(
+            FAKE_PEER_SCRIPT.format(workers=str(WORKERS), answers=answers, corruption=corruption)
+        )
+        return Peer(
+            name, environment or CurrentInterpreter(name, ()), str(script), None, "a tick", "none"
+        )
 
     return make
 
 
 @pytest.fixture
 def options(tmp_path):
-    return PeerOptions(folder=tmp_path / "venvs", cpp=False, patience=10.0)
+    return PeerOptions(folder=tmp_path / "venvs", cpp=False, timeout=10.0)
 
 
-def test_a_peer_that_answers_is_compared_pair_by_pair(recording, fake, options):
-    result = run_peers(recording, options, [fake("tsid"), fake("placo")])
+def test_working_peer_is_compared_in_paired_runs(recording, make_fake_peer, options):
+    result = run_peers(recording, options, [make_fake_peer("tsid"), make_fake_peer("placo")])
     assert json.loads(json.dumps(result)) == result
     for ratio in RATIOS:
         assert result[ratio] > 0.0 and result[f"{ratio}_language"] == "python"
@@ -97,9 +101,9 @@ def test_a_peer_that_answers_is_compared_pair_by_pair(recording, fake, options):
     assert "tsid (python)" in peers.peers_text(result)
 
 
-def test_runs_are_pooled_and_who_fails_in_one_has_failed(recording, fake, options):
+def test_recordings_are_pooled_and_one_failure_fails_the_peer(recording, make_fake_peer, options):
     short = replace(recording, reports=recording.reports[:50])
-    both = [fake("tsid", "os._exit(3)"), fake("placo")]
+    both = [make_fake_peer("tsid", "os._exit(3)"), make_fake_peer("placo")]
     result = run_peers([short, recording], options, both)
     assert result["scenarios"] == {"push50": TICKS}
     failed, played = result["rows"]
@@ -108,7 +112,7 @@ def test_runs_are_pooled_and_who_fails_in_one_has_failed(recording, fake, option
 
 
 @pytest.mark.parametrize(
-    ("spoil", "said"),
+    ("corruption", "said"),
     [
         ("sys.stderr.write('out of luck\\n'); sys.stderr.flush(); os.abort()", "SIGABRT.*luck"),
         ("raise ValueError('a bad thing')", "status 1: ValueError: a bad thing"),
@@ -116,11 +120,11 @@ def test_runs_are_pooled_and_who_fails_in_one_has_failed(recording, fake, option
         ("self.row[:] = float('nan')", "not finite"),
     ],
 )
-def test_a_peer_that_fails_half_way_is_a_reason_and_the_others_play_on(
-    recording, fake, options, spoil, said
+def test_peer_failure_is_reported_and_other_peers_continue(
+    recording, make_fake_peer, options, corruption, said
 ):
-    both = [fake("tsid", spoil), fake("placo")]
-    result = run_peers(recording, replace(options, patience=1.0), both)
+    both = [make_fake_peer("tsid", corruption), make_fake_peer("placo")]
+    result = run_peers(recording, replace(options, timeout=1.0), both)
     assert result["ratio_tick_over_tsid"] is None
     assert result["ratio_state_to_torque_over_placo"] > 0.0
     assert re.search(said, result["ratio_tick_over_tsid_reason"])
@@ -128,7 +132,7 @@ def test_a_peer_that_fails_half_way_is_a_reason_and_the_others_play_on(
 
 
 @pytest.mark.parametrize(
-    ("spoil", "verdict"),
+    ("corruption", "verdict"),
     [
         ("self.row[3:] = 0.0", "another answer: a foot's force differs by up to"),
         # The sum of all feet stays: dynamics fix that, and not how the feet share it.
@@ -138,8 +142,12 @@ def test_a_peer_that_fails_half_way_is_a_reason_and_the_others_play_on(
         ("self.row[15:] += 2.0", "another answer: torques differ by up to 2 N.m"),
     ],
 )
-def test_a_peer_with_another_answer_is_told_so(recording, fake, options, spoil, verdict):
-    result = run_peers(recording, options, [fake("tsid", spoil), fake("placo")])
+def test_peer_with_a_different_solution_gets_no_ratio(
+    recording, make_fake_peer, options, corruption, verdict
+):
+    result = run_peers(
+        recording, options, [make_fake_peer("tsid", corruption), make_fake_peer("placo")]
+    )
     row = result["rows"][0]
     assert row["reason"] is None and re.match(verdict, row["answers"]["verdict"])
     assert result["ratio_tick_over_tsid"] is result["ratio_tick_over_tsid_language"] is None
@@ -147,10 +155,8 @@ def test_a_peer_with_another_answer_is_told_so(recording, fake, options, spoil, 
     assert result["ratio_state_to_torque_over_placo"] > 0.0
 
 
-def test_ticks_that_a_peer_does_not_solve_are_counted_and_there_is_no_ratio(
-    recording, fake, options
-):
-    result = run_peers(recording, options, [fake("tsid", "self.row[2] = self.k % 2")])
+def test_unsolved_ticks_of_a_peer_are_counted_and_give_no_ratio(recording, make_fake_peer, options):
+    result = run_peers(recording, options, [make_fake_peer("tsid", "self.row[2] = self.k % 2")])
     failures = result["rows"][0]["theirs"]["failures"]
     assert failures == TICKS // 2
     for ratio in ("ratio_state_to_torque_over_tsid", "ratio_tick_over_tsid"):
@@ -158,14 +164,16 @@ def test_ticks_that_a_peer_does_not_solve_are_counted_and_there_is_no_ratio(
         assert result[f"{ratio}_reason"] == f"ticks that were not solved: {failures} of theirs"
 
 
-def test_an_environment_that_cannot_be_made_is_a_reason(recording, fake, options, tmp_path):
+def test_environment_creation_failure_is_reported_as_reason(
+    recording, make_fake_peer, options, tmp_path
+):
     (tmp_path / "venvs").write_text("no folder")
-    peer = fake("tsid", environment=Environment("tsid", ()))
+    peer = make_fake_peer("tsid", environment=Environment("tsid", ()))
     (row,) = run_peers(recording, options, [peer])["rows"]
     assert row["reason"].startswith("its environment could not be made")
 
 
-def test_an_environment_is_made_once_and_again_when_its_pins_change(options, monkeypatch):
+def test_environment_is_rebuilt_only_when_its_pins_change(options, monkeypatch):
     from surefoot.bench.peers import environment
 
     ran = []
@@ -183,7 +191,7 @@ def test_an_environment_is_made_once_and_again_when_its_pins_change(options, mon
     assert [words[1] for words in ran] == ["venv", "pip", "venv", "pip"]
 
 
-def test_a_robot_without_a_urdf_is_a_reason(recording, options):
+def test_robot_without_urdf_is_reported_as_reason(recording, options):
     config = recording.robot.config
     config.name = "homemade"
     text = recording.robot.serialized_model()
@@ -192,46 +200,46 @@ def test_a_robot_without_a_urdf_is_a_reason(recording, options):
     assert all("URDF" in result[f"{ratio}_reason"] for ratio in RATIOS)
 
 
-def test_without_a_compiler_the_python_ratio_stands(recording, fake, options, monkeypatch):
-    monkeypatch.setattr(compiled.shutil, "which", lambda _: None)
-    peer = replace(fake("tsid"), program=PEERS[0].program)
+def test_python_ratio_is_used_without_a_compiler(recording, make_fake_peer, options, monkeypatch):
+    monkeypatch.setattr(cpp_program.shutil, "which", lambda _: None)
+    peer = replace(make_fake_peer("tsid"), cpp_program=PEERS[0].cpp_program)
     result = run_peers(recording, replace(options, cpp=True), [peer])
     assert result["ratio_tick_over_tsid_language"] == "python"
     assert [row["language"] for row in result["rows"]] == ["python", "c++"]
     assert "no g++" in result["rows"][1]["reason"]
 
 
-def test_our_ticks_in_cpp_have_the_answers_of_those_in_python(
-    recording, problem, options, tmp_path
-):
+def test_cpp_ticks_match_python_ticks(recording, problem, options, tmp_path):
     file = write_problem(problem, recording.reports, tmp_path)
-    program = OUR_PROGRAM.build([PACKAGE, PACKAGE.parent / "cmeel.prefix"], options)
+    program = OUR_PROGRAM.build([PACKAGE_FOLDER, PACKAGE_FOLDER.parent / "cmeel.prefix"], options)
     sides = {
         "state_to_torque": StateToTorque(problem),
         "tick": WholeTick(problem, recording.reports),
     }
     for name, ours in sides.items():
         worker = Worker([str(program), str(file), name], tick_width(problem), 10.0)
-        ticks = np.vstack([worker.play(0, 100), worker.play(100, TICKS - 100)])
+        ticks = np.vstack([worker.run_ticks(0, 100), worker.run_ticks(100, TICKS - 100)])
         worker.close()
-        np.testing.assert_allclose(ticks[:, SOLVED:], ours.play(0, TICKS)[:, SOLVED:], atol=1e-6)
+        np.testing.assert_allclose(
+            ticks[:, SOLVED:], ours.run_ticks(0, TICKS)[:, SOLVED:], atol=1e-6
+        )
 
 
-def test_a_worker_that_cannot_be_started_says_so():
-    with pytest.raises(PeerProblem, match="could not be started"):
+def test_worker_start_failure_raises_an_error():
+    with pytest.raises(PeerError, match="could not be started"):
         Worker(["/no/such/program"], 27, 1.0)
 
 
-@pytest.mark.parametrize(("field", "value"), [("block", 0), ("patience", 0.0)])
-def test_senseless_options_are_refused(field, value):
+@pytest.mark.parametrize(("field", "value"), [("block", 0), ("timeout", 0.0)])
+def test_invalid_peer_options_are_refused(field, value):
     with pytest.raises(surefoot.Error, match=f"{field}: got 0"):
         PeerOptions(**{field: value})
 
 
-def test_the_command_puts_ratios_beside_the_figures(monkeypatch, capsys, fake):
+def test_bench_command_adds_peer_ratios_to_the_result(monkeypatch, capsys, make_fake_peer):
     def compare(recordings, options):
         played = [replace(r, reports=r.reports[:TICKS]) for r in recordings[-1:]]
-        return run_peers(played, replace(options, cpp=False), [fake("tsid")])
+        return run_peers(played, replace(options, cpp=False), [make_fake_peer("tsid")])
 
     monkeypatch.setattr(peers.run, "run_peers", compare)
     words = ["bench", "--ticks", "100", "--scenario", "push50", "--peers", "--json", "-"]

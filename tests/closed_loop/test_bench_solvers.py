@@ -6,25 +6,25 @@ from pathlib import Path
 import numpy as np
 import pytest
 from surefoot import Error
-from surefoot.bench.problems import Sequence, load_sequence
-from surefoot.bench.problems.sequence import FORMAT
+from surefoot.bench.problems import QpSequence, load_sequence
+from surefoot.bench.problems.qp_sequence import FORMAT
 from surefoot.bench.solvers import SOLVERS, run_solvers, solvers_text
-from surefoot.bench.solvers.build import Builder
-from surefoot.bench.solvers.figures import figures
-from surefoot.bench.solvers.process import Work, run_program
 from surefoot.bench.solvers.raw_file import MAGIC, write_raw
+from surefoot.bench.solvers.solver_build import SolverBuilder
+from surefoot.bench.solvers.solver_process import SolverFiles, run_program
+from surefoot.bench.solvers.solver_statistics import solver_statistics
 
 ADAPTERS = Path(__file__).parent / "solver_adapters"
-FAKES = ["honest", "crasher", "liar"]
+TEST_ADAPTERS = ["correct", "crashing", "wrong_status"]
 TICKS, SIZE = 8, 3
 
 
-def hand_made() -> Sequence:
+def box_sequence() -> QpSequence:
     """Minimise 1/2 |x|^2 + g'x, l <= x <= u: the answer is -g, clamped."""
     g = np.array([[(-1.0) ** t * (t + 1), 0.5, -4.0] for t in range(TICKS)])
     eye = np.tile(np.eye(SIZE), (TICKS, 1, 1))
     meta = {"format": FORMAT, "robot": "none", "scenario": "hand", "form": "made", "elastic": False}
-    return Sequence(
+    return QpSequence(
         meta,
         np.arange(TICKS, dtype=np.int64),
         H=eye,
@@ -37,7 +37,7 @@ def hand_made() -> Sequence:
     )
 
 
-def with_equalities() -> tuple[Sequence, np.ndarray]:
+def known_solution_sequence() -> tuple[QpSequence, np.ndarray]:
     """Programs made from their answers: x, y and z first, g and the bounds that belong to them."""
     rng = np.random.default_rng(1)
     n, n_eq, n_in = 6, 2, 5
@@ -54,24 +54,22 @@ def with_equalities() -> tuple[Sequence, np.ndarray]:
     g = -sum(np.einsum("tij,ti->tj", rows, by) for rows, by in ((H, x), (A, y), (C, z)))
     meta = {"format": FORMAT, "robot": "none", "scenario": "known", "form": "x", "elastic": False}
     ticks = np.arange(TICKS, dtype=np.int64)
-    return Sequence(meta, ticks, H=H, g=g, A=A, b=Ax, C=C, l=low, u=high), x
+    return QpSequence(meta, ticks, H=H, g=g, A=A, b=Ax, C=C, l=low, u=high), x
 
 
 @pytest.fixture(scope="module")
 def builder(tmp_path_factory):
-    return Builder(tmp_path_factory.mktemp("peers"))
+    return SolverBuilder(tmp_path_factory.mktemp("peers"))
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-def test_every_solver_that_is_installed_finds_a_known_answer_with_equalities(
-    builder, tmp_path, solver
-):
-    program = builder.program(solver)
+def test_installed_solvers_solve_a_qp_with_known_solution(builder, tmp_path, solver):
+    program = builder.build(solver)
     if isinstance(program, str):
         pytest.skip(program)
-    sequence, x = with_equalities()
+    sequence, x = known_solution_sequence()
     write_raw(sequence, tmp_path / "sequence")
-    work = Work(tmp_path / "sequence", None, TICKS, tmp_path / "records")
+    work = SolverFiles(tmp_path / "sequence", None, TICKS, tmp_path / "records")
     for mode in ("warm", "cold"):
         records, reason = run_program(program, work, mode, 1e-6, tmp_path / "answers")
         if records is None:
@@ -81,15 +79,15 @@ def test_every_solver_that_is_installed_finds_a_known_answer_with_equalities(
         np.testing.assert_allclose(
             np.fromfile(tmp_path / "answers").reshape(TICKS, -1), x, atol=1e-4
         )
-        found = figures(records, 1e-6)
+        found = solver_statistics(records, 1e-6)
         assert (found["failures"], found["wrong"]) == (0, 0), found["worst"]
 
 
 @pytest.fixture(scope="module")
 def result(tmp_path_factory):
     build = tmp_path_factory.mktemp("solvers")
-    files = [ADAPTERS / f"{name}.cpp" for name in FAKES]
-    return run_solvers([hand_made()], [*FAKES, "surefoot"], folder=build, extra=files)
+    files = [ADAPTERS / f"{name}.cpp" for name in TEST_ADAPTERS]
+    return run_solvers([box_sequence()], [*TEST_ADAPTERS, "surefoot"], folder=build, extra=files)
 
 
 @pytest.fixture
@@ -97,9 +95,9 @@ def solvers(result):
     return result["sequences"]["none-hand-made"]["solvers"]
 
 
-@pytest.mark.parametrize("name", ["honest", "surefoot"])
+@pytest.mark.parametrize("name", ["correct", "surefoot"])
 @pytest.mark.parametrize("mode", ["warm", "cold"])
-def test_right_answers_are_right(solvers, name, mode):
+def test_correct_solvers_are_scored_as_correct(solvers, name, mode):
     found = solvers[name][mode]
     assert found["reason"] is None
     assert (found["n"], found["failures"], found["wrong"]) == (TICKS, 0, 0)
@@ -108,31 +106,31 @@ def test_right_answers_are_right(solvers, name, mode):
     assert 0.0 < found["wall_us"]["p50"] <= found["wall_us"]["max"]
 
 
-def test_cold_is_from_nothing_and_warm_is_not(solvers):
-    assert solvers["honest"]["warm"]["iterations"]["max"] == TICKS
-    assert solvers["honest"]["cold"]["iterations"]["max"] == 1
+def test_cold_mode_resets_the_solver_and_warm_mode_does_not(solvers):
+    assert solvers["correct"]["warm"]["iterations"]["max"] == TICKS
+    assert solvers["correct"]["cold"]["iterations"]["max"] == 1
 
 
-def test_a_crash_is_told_and_takes_no_other_down(solvers):
-    warm, cold = solvers["crasher"]["warm"], solvers["crasher"]["cold"]
+def test_solver_crash_is_reported_and_others_continue(solvers):
+    warm, cold = solvers["crashing"]["warm"], solvers["crashing"]["cold"]
     assert warm["reason"] == f"SIGSEGV after 2 of {TICKS} ticks"
     assert (warm["failures"], warm["not_reached"], warm["wrong"]) == (TICKS - 2, TICKS - 2, 0)
     assert cold["reason"] is None and cold["failures"] == 0
 
 
-def test_a_lie_is_found_out(solvers):
-    warm, cold = solvers["liar"]["warm"], solvers["liar"]["cold"]
+def test_wrong_solver_status_is_detected(solvers):
+    warm, cold = solvers["wrong_status"]["warm"], solvers["wrong_status"]["cold"]
     assert (warm["failures"], warm["wrong"], warm["said_solved_but_wrong"]) == (0, TICKS, TICKS)
     assert warm["worst"]["distance"] == pytest.approx(1e-4, rel=1e-2)
     assert (cold["no_status"], cold["said_failed_but_right"]) == (TICKS // 2, TICKS // 2)
     assert (cold["wrong"], cold["said_solved_but_wrong"]) == (0, 0)
 
 
-def test_allocations_are_counted(solvers):
-    assert solvers["liar"]["warm"]["allocations"]["mean"] >= 1.0
+def test_solver_allocations_are_counted(solvers):
+    assert solvers["wrong_status"]["warm"]["allocations"]["mean"] >= 1.0
 
 
-def test_the_result_is_json_and_a_table(result):
+def test_result_is_valid_json_and_prints_as_a_table(result):
     assert json.loads(json.dumps(result, allow_nan=False)) == result
     text = solvers_text(result)
     assert "crasher warm: SIGSEGV after 2 of 8 ticks" in text
@@ -144,18 +142,20 @@ def test_an_unknown_solver_is_refused():
         run_solvers([], ["gurobi"])
 
 
-def test_a_solver_that_is_not_installed_says_how_to_get_it(monkeypatch, tmp_path):
+def test_missing_solver_error_names_the_install_command(monkeypatch, tmp_path):
     monkeypatch.setenv("SUREFOOT_PEERS", str(tmp_path))
-    monkeypatch.setattr("surefoot.bench.solvers.places.sites", lambda: iter([tmp_path]))
-    result = run_solvers([hand_made()], ["daqp"], folder=tmp_path / "build")
+    monkeypatch.setattr(
+        "surefoot.bench.solvers.solver_paths.package_folders", lambda: iter([tmp_path])
+    )
+    result = run_solvers([box_sequence()], ["daqp"], folder=tmp_path / "build")
     entry = result["sequences"]["none-hand-made"]["solvers"]["daqp"]
     assert "pip install casadi" in entry["reason"] and entry["warm"] is None
     assert "daqp: not installed" in solvers_text(result)
     assert "daqp" in SOLVERS
 
 
-def test_sequences_round_trip(tmp_path):
-    sequence = hand_made()
+def test_qp_sequences_round_trip_through_files(tmp_path):
+    sequence = box_sequence()
     again = load_sequence(sequence.save(tmp_path))
     assert again.meta == sequence.meta
     for name in ("tick", *"HgAbClu"):

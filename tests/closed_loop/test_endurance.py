@@ -12,14 +12,14 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 import endurance
-from endurance import LIMITS, Pose, Watch, endure
+from endurance import LIMITS, DriftMonitor, Pose, run_endurance
 from surefoot.sim import Plant, PlantSettings, Push
 
 
 @pytest.mark.parametrize("robot", ["go1", "b1"])
-def test_quiet_standing_does_not_mind_that_the_clock_wraps(monkeypatch, robot: str) -> None:
-    monkeypatch.setattr(endurance, "SETTLED", 2.0)
-    result = endure(robot, 6.0, seed=1)
+def test_quiet_standing_continues_across_the_tick_wrap(monkeypatch, robot: str) -> None:
+    monkeypatch.setattr(endurance, "SETTLE_TIME", 2.0)
+    result = run_endurance(robot, 6.0, seed=1)
     assert result["failures"] == []
     assert result["wraps"] == 1
     assert result["hours"] == pytest.approx(6.0 / 3600.0)
@@ -33,25 +33,23 @@ def test_quiet_standing_does_not_mind_that_the_clock_wraps(monkeypatch, robot: s
     ("share", "said"),
     [(0.5, ("tilt_deg", "com_mm")), (4.0, ("DAMPING", "fault power 1 times", "ticks failed"))],
 )
-def test_what_is_not_as_it_must_be_is_said(
-    monkeypatch, share: float, said: tuple[str, ...]
-) -> None:
+def test_endurance_failures_are_reported(monkeypatch, share: float, said: tuple[str, ...]) -> None:
     class Pushed(Plant):
         def __init__(self, robot: str, settings: PlantSettings, tick0: int) -> None:
             super().__init__(robot, settings, tick0=0)
-            self.add_push(Push("lateral", share * self.lip_limit("lateral"), time=3.0))
+            self.add_push(Push("lateral", share * self.lip_push_limit("lateral"), time=3.0))
 
-    monkeypatch.setattr(endurance, "SETTLED", 2.0)
+    monkeypatch.setattr(endurance, "SETTLE_TIME", 2.0)
     monkeypatch.setattr(endurance, "Plant", Pushed)
-    failures = "; ".join(endure("go1", 6.0)["failures"])
+    failures = "; ".join(run_endurance("go1", 6.0)["failures"])
     assert [part for part in (*said, "wrapped 0 times") if part not in failures] == []
 
 
-def test_a_drift_that_is_no_number_is_the_worst() -> None:
-    watch = Watch()
+def test_nan_drift_fails_its_limit() -> None:
+    monitor = DriftMonitor()
     for value in (0.5, float("nan"), 0.2):
-        watch.look({"height_mm": value})
-    assert not watch.worst["height_mm"] <= LIMITS["height_mm"]
+        monitor.record_drift({"height_mm": value})
+    assert not monitor.worst["height_mm"] <= LIMITS["height_mm"]
 
 
 def test_drift_is_measured_in_the_units_of_the_limits() -> None:

@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from example_builds import built
+from example_builds import build_examples
 from surefoot import protocol
-from virtual_robot_helpers import heed_ctrl_c, start, wait_for
+from virtual_robot_helpers import restore_sigint, start_robot, wait_for
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 ROOT = Path(__file__).parents[2]
 KEYS = ("time", "q", "dq", "height", *(f"command_{x}" for x in ("q", "dq", "tau", "kp", "kd")))
@@ -28,7 +28,7 @@ KEYS = ("time", "q", "dq", "height", *(f"command_{x}" for x in ("q", "dq", "tau"
 def command(name: str, language: str) -> list[str]:
     if language == "python":
         return [sys.executable, str(ROOT / "examples" / f"{name}.py")]
-    return [str(built() / name), str(built() / "go1.robot")]
+    return [str(build_examples() / name), str(build_examples() / "go1.robot")]
 
 
 def run_example(
@@ -37,7 +37,7 @@ def run_example(
     """Exit status, what it said, the robot's log as arrays and its record."""
     words = command(name, language)  # built before a robot waits
     file = tmp_path / "robot.json"
-    robot, port = start(*robot_words, "--json", str(file))
+    robot, port = start_robot(*robot_words, "--json", str(file))
     done = subprocess.run(
         [*words, "--port", str(port), "--duration", str(seconds)],
         capture_output=True,
@@ -58,7 +58,9 @@ languages = pytest.mark.parametrize("language", ["python", "cpp"])
 
 
 @languages
-def test_position_goes_to_the_pose_and_swings_the_calf(language: str, tmp_path: Path) -> None:
+def test_position_example_reaches_the_pose_and_swings_the_calf(
+    language: str, tmp_path: Path
+) -> None:
     status, said, log, record = run_example("example_position", language, tmp_path, 5.0, "--hung")
     assert status == 0, said
     assert record["rejected"] == {}
@@ -79,9 +81,7 @@ def test_position_goes_to_the_pose_and_swings_the_calf(language: str, tmp_path: 
 
 
 @languages
-def test_torque_brings_the_thigh_to_zero_within_five_newton_metres(
-    language: str, tmp_path: Path
-) -> None:
+def test_torque_example_brings_the_thigh_to_zero_within_5_nm(language: str, tmp_path: Path) -> None:
     status, said, log, _ = run_example("example_torque", language, tmp_path, 5.0, "--hung")
     assert status == 0, said
     on = (log["time"] > 1.1) & (log["time"] < 4.9)
@@ -91,7 +91,7 @@ def test_torque_brings_the_thigh_to_zero_within_five_newton_metres(
 
 
 @languages
-def test_velocity_follows_a_sine(language: str, tmp_path: Path) -> None:
+def test_velocity_example_follows_a_sine(language: str, tmp_path: Path) -> None:
     status, said, log, _ = run_example("example_velocity", language, tmp_path, 6.0, "--hung")
     assert status == 0, said
     on = (log["time"] > 1.2) & (log["time"] < 5.9)
@@ -102,7 +102,7 @@ def test_velocity_follows_a_sine(language: str, tmp_path: Path) -> None:
 
 
 @languages
-def test_a_leg_that_is_shaken_trips_the_protection_and_ends_the_example(
+def test_shaken_leg_trips_the_power_protection_and_ends_the_example(
     language: str, tmp_path: Path
 ) -> None:
     status, said, log, _ = run_example(
@@ -124,18 +124,18 @@ def test_the_stand_example_stands(language: str, tmp_path: Path) -> None:
 @languages
 @pytest.mark.parametrize("name", ["example_torque", "example_stand"])
 @pytest.mark.parametrize("ending", ["silent robot", "Ctrl-C"])
-def test_an_example_never_leaves_its_last_command(language: str, name: str, ending: str) -> None:
+def test_example_ends_with_a_damping_command(language: str, name: str, ending: str) -> None:
     hung = ["--hung"] if name == "example_torque" else []
     words = command(name, language)
     # A StandRunner stays and damps; the others go.
     stays = "stand" in words[0] and ending != "Ctrl-C"
     seconds = "5" if stays else "30"
-    robot, port = start(*hung)
+    robot, port = start_robot(*hung)
     example = subprocess.Popen(
         [*words, "--port", str(port), "--duration", seconds],
         stdout=subprocess.PIPE,
         text=True,
-        preexec_fn=heed_ctrl_c,
+        preexec_fn=restore_sigint,
     )
     began = time.monotonic()
     wait_for(robot, "first valid command")
@@ -163,7 +163,7 @@ def test_an_example_never_leaves_its_last_command(language: str, name: str, endi
 
 
 @languages
-def test_an_example_without_a_robot_says_so(language: str) -> None:
+def test_example_without_a_robot_reports_an_error(language: str) -> None:
     done = subprocess.run(
         [*command("example_torque", language), "--port", "9"],
         capture_output=True,

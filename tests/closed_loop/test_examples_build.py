@@ -9,10 +9,10 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from example_builds import EXAMPLES, built
+from example_builds import EXAMPLES, build_examples
 
 
-def said(program: Path) -> str:
+def output_of(program: Path) -> str:
     return subprocess.run(
         [program, program.with_name("go1.robot")],
         check=True,
@@ -23,9 +23,9 @@ def said(program: Path) -> str:
 
 
 def test_every_example_builds_and_those_that_need_no_robot_run() -> None:
-    folder = built()
+    folder = build_examples()
     names = {path.stem for path in EXAMPLES.glob("*.cpp")}
     assert len(names) >= 4
     assert {name for name in names if (folder / name).is_file()} == names
-    assert said(folder / "stand").startswith("ok:")
-    assert said(folder / "custom_task") == "camera at 0.080 m, wanted at 0.080 m\n"
+    assert output_of(folder / "stand").startswith("ok:")
+    assert output_of(folder / "custom_task") == "camera at 0.080 m, wanted at 0.080 m\n"

@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 import surefoot
-from faults_helpers import FORGERIES, Forged
+from faulty_supervisor import FAULTY_SUPERVISORS, FaultySupervisor
 from surefoot import cli
 from surefoot.faults import FaultSettings, choose_cells, run_faults
 from surefoot.faults.catalogue import ROWS
-from surefoot.faults.cell import run_cell
-from surefoot.faults.injections import INJECTIONS
-from surefoot.faults.setting import Setup, set_up
-from surefoot.robots import describe_robot
+from surefoot.faults.kinds.injections import INJECTIONS
+from surefoot.faults.matrix.matrix_setup import MatrixSetup, make_setup
+from surefoot.faults.matrix.run_cell import run_cell
+from surefoot.robot.loading import describe_robot
 
 SHORT = (
     *("healthy/off/*", "nan_in_state/garbage/*", "stale_tick/stuck/*", "emergency_stop/wrong/*"),
@@ -27,14 +27,14 @@ SHORT = (
 
 
 @pytest.mark.parametrize("robot", ["go1", "b1"])
-def test_the_short_form_passes(robot: str) -> None:
+def test_short_fault_matrix_passes(robot: str) -> None:
     result = run_faults(FaultSettings(robot, seed=1, only=SHORT))
     assert result["failures"] == []
     assert result["passed"] == len(result["cells"]) == len(choose_cells(SHORT))
     assert all(cell["simulated_s"] > 0.5 for cell in result["cells"])
 
 
-def test_a_robot_that_was_taken_over_as_it_stood_passes_as_well() -> None:
+def test_short_fault_matrix_passes_with_takeover_while_standing() -> None:
     only = ("healthy/*/pushed", "nan_in_state/garbage/*", "operator_link/off/*", "battery/wrong/*")
     result = run_faults(FaultSettings("go1", seed=1, only=only, taken_over=True))
     assert result["failures"] == []
@@ -44,41 +44,43 @@ def test_a_robot_that_was_taken_over_as_it_stood_passes_as_well() -> None:
     assert {cell["ended"] for cell in result["cells"]} >= {"stand", "damping", "passive"}
 
 
-def test_what_is_there_before_is_no_cell_of_a_robot_that_is_taken_over() -> None:
+def test_takeover_excludes_cells_that_precede_standing() -> None:
     assert len(choose_cells(taken_over=True)) < 0.6 * len(choose_cells())
     with pytest.raises(surefoot.Error, match="motor_order"):
         choose_cells(["motor_order/wrong/lying"], taken_over=True)
 
 
-def test_processes_find_what_one_finds() -> None:
+def test_two_processes_give_the_same_result_as_one() -> None:
     only = ("nan_in_state/garbage/lying", "emergency_stop/wrong/rising")
     alone, together = (run_faults(FaultSettings("go1", 1, jobs, only)) for jobs in (1, 2))
     assert alone == together
 
 
 @cache
-def setup() -> Setup:
-    return set_up(describe_robot("go1"), 0)
+def setup() -> MatrixSetup:
+    return make_setup(describe_robot("go1"), 0)
 
 
-@pytest.mark.parametrize("forgery", FORGERIES)
-def test_the_judge_sees_a_supervisor_that(forgery: str) -> None:
-    change, cell, words = FORGERIES[forgery]
-    honest = setup()
-    forged = Setup(
-        honest.description,
-        honest.seed,
-        honest.lying,
-        honest.height,
-        lambda robot, options: Forged(surefoot.Supervisor(robot, options=options), change),
+@pytest.mark.parametrize("defect", FAULTY_SUPERVISORS)
+def test_judge_detects_a_supervisor_that(defect: str) -> None:
+    change, cell, words = FAULTY_SUPERVISORS[defect]
+    healthy = setup()
+    faulty = MatrixSetup(
+        healthy.description,
+        healthy.seed,
+        healthy.lying_qpos,
+        healthy.standing_height,
+        lambda robot, options: FaultySupervisor(
+            surefoot.Supervisor(robot, options=options), change
+        ),
     )
-    assert run_cell(honest, cell)["reason"] == ""
-    result = run_cell(forged, cell)
+    assert run_cell(healthy, cell)["reason"] == ""
+    result = run_cell(faulty, cell)
     assert result["verdict"] == "fail"
     assert words in result["reason"]
 
 
-def test_every_row_has_cells_and_every_cell_its_own_name() -> None:
+def test_every_row_has_cells_with_unique_names() -> None:
     cells = choose_cells()
     assert len({cell.id for cell in cells}) == len(cells)
     assert {cell.row.id for cell in cells} == {row.id for row in ROWS}
@@ -87,9 +89,9 @@ def test_every_row_has_cells_and_every_cell_its_own_name() -> None:
         assert choose_cells([cell.id]) == [cell]
 
 
-def test_every_fault_that_is_told_is_injected() -> None:
-    expected = {cell.expect.fault for cell in choose_cells()}
-    expected |= {cell.expect.unless for cell in choose_cells()}
+def test_every_reported_fault_is_injected() -> None:
+    expected = {cell.expectation.fault for cell in choose_cells()}
+    expected |= {cell.expectation.alternative for cell in choose_cells()}
     missing = {info.name for info in surefoot.fault_table()} - expected
     # None of these can be asked for alone: an angle beyond its stop has jumped there, a shove may
     # trip the power protection first, torques jump only for something else, and the link's own
@@ -97,7 +99,9 @@ def test_every_fault_that_is_told_is_injected() -> None:
     assert missing == {"slip", "tilt", "joint_stop", "torque_rate", "link"}
 
 
-def test_the_command_lists_and_refuses(capsys: pytest.CaptureFixture[str]) -> None:
+def test_faults_command_lists_cells_and_refuses_invalid_arguments(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     assert cli.main(["faults", "--list", "--only", "tick_wrap/*"]) == 0
     assert capsys.readouterr().out.count("tick_wrap/") == 8
     assert cli.main(["faults", "--only", "nothing_such"]) == 2
@@ -106,16 +110,18 @@ def test_the_command_lists_and_refuses(capsys: pytest.CaptureFixture[str]) -> No
     assert cli.main(["faults", "--seed", "-1"]) == 2
 
 
-def test_a_matrix_goes_on_from_its_store(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_fault_matrix_resumes_from_its_store(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     only, store = ("emergency_stop/wrong/lying", "emergency_stop/wrong/rising"), tmp_path / "cells"
     one = run_faults(FaultSettings("go1", 1, 1, only[:1], str(store)))
     ran = []
 
-    def counted(setup: Setup, name: str) -> dict[str, object]:
+    def counted(setup: MatrixSetup, name: str) -> dict[str, object]:
         ran.append(name)
         return run_cell(setup, name)
 
-    monkeypatch.setattr("surefoot.faults.run.run_cell", counted)
+    monkeypatch.setattr("surefoot.faults.matrix.run_matrix.run_cell", counted)
     both = run_faults(FaultSettings("go1", 1, 1, only, str(store)))
     assert ran == [only[1]]
     assert both["cells"][0] == one["cells"][0] and both["passed"] == 2
@@ -123,7 +129,7 @@ def test_a_matrix_goes_on_from_its_store(monkeypatch: pytest.MonkeyPatch, tmp_pa
         run_faults(FaultSettings("go1", 2, 1, only, str(store)))
 
 
-def test_the_command_writes_what_it_found(
+def test_faults_command_writes_json_and_report(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     place, folder = tmp_path / "faults.json", tmp_path / "report"
@@ -139,9 +145,9 @@ def test_the_command_writes_what_it_found(
     assert "1 of 1 cells passed" in capsys.readouterr().out
 
 
-def test_a_cell_that_fails_is_the_exit_status(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(setup: Setup, name: str) -> dict[str, object]:
+def test_failed_cell_sets_exit_status_4(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(setup: MatrixSetup, name: str) -> dict[str, object]:
         raise ValueError("broken")
 
-    monkeypatch.setattr("surefoot.faults.run.run_cell", fails)
+    monkeypatch.setattr("surefoot.faults.matrix.run_matrix.run_cell", fails)
     assert cli.main(["faults", "--jobs", "1", "--only", "emergency_stop/wrong/lying"]) == 4

@@ -10,7 +10,7 @@ from surefoot import FaultId, Mode, RequestStatus
 from surefoot.sim import Plant, PlantSettings
 
 
-def test_a_robot_damped_on_its_way_back_from_hanging_may_be_armed_again() -> None:
+def test_robot_stopped_after_a_hanging_fault_can_be_armed_again() -> None:
     plant = Plant("go1", PlantSettings(seed=1, hung=True))
     state = plant.reset()
     options = surefoot.SupervisorOptions(power_level=1)

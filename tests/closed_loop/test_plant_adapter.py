@@ -6,22 +6,22 @@ import numpy as np
 import pinocchio
 import pytest
 from plant_helpers import ROBOTS
-from surefoot.sim import Plant, PlantSettings
-from surefoot.sim.adapter import Adapter
-from surefoot.sim.rotations import (
+from surefoot.geometry.rotations import (
     matrix_from_wxyz,
     rpy_from_wxyz,
     slope_quaternion,
     wxyz_from_rotation_vector,
 )
+from surefoot.sim import Plant, PlantSettings
+from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 
 
 @pytest.fixture(params=ROBOTS)
-def pair(request: pytest.FixtureRequest) -> tuple[Plant, pinocchio.Model, Adapter]:
+def pair(request: pytest.FixtureRequest) -> tuple[Plant, pinocchio.Model, PinocchioAdapter]:
     plant = Plant(request.param, PlantSettings(sensors="ideal"))
     model = pinocchio.Model()
     model.loadFromString(plant.robot.serialized_model())
-    return plant, model, Adapter(plant.model, model)
+    return plant, model, PinocchioAdapter(plant.model, model)
 
 
 def random_state(model: pinocchio.Model) -> tuple[np.ndarray, np.ndarray]:
@@ -30,7 +30,9 @@ def random_state(model: pinocchio.Model) -> tuple[np.ndarray, np.ndarray]:
     return q, np.random.default_rng(3).normal(size=model.nv)
 
 
-def test_q_and_v_survive_the_round_trip(pair: tuple[Plant, pinocchio.Model, Adapter]) -> None:
+def test_q_and_v_survive_the_round_trip(
+    pair: tuple[Plant, pinocchio.Model, PinocchioAdapter],
+) -> None:
     _, model, adapter = pair
     q, v = random_state(model)
     qpos, qvel = adapter.qpos_from_pinocchio(q), adapter.qvel_from_pinocchio(q, v)
@@ -38,8 +40,8 @@ def test_q_and_v_survive_the_round_trip(pair: tuple[Plant, pinocchio.Model, Adap
     np.testing.assert_allclose(adapter.v_from_mujoco(qpos, qvel), v, atol=1e-14)
 
 
-def test_both_libraries_put_the_feet_in_the_same_place_at_the_same_speed(
-    pair: tuple[Plant, pinocchio.Model, Adapter],
+def test_foot_positions_and_velocities_match_pinocchio(
+    pair: tuple[Plant, pinocchio.Model, PinocchioAdapter],
 ) -> None:
     plant, model, adapter = pair
     q, v = random_state(model)
@@ -58,8 +60,8 @@ def test_both_libraries_put_the_feet_in_the_same_place_at_the_same_speed(
         np.testing.assert_allclose(jacobian @ mj_data.qvel, velocity, atol=1e-12)
 
 
-def test_truth_carries_joints_in_the_models_order(
-    pair: tuple[Plant, pinocchio.Model, Adapter],
+def test_truth_joints_use_the_pinocchio_order(
+    pair: tuple[Plant, pinocchio.Model, PinocchioAdapter],
 ) -> None:
     plant, _, _ = pair
     truth = plant.truth
@@ -68,7 +70,7 @@ def test_truth_carries_joints_in_the_models_order(
     np.testing.assert_allclose(truth.v[list(plant.robot.motor_to_v)], truth.dq)
 
 
-def test_quaternions_follow_the_right_hand() -> None:
+def test_quaternions_follow_the_right_hand_rule() -> None:
     quarter_turn = wxyz_from_rotation_vector([0.0, 0.0, np.pi / 2])
     np.testing.assert_allclose(matrix_from_wxyz(quarter_turn) @ [1, 0, 0], [0, 1, 0], atol=1e-15)
     matrix = np.zeros(9)
@@ -77,7 +79,7 @@ def test_quaternions_follow_the_right_hand() -> None:
     np.testing.assert_allclose(matrix_from_wxyz(quaternion), matrix.reshape(3, 3), atol=1e-15)
 
 
-def test_roll_pitch_yaw_rebuild_the_rotation() -> None:
+def test_roll_pitch_yaw_match_pinocchio() -> None:
     quaternion = wxyz_from_rotation_vector([0.3, -0.7, 1.1])
     expected = pinocchio.rpy.matrixToRpy(matrix_from_wxyz(quaternion))
     np.testing.assert_allclose(rpy_from_wxyz(quaternion), expected, atol=1e-12)

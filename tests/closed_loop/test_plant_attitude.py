@@ -3,15 +3,15 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from surefoot.robots import describe_robot
+from surefoot.geometry.rotations import matrix_from_wxyz, wxyz_from_rotation_vector
+from surefoot.robot.loading import describe_robot
 from surefoot.sim import Plant, PlantSettings
-from surefoot.sim.attitude import GAIN, MahonyFilter
-from surefoot.sim.rotations import matrix_from_wxyz, wxyz_from_rotation_vector
+from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN, MahonyFilter
 
 STILL = (0.0, 0.0, 0.0)
 
 
-def test_the_filter_starts_upright_with_the_accelerometer() -> None:
+def test_filter_starts_aligned_with_the_accelerometer() -> None:
     true_up = np.array([0.3, -0.2, 0.9]) / np.linalg.norm([0.3, -0.2, 0.9])
     attitude = matrix_from_wxyz(MahonyFilter(*(9.81 * true_up)).quaternion)
     np.testing.assert_allclose(attitude[2], true_up, atol=1e-12)
@@ -36,7 +36,7 @@ def test_a_tilt_error_decays_with_the_filters_gain(tilt: list[float]) -> None:
     for _ in range(2000):
         filter_.update(STILL, (0.0, 0.0, 9.81), 0.001)
     error = np.linalg.norm(matrix_from_wxyz(filter_.quaternion)[2, :2])
-    assert error == pytest.approx(0.1 * np.exp(-GAIN * 2.0), rel=0.01)
+    assert error == pytest.approx(0.1 * np.exp(-MAHONY_GAIN * 2.0), rel=0.01)
 
 
 def test_a_gyro_bias_tilts_the_estimate_by_bias_over_gain() -> None:
@@ -44,15 +44,15 @@ def test_a_gyro_bias_tilts_the_estimate_by_bias_over_gain() -> None:
     for _ in range(20_000):
         filter_.update((0.005, 0.0, 0.0), (0.0, 0.0, 9.81), 0.001)
     believed_up = matrix_from_wxyz(filter_.quaternion)[2]
-    assert np.hypot(*believed_up[:2]) == pytest.approx(0.005 / GAIN, rel=0.01)
+    assert np.hypot(*believed_up[:2]) == pytest.approx(0.005 / MAHONY_GAIN, rel=0.01)
 
 
-def test_the_first_state_knows_the_slope_it_stands_on() -> None:
+def test_first_state_has_the_slope_attitude() -> None:
     state = Plant("go1", PlantSettings(slope_deg=10.0)).reset()
     assert np.degrees(state.imu.rpy[1]) == pytest.approx(-10.0, abs=1.0)
 
 
-def test_a_turned_imu_reads_in_its_own_axes() -> None:
+def test_rotated_imu_reads_in_its_own_axes() -> None:
     description = describe_robot("go1")
     half_turn_about_x = [0.0, 1.0, 0.0, 0.0]
     description.table["imu"] = {"position": [0.0, 0.0, 0.05], "quaternion": half_turn_about_x}

@@ -8,21 +8,21 @@ import mujoco
 import numpy as np
 import pytest
 import surefoot
-from plant_helpers import ROBOTS, hover, pd_command
-from surefoot.robots import describe_robot
+from plant_helpers import ROBOTS, float_without_gravity, pd_command
+from surefoot.robot.loading import describe_robot
 from surefoot.sim import Plant, PlantSettings, Push
-from surefoot.sim.stance import HOLD_KD, HOLD_KP
+from surefoot.sim.physics.standing_pose import HOLD_KD, HOLD_KP
 
-PLAY = 1.0  # [deg]
+BACKLASH_DEG = 1.0  # [deg]
 # No friction, no lag, no delay: what is left can be worked out by hand.
-BARE = PlantSettings(sensors="ideal", backlash_deg=PLAY, joint_friction_scale=0.0)
+FRICTIONLESS = PlantSettings(sensors="ideal", backlash_deg=BACKLASH_DEG, joint_friction_scale=0.0)
 
 
-def floating(settings: PlantSettings = BARE) -> Plant:
+def floating(settings: PlantSettings = FRICTIONLESS) -> Plant:
     """Return go1 in the air, without gravity, at rest, every rotor amid its play."""
     plant = Plant("go1", settings)
     plant.data.qpos[plant.handles.motor_q] = plant.data.qpos[plant.handles.joint_q]
-    hover(plant)
+    float_without_gravity(plant)
     return plant
 
 
@@ -39,15 +39,15 @@ def gap(plant: Plant) -> np.ndarray:
     return np.degrees(qpos[handles.motor_q] - qpos[handles.joint_q])
 
 
-def test_gears_without_play_have_no_coordinate_more() -> None:
+def test_zero_backlash_adds_no_coordinates() -> None:
     plant = Plant("go1", PlantSettings(backlash_deg=0.0))
     assert (plant.model.nq, plant.model.nv, plant.model.ntendon) == (19, 18, 0)
     np.testing.assert_array_equal(plant.handles.motor_q, plant.handles.joint_q)
     np.testing.assert_array_equal(plant.handles.motor_v, plant.handles.joint_v)
 
 
-def test_armature_friction_and_damping_sit_on_the_rotors_side() -> None:
-    plain, loose = Plant("go1"), Plant("go1", PlantSettings(backlash_deg=PLAY))
+def test_armature_friction_and_damping_act_on_the_rotors() -> None:
+    plain, loose = Plant("go1"), Plant("go1", PlantSettings(backlash_deg=BACKLASH_DEG))
     for name in ("dof_armature", "dof_frictionloss", "dof_damping"):
         values = getattr(loose.model, name)
         expected = getattr(plain.model, name)[plain.handles.joint_v]
@@ -56,17 +56,17 @@ def test_armature_friction_and_damping_sit_on_the_rotors_side() -> None:
 
 
 @pytest.mark.parametrize("tau", [-0.1, 0.1])
-def test_within_the_play_a_torque_turns_the_rotor_alone(tau: float) -> None:
+def test_torque_within_the_backlash_moves_only_the_rotor(tau: float) -> None:
     plant = floating()
     armature = plant.model.dof_armature[plant.handles.motor_v]
     plant.step(torque_command(tau))  # by a thousandth of the way: half a step matters little
     plant.step(torque_command(tau))
     np.testing.assert_allclose(plant.data.qvel[plant.handles.motor_v], tau * 0.004 / armature)
     np.testing.assert_array_equal(plant.truth.dq, 0.0)
-    assert np.abs(gap(plant)).max() < PLAY / 2
+    assert np.abs(gap(plant)).max() < BACKLASH_DEG / 2
 
 
-def test_the_way_to_the_end_of_the_play_takes_the_time_that_inertia_says() -> None:
+def test_time_to_cross_the_backlash_matches_the_rotor_inertia() -> None:
     plant, tau = floating(), 0.05
     times = np.zeros(12)
     for _ in range(60):
@@ -74,12 +74,12 @@ def test_the_way_to_the_end_of_the_play_takes_the_time_that_inertia_says() -> No
         plant.step(torque_command(tau))
         times[still & (np.abs(plant.truth.dq) >= 1e-3) & (times == 0.0)] = plant.time
     armature = plant.model.dof_armature[plant.handles.motor_v]
-    expected = np.sqrt(2.0 * math.radians(PLAY / 2.0) * armature / tau)
+    expected = np.sqrt(2.0 * math.radians(BACKLASH_DEG / 2.0) * armature / tau)
     first = np.argsort(expected)[:8]  # hips and thighs; the calves are moved by the thighs
     np.testing.assert_allclose(times[first], expected[first] - plant.time + 0.12, atol=0.004)
 
 
-def test_teeth_that_meet_hardly_bounce_and_pass_their_momentum_on() -> None:
+def test_gear_impact_conserves_momentum_and_hardly_bounces() -> None:
     plant = floating()
     model, data, handles = plant.model, plant.data, plant.handles
     rotor, knee = handles.motor_v[2], handles.joint_v[2]
@@ -98,7 +98,7 @@ def test_teeth_that_meet_hardly_bounce_and_pass_their_momentum_on() -> None:
     assert np.abs(others).max() < 0.1 * impulse[knee]
 
 
-def test_energy_never_grows_from_blow_to_blow() -> None:
+def test_energy_never_increases_at_gear_impacts() -> None:
     plant = floating()
     model, data = plant.model, plant.data
     data.qvel[plant.handles.motor_v] = np.random.default_rng(0).normal(0.0, 5.0, 12)
@@ -113,21 +113,21 @@ def test_energy_never_grows_from_blow_to_blow() -> None:
     assert energies[-1] < 0.9 * energies[0]
 
 
-def test_the_encoders_are_on_the_rotors() -> None:
-    plant = Plant("go1", PlantSettings(sensors="ideal", backlash_deg=PLAY))
+def test_encoders_measure_the_rotors() -> None:
+    plant = Plant("go1", PlantSettings(sensors="ideal", backlash_deg=BACKLASH_DEG))
     state = plant.step(pd_command(plant, HOLD_KP, HOLD_KD))
     data, handles = plant.data, plant.handles
     q = [state.motorState[i].q for i in range(12)]
     dq = [state.motorState[i].dq for i in range(12)]
     np.testing.assert_allclose(q, data.qpos[handles.motor_q], rtol=1e-6)
     np.testing.assert_allclose(dq, data.qvel[handles.motor_v], atol=1e-6)
-    assert np.degrees(np.abs(q - data.qpos[handles.joint_q])).max() > 0.4 * PLAY
+    assert np.degrees(np.abs(q - data.qpos[handles.joint_q])).max() > 0.4 * BACKLASH_DEG
     np.testing.assert_array_equal(plant.truth.dq, data.qvel[handles.joint_v])
 
 
 @pytest.mark.parametrize("name", ROBOTS)
 @pytest.mark.parametrize("play", [0.5, 5.0])
-def test_under_load_teeth_touch_and_torque_passes_them_in_full(name: str, play: float) -> None:
+def test_loaded_gears_close_the_backlash_and_carry_the_weight(name: str, play: float) -> None:
     plant = Plant(name, PlantSettings(backlash_deg=play))
     for _ in range(200):
         plant.step(pd_command(plant, HOLD_KP, HOLD_KD))
@@ -139,24 +139,24 @@ def test_under_load_teeth_touch_and_torque_passes_them_in_full(name: str, play: 
     assert not plant.truth.fell
 
 
-def test_hardly_any_play_is_as_good_as_none() -> None:
+def test_backlash_of_0_001_deg_equals_none() -> None:
     paths = []
     for play in (0.0, 0.001):
-        plant = Plant("go1", dataclasses.replace(BARE, backlash_deg=play))
-        hover(plant)
+        plant = Plant("go1", dataclasses.replace(FRICTIONLESS, backlash_deg=play))
+        float_without_gravity(plant)
         for _ in range(50):
             plant.step(torque_command(0.02))
         paths.append(plant.data.qpos[plant.handles.joint_q].copy())
-    moved = np.abs(paths[0] - Plant("go1", BARE).robot.config.q_standing).max()
+    moved = np.abs(paths[0] - Plant("go1", FRICTIONLESS).robot.config.q_standing).max()
     assert moved > 0.01
     np.testing.assert_allclose(paths[1], paths[0], atol=0.02 * moved)
 
 
-def test_half_the_physics_step_changes_no_result_with_play_either() -> None:
+def test_half_the_physics_step_changes_sway_with_backlash_below_3_percent() -> None:
     peaks = []
     for physics_dt in (0.0005, 0.00025):
-        plant = Plant("go1", PlantSettings(physics_dt=physics_dt, backlash_deg=PLAY))
-        plant.add_push(Push("lateral", 0.5 * plant.lip_limit("lateral"), 0.1, 0.1))
+        plant = Plant("go1", PlantSettings(physics_dt=physics_dt, backlash_deg=BACKLASH_DEG))
+        plant.add_push(Push("lateral", 0.5 * plant.lip_push_limit("lateral"), 0.1, 0.1))
         cmd, start, path = pd_command(plant), plant.truth.com, []
         for _ in range(200):
             plant.step(cmd)
@@ -166,7 +166,7 @@ def test_half_the_physics_step_changes_no_result_with_play_either() -> None:
     assert peaks[0] == pytest.approx(peaks[1], rel=0.03)
 
 
-def test_a_rotor_without_inertia_is_refused() -> None:
+def test_backlash_without_rotor_inertia_is_refused() -> None:
     with pytest.raises(surefoot.Error, match=r"backlash_deg: got 1 .* rotor inertia of 0 .*hip"):
         Plant("go1", PlantSettings(backlash_deg=1.0, armature_scale=0.0))
     go1 = describe_robot("go1")

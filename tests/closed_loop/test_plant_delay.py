@@ -24,7 +24,7 @@ def ticks_until_a_command_acts(settings: PlantSettings) -> int:
     ("sensors", "extra_delay", "expected"),
     [("ideal", 0.0, 1), ("real", 0.0, 2), ("real", 0.004, 4), ("ideal", 0.002, 2)],
 )
-def test_commands_take_their_delay_and_no_more(
+def test_command_delay_matches_the_settings(
     sensors: str, extra_delay: float, expected: int
 ) -> None:
     settings = PlantSettings(sensors=sensors, motor_lag=0.0, extra_delay=extra_delay)
@@ -32,7 +32,7 @@ def test_commands_take_their_delay_and_no_more(
 
 
 @pytest.mark.parametrize(("sensors", "periods"), [("ideal", 0), ("real", 1)])
-def test_states_are_exactly_so_many_periods_old(sensors: str, periods: int) -> None:
+def test_state_age_is_exact_in_periods(sensors: str, periods: int) -> None:
     plant = Plant("go1", PlantSettings(sensors=sensors))
     limp, angles, readings = pd_command(plant, kp=0.0, kd=0.0), [], []
     for _ in range(30):
@@ -43,7 +43,7 @@ def test_states_are_exactly_so_many_periods_old(sensors: str, periods: int) -> N
     np.testing.assert_allclose(readings[10:], fresh, atol=5e-5)
 
 
-def test_an_extra_delay_counts_physics_steps() -> None:
+def test_extra_delay_counts_physics_steps() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal", motor_lag=0.0, extra_delay=0.001))
     for _ in range(5):
         plant.step(pd_command(plant, kp=15.0, kd=0.4))

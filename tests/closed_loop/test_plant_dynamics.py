@@ -6,9 +6,9 @@ import numpy as np
 import pinocchio
 import pytest
 from plant_helpers import ROBOTS
-from surefoot.robots import build_robot, describe_robot
-from surefoot.sim.adapter import Adapter
-from surefoot.sim.model import build_model
+from surefoot.robot.loading import build_robot, describe_robot
+from surefoot.sim.model.mujoco_model import build_model
+from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 from surefoot.sim.settings import PlantSettings
 
 REPAIRED = ("go1", "b1")  # their base link's inertia is all 1e-6, which MuJoCo refuses
@@ -23,7 +23,7 @@ class Pair:
         self.pin = pinocchio.Model()
         self.pin.loadFromString(robot.serialized_model())
         self.mj = build_model(robot, description, PlantSettings())
-        self.adapter = Adapter(self.mj, self.pin)
+        self.adapter = PinocchioAdapter(self.mj, self.pin)
         self.pin_data, self.mj_data = self.pin.createData(), mujoco.MjData(self.mj)
 
     def compare(self, rng: np.random.Generator) -> tuple[float, float]:
@@ -52,7 +52,7 @@ def repair(pin: pinocchio.Model) -> None:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_mass_matrix_and_bias_are_pinocchios(name: str) -> None:
+def test_mass_matrix_and_bias_match_pinocchio(name: str) -> None:
     pair, rng = Pair(name), np.random.default_rng(1)
     pinocchio.seed(1)
     if name in REPAIRED:
@@ -64,7 +64,7 @@ def test_mass_matrix_and_bias_are_pinocchios(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", REPAIRED)
-def test_the_repair_of_a_bad_inertia_changes_the_mass_matrix_by_a_millionth(name: str) -> None:
+def test_inertia_repair_changes_the_mass_matrix_by_1e_minus_6(name: str) -> None:
     pair, rng = Pair(name), np.random.default_rng(2)
     pinocchio.seed(2)
     worst = max(pair.compare(rng)[0] for _ in range(5))
@@ -90,7 +90,7 @@ def test_scales_multiply_armature_and_joint_friction() -> None:
     assert joint.damping[0] == pytest.approx(0.5 * 0.01)
 
 
-def test_a_payload_adds_its_mass_where_it_is_put() -> None:
+def test_payload_adds_its_mass_at_its_position() -> None:
     description = describe_robot("go2")
     robot = build_robot(description)
     settings = PlantSettings(payload_kg=4.0, payload_position=(0.1, -0.05, 0.08))

@@ -10,7 +10,7 @@ from plant_helpers import ROBOTS, pd_command
 from surefoot.sim import Flaws, Plant, PlantSettings
 
 
-def test_given_biases_are_those_of_the_imu() -> None:
+def test_given_imu_biases_are_applied() -> None:
     flaws = Flaws(gyro_bias=(0.02, -0.02, 0.01), accelerometer_bias=(0.2, 0.0, -0.2))
     plant = Plant("go1", PlantSettings(flaws=flaws, hung=True))
     assert plant.imu_bias == pytest.approx([0.02, -0.02, 0.01, 0.2, 0.0, -0.2])
@@ -19,7 +19,7 @@ def test_given_biases_are_those_of_the_imu() -> None:
     assert gyro == pytest.approx([0.02, -0.02, 0.01], abs=2e-3)
 
 
-def test_drawn_biases_are_normal_and_other_noise_stays() -> None:
+def test_random_imu_biases_are_normally_distributed() -> None:
     usual = Plant("go1", PlantSettings(seed=3))
     flaws = Flaws(gyro_bias=0.01, accelerometer_bias=0.1)
     drawn = Plant("go1", PlantSettings(seed=3, flaws=flaws))
@@ -33,7 +33,7 @@ def test_drawn_biases_are_normal_and_other_noise_stays() -> None:
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
-def test_a_scaled_trunk_changes_mass_and_place_of_the_robots_centre(robot: str) -> None:
+def test_scaled_trunk_changes_the_mass_and_the_centre_of_mass(robot: str) -> None:
     usual = Plant(robot, PlantSettings(sensors="ideal"))
     flaws = Flaws(trunk_mass_scale=1.5, trunk_com_shift=(0.03, 0.0, 0.0))
     heavy = Plant(robot, PlantSettings(sensors="ideal", flaws=flaws))
@@ -45,9 +45,9 @@ def test_a_scaled_trunk_changes_mass_and_place_of_the_robots_centre(robot: str) 
     assert heavy.truth.com[0] > usual.truth.com[0] + 0.5 * 0.03 * 1.5 * trunk / mass[1]
 
 
-def test_torque_error_widens_what_drivers_are_off_by() -> None:
+def test_torque_error_setting_scales_the_motor_torque_error() -> None:
     plant = Plant("go1", PlantSettings(flaws=Flaws(torque_error=0.2)))
-    ratio = plant.motors.torque / plant.motors.believed
+    ratio = plant.motors.torque / plant.motors.estimated_torque
     assert 0.08 < np.abs(ratio - 1.0).max() <= 0.2 + 1e-9
 
 
@@ -62,6 +62,6 @@ def test_torque_error_widens_what_drivers_are_off_by() -> None:
         ("trunk_com_shift", (0.0, 0.0, 2.0)),
     ],
 )
-def test_a_bad_flaw_raises_an_error_that_names_it(field: str, value: Any) -> None:
+def test_invalid_flaw_error_names_the_field(field: str, value: Any) -> None:
     with pytest.raises(surefoot.Error, match=rf"^{field}: got "):
         Flaws(**{field: value})

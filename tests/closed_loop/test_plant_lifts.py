@@ -6,7 +6,7 @@ import pytest
 import surefoot
 from plant_helpers import ROBOTS
 from surefoot.sim import Lift, Plant, PlantSettings
-from surefoot.sim.hands import PARTS
+from surefoot.sim.physics.external_lift import LIFT_PARTS
 
 
 def loads(robot: str, lift: Lift, seconds: float) -> tuple[np.ndarray, np.ndarray, float]:
@@ -30,7 +30,7 @@ def greatest_change(share: np.ndarray, window: int = 10) -> float:
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
-def test_a_lifted_trunk_takes_every_load_away_at_once_and_gives_it_back(robot: str) -> None:
+def test_lifted_trunk_unloads_all_feet_and_loads_them_again(robot: str) -> None:
     # Legs in the air reach further down, by 15 % of the height they stand at.
     lifted = 0.12 if robot == "b1" else 0.06
     time, share, height = loads(robot, Lift("trunk", 1.0, height=lifted), 4.0)
@@ -42,9 +42,9 @@ def test_a_lifted_trunk_takes_every_load_away_at_once_and_gives_it_back(robot: s
     assert all(greatest_change(share[:, leg]) > 0.2 for leg in range(4))
 
 
-def test_a_trunk_that_is_put_down_bears_its_weight_before_the_hand_lets_go() -> None:
+def test_lowered_trunk_is_loaded_before_the_lift_releases() -> None:
     lift = Lift("trunk", 1.0, 1.0, height=0.06, speed=0.3, ramp=0.1, lowering=0.2)
-    assert [lift.wanted(1.0 + t) for t in (0.1, 0.5, 1.0, 1.05)] == pytest.approx(
+    assert [lift.desired_height(1.0 + t) for t in (0.1, 0.5, 1.0, 1.05)] == pytest.approx(
         [0.03, 0.06, 0.0, 0.0], abs=1e-12
     )
     time, share, height = loads("go1", lift, 4.0)
@@ -54,11 +54,11 @@ def test_a_trunk_that_is_put_down_bears_its_weight_before_the_hand_lets_go() -> 
     assert abs(height) < 0.01
 
 
-@pytest.mark.parametrize("part", PARTS[1:])
-def test_a_lifted_foot_bears_nothing_while_the_others_stand(part: str) -> None:
+@pytest.mark.parametrize("part", LIFT_PARTS[1:])
+def test_lifted_foot_is_unloaded_while_the_others_carry(part: str) -> None:
     time, share, height = loads("go1", Lift(part, 1.0), 4.0)
     held = (time > 1.1) & (time < 1.5)
-    leg = PARTS.index(part) - 1
+    leg = LIFT_PARTS.index(part) - 1
     others = [k for k in range(4) if k != leg]
     assert np.all(share[held, leg] == 0.0)
     assert share[held][:, others].mean(axis=0).min() > 0.15
@@ -66,7 +66,7 @@ def test_a_lifted_foot_bears_nothing_while_the_others_stand(part: str) -> None:
     assert abs(height) < 0.01
 
 
-def test_a_lift_comes_again_after_reset() -> None:
+def test_lift_repeats_after_reset() -> None:
     plant = Plant("go1", PlantSettings(seed=2, foot_force="est"))
     plant.add_lift(Lift("trunk", 0.1, height=0.06))
     controller = surefoot.StandController(plant.robot, plant.robot.config.gains)
@@ -82,7 +82,7 @@ def test_a_lift_comes_again_after_reset() -> None:
     ("field", "value"),
     [("part", "tail"), ("time", -1.0), ("height", 0.0), ("duration", 0.01), ("lowering", 0.0)],
 )
-def test_a_bad_lift_raises_an_error_that_names_the_field(field: str, value: object) -> None:
+def test_invalid_lift_error_names_the_field(field: str, value: object) -> None:
     good = {"part": "trunk", "time": 1.0}
     with pytest.raises(surefoot.Error, match=rf"^{field}: got "):
         Lift(**{**good, field: value})  # type: ignore[arg-type]

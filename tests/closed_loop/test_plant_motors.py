@@ -4,8 +4,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
-from surefoot.sim.motors import BRAKE_KD, Law, Motors, command_law
-from surefoot.sim.wire import Wire
+from surefoot.sim.hardware.motors import BRAKE_KD, MotorLaw, Motors, command_law
+from surefoot.sim.hardware.wire_format import WireFormat
 
 CONFIG = surefoot.load_robot("go1").config
 DT = 0.0005
@@ -22,11 +22,11 @@ def random_command(rng: np.random.Generator) -> surefoot.LowCmd:
 
 def ideal_torque(cmd: surefoot.LowCmd, q: np.ndarray, dq: np.ndarray) -> np.ndarray:
     motors = Motors(CONFIG, DT, 0.0, None)
-    motors.law = command_law(Wire("go1", real=False).read(cmd))
+    motors.law = command_law(WireFormat("go1", real=False).read(cmd))
     return motors.step(q, dq)
 
 
-def test_the_law_is_the_sdks() -> None:
+def test_motor_torque_follows_the_sdk_law() -> None:
     rng = np.random.default_rng(0)
     cmd, q, dq = random_command(rng), rng.normal(size=12), rng.normal(size=12)
     expected = [
@@ -37,7 +37,7 @@ def test_the_law_is_the_sdks() -> None:
     np.testing.assert_allclose(ideal_torque(cmd, q, dq), expected, rtol=1e-6, atol=1e-6)
 
 
-def test_pos_stop_switches_the_position_term_off_and_vel_stop_the_velocity_term() -> None:
+def test_pos_stop_and_vel_stop_disable_their_terms() -> None:
     cmd = surefoot.LowCmd()
     q, dq = np.full(12, 0.5), np.full(12, 2.0)
     for i in range(12):
@@ -59,7 +59,7 @@ def test_a_motor_out_of_servo_mode_brakes() -> None:
     assert torque[4] == pytest.approx(-BRAKE_KD * 2.0)
 
 
-def test_a_command_that_is_not_finite_makes_no_torque() -> None:
+def test_non_finite_command_gives_zero_torque() -> None:
     cmd = surefoot.LowCmd()
     for name in ("q", "dq", "tau", "Kp", "Kd"):
         for i in range(12):
@@ -67,7 +67,7 @@ def test_a_command_that_is_not_finite_makes_no_torque() -> None:
     np.testing.assert_array_equal(ideal_torque(cmd, np.ones(12), np.ones(12)), np.zeros(12))
 
 
-def test_torque_limits_are_those_of_the_torque_speed_curve() -> None:
+def test_torque_limits_match_the_torque_speed_curve() -> None:
     motors = Motors(CONFIG, DT, 0.0, None)
     for fraction in np.linspace(-1.3, 1.3, 27):
         dq = fraction * np.array(CONFIG.no_load_speed)
@@ -80,29 +80,29 @@ def test_torque_limits_are_those_of_the_torque_speed_curve() -> None:
 
 
 @pytest.mark.parametrize("sign", [-1.0, 1.0])
-def test_too_much_torque_is_clipped_by_the_curve(sign: float) -> None:
+def test_excess_torque_is_clipped_to_the_torque_speed_curve(sign: float) -> None:
     motors = Motors(CONFIG, DT, 0.0, None)
-    motors.law = Law(np.full(12, sign * 1e6), np.zeros(12), np.zeros(12))
+    motors.law = MotorLaw(np.full(12, sign * 1e6), np.zeros(12), np.zeros(12))
     fast = sign * 0.75 * np.array(CONFIG.no_load_speed)  # half-way down from the corner
     np.testing.assert_allclose(motors.step(np.zeros(12), fast), 0.5 * sign * CONFIG.tau_max)
     np.testing.assert_allclose(motors.step(np.zeros(12), -fast), sign * CONFIG.tau_max)
 
 
-def test_the_lag_is_exact_whatever_the_step() -> None:
+def test_motor_lag_does_not_depend_on_the_step() -> None:
     for steps in (4, 40):
         motors = Motors(CONFIG, 0.004 / steps, 0.002, None)
-        motors.law = Law(np.ones(12), np.zeros(12), np.zeros(12))
+        motors.law = MotorLaw(np.ones(12), np.zeros(12), np.zeros(12))
         for _ in range(steps):
             torque = motors.step(np.zeros(12), np.zeros(12))
         np.testing.assert_allclose(torque, 1.0 - np.exp(-2.0))
 
 
-def test_real_motors_are_off_by_a_lasting_fraction_they_do_not_know_of() -> None:
+def test_real_motors_have_a_constant_unreported_torque_error() -> None:
     motors = Motors(CONFIG, DT, 0.0, np.random.default_rng(5))
-    motors.law = Law(np.full(12, 2.0), np.zeros(12), np.zeros(12))
+    motors.law = MotorLaw(np.full(12, 2.0), np.zeros(12), np.zeros(12))
     first = motors.step(np.zeros(12), np.zeros(12))
     second = motors.step(np.zeros(12), np.zeros(12))
     np.testing.assert_array_equal(first, second)
-    np.testing.assert_allclose(motors.believed, 2.0)
+    np.testing.assert_allclose(motors.estimated_torque, 2.0)
     assert np.abs(first / 2.0 - 1.0).max() <= 0.05
     assert len(set(first.tolist())) == 12

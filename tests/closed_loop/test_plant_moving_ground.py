@@ -11,19 +11,19 @@ import pytest
 from plant_helpers import pd_command
 from surefoot import Error, LowCmd
 from surefoot.sim import Flaws, Plant, PlantSettings, Push
-from surefoot.sim.moving_ground import BLOCK, drive_ground
+from surefoot.sim.model.moving_ground import BLOCK, set_ground_speed
 from surefoot.sim.truth import has_fallen
 
 
 def stand(plant: Plant, seconds: float, speed: float) -> None:
     hold = pd_command(plant, 20.0, 0.6)
     for _ in range(round(500 * seconds)):
-        drive_ground(plant, speed)
+        set_ground_speed(plant.model, plant.data, speed)
         plant.step(hold)
 
 
 @pytest.mark.parametrize("heading", [0.0, 90.0, 200.0])
-def test_a_platform_tilts_up_towards_its_heading_and_takes_the_feet_along(heading: float) -> None:
+def test_platform_tilts_toward_its_heading_and_moves_the_feet(heading: float) -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal", platform_heading_deg=heading))
     plant.reset()
     before = plant.truth.p_world_feet.copy()
@@ -42,7 +42,7 @@ def test_a_platform_tilts_up_towards_its_heading_and_takes_the_feet_along(headin
 
 
 @pytest.mark.parametrize(("foot", "leg"), [("FR", 0), ("RL", 3)])
-def test_a_block_raises_its_foot_and_bears_what_it_bears(foot: str, leg: int) -> None:
+def test_block_raises_its_foot_and_carries_its_load(foot: str, leg: int) -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal", block_foot=foot))
     plant.reset()
     before = plant.truth.p_world_feet[2].copy()
@@ -56,7 +56,7 @@ def test_a_block_raises_its_foot_and_bears_what_it_bears(foot: str, leg: int) ->
     assert plant.truth.foot_forces[2, leg] > 1.0 and not plant.truth.fell
 
 
-def test_a_leg_on_the_block_has_fallen_and_its_foot_has_not() -> None:
+def test_calf_contact_with_the_block_is_a_fall_and_foot_contact_is_not() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal", block_foot="FR"))
     plant.reset()
     block = plant.model.geom(BLOCK).id
@@ -69,7 +69,7 @@ def test_a_leg_on_the_block_has_fallen_and_its_foot_has_not() -> None:
         assert has_fallen(touching, plant.handles) is fell  # type: ignore[arg-type]
 
 
-def test_ground_that_moves_goes_with_nothing_else() -> None:
+def test_moving_ground_cannot_be_combined_with_other_ground_options() -> None:
     for more in ({"slope_deg": 5.0}, {"hung": True}, {"soft_ground_sink": 0.01}):
         for moving in ({"block_foot": "FR"}, {"platform_heading_deg": 0.0}):
             with pytest.raises(Error, match="ground that moves"):
@@ -80,7 +80,7 @@ def test_ground_that_moves_goes_with_nothing_else() -> None:
         PlantSettings(block_foot="FX")
 
 
-def test_a_torque_scale_is_what_every_motor_gives() -> None:
+def test_torque_scale_applies_to_every_motor() -> None:
     torques = []
     for scale in (1.0, 0.9):
         flaws = Flaws(torque_error=0.0, torque_scale=scale)
@@ -96,7 +96,7 @@ def test_a_torque_scale_is_what_every_motor_gives() -> None:
     assert torques[0] == pytest.approx(2.0)
 
 
-def test_a_plant_that_is_renewed_is_like_a_new_one() -> None:
+def test_reseeded_plant_equals_a_new_plant() -> None:
     push = Push("lateral", 5.0, 0.1, 0.05)
     used = Plant("go1", PlantSettings(seed=3), [Push("forward", 9.0)])
     used.reset()

@@ -6,9 +6,9 @@ import math
 import mujoco
 import numpy as np
 import pytest
-from plant_helpers import hover, pd_command
+from plant_helpers import float_without_gravity, pd_command
 from surefoot.sim import Plant, PlantSettings, Push
-from surefoot.sim.support import distance_to_edge, pendulum_impulse
+from surefoot.sim.lip_push_limit import distance_to_edge, max_lip_impulse
 
 IDEAL = PlantSettings(sensors="ideal", payload_kg=2.0, payload_position=(0.1, 0.03, 0.1))
 
@@ -16,7 +16,7 @@ IDEAL = PlantSettings(sensors="ideal", payload_kg=2.0, payload_position=(0.1, 0.
 def momentum_after(push: Push) -> tuple[np.ndarray, np.ndarray]:
     """Return linear momentum and that about the centre of mass of a floating robot, pushed."""
     plant = Plant("go1", IDEAL, [push])
-    hover(plant)
+    float_without_gravity(plant)
     limp = pd_command(plant, kp=0.0, kd=0.0)
     for _ in range(100):
         plant.step(limp)
@@ -30,20 +30,22 @@ def momentum_after(push: Push) -> tuple[np.ndarray, np.ndarray]:
     ("direction", "unit"),
     [("forward", [1, 0, 0]), ("lateral", [0, 1, 0]), (-90.0, [0, -1, 0]), (180.0, [-1, 0, 0])],
 )
-def test_a_push_gives_its_impulse_and_no_turn(direction: str | float, unit: list[int]) -> None:
+def test_push_gives_its_linear_impulse_without_rotation(
+    direction: str | float, unit: list[int]
+) -> None:
     # Neither end of the pulse falls on a physics step.
     linear, angular = momentum_after(Push(direction, 5.0, duration=0.0507, time=0.0303))
     np.testing.assert_allclose(linear, 5.0 * np.array(unit), atol=5e-3)
     np.testing.assert_allclose(angular, 0.0, atol=1e-3)
 
 
-def test_a_push_above_the_centre_of_mass_turns_the_robot_as_much_as_its_lever_says() -> None:
+def test_push_above_the_centre_of_mass_adds_its_moment() -> None:
     linear, angular = momentum_after(Push("lateral", 5.0, 0.05, 0.0, height=0.1))
     np.testing.assert_allclose(linear, [0.0, 5.0, 0.0], atol=5e-3)
     np.testing.assert_allclose(angular, [-0.5, 0.0, 0.0], atol=5e-3)
 
 
-def test_a_push_is_over_when_its_time_is_over() -> None:
+def test_push_acts_only_during_its_duration() -> None:
     plant = Plant("go1", IDEAL, [Push("lateral", 2.0, 0.02, 0.01)])
     cmd, strength = pd_command(plant), []
     for _ in range(30):
@@ -52,7 +54,7 @@ def test_a_push_is_over_when_its_time_is_over() -> None:
     np.testing.assert_allclose(strength, [0.0] * 5 + [100.0] * 10 + [0.0] * 15, atol=1e-9)
 
 
-def test_forward_is_where_the_robot_faces_when_the_push_begins() -> None:
+def test_forward_push_uses_the_heading_at_its_start() -> None:
     plant = Plant("go1", IDEAL)
     plant.data.qpos[3:7] = [math.cos(0.5), 0.0, 0.0, math.sin(0.5)]  # yaw 1 rad
     plant.add_push(Push("forward", 1.0, 0.01, plant.time + 0.002))
@@ -62,19 +64,19 @@ def test_forward_is_where_the_robot_faces_when_the_push_begins() -> None:
     assert math.atan2(force[1], force[0]) == pytest.approx(1.0, abs=0.02)
 
 
-def test_pushes_add_up() -> None:
+def test_simultaneous_pushes_add_up() -> None:
     plant = Plant("go1", IDEAL, [Push("lateral", 1.0, 0.1), Push("forward", 2.0, 0.1)])
     plant.step(pd_command(plant))
     np.testing.assert_allclose(plant.push_force[0], [20.0, 10.0, 0.0], atol=0.05)
 
 
-def test_the_pendulums_impulse_is_the_one_worked_out_by_hand() -> None:
+def test_lip_push_limit_matches_the_closed_formula() -> None:
     # g / h = 10, w = 3.16228: J = 10 * 3.16228 * 0.1 * 0.316228 / (1 - exp(-0.316228)).
-    assert pendulum_impulse(10.0, 0.981, 0.1, 0.1) == pytest.approx(3.68859, rel=1e-5)
-    assert pendulum_impulse(10.0, 0.981, 0.1, 1e-6) == pytest.approx(3.16228, rel=1e-5)
+    assert max_lip_impulse(10.0, 0.981, 0.1, 0.1) == pytest.approx(3.68859, rel=1e-5)
+    assert max_lip_impulse(10.0, 0.981, 0.1, 1e-6) == pytest.approx(3.16228, rel=1e-5)
 
 
-def test_the_distance_to_the_edge_is_that_of_the_convex_hull() -> None:
+def test_edge_distance_uses_the_convex_hull_of_the_feet() -> None:
     corners = np.array([[0.2, -0.1], [0.2, 0.1], [-0.2, 0.1], [-0.2, -0.1]])
     ahead, left = np.array([1.0, 0.0]), np.array([0.0, 1.0])
     for points in (corners, corners[[2, 0, 3, 1]], np.vstack([corners, [0.15, 0.0]])):
@@ -85,17 +87,19 @@ def test_the_distance_to_the_edge_is_that_of_the_convex_hull() -> None:
     assert distance_to_edge(corners, np.array([0.3, 0.0]), ahead) == 0.0
 
 
-def test_the_limit_of_a_standing_robot_is_that_of_its_true_mass_and_feet() -> None:
+def test_lip_push_limit_uses_the_true_mass_and_feet() -> None:
     plant = Plant("go1", IDEAL)
     truth = plant.truth
     left = max(truth.p_world_feet[1]) - truth.com[1]
-    expected = pendulum_impulse(plant.robot.mass + 2.0, truth.com[2], left, 0.2)
-    assert plant.lip_limit("lateral", 0.2) == pytest.approx(expected, rel=0.01)
-    assert plant.lip_limit(-90.0) > plant.lip_limit("lateral")  # the payload sits on the left
+    expected = max_lip_impulse(plant.robot.mass + 2.0, truth.com[2], left, 0.2)
+    assert plant.lip_push_limit("lateral", 0.2) == pytest.approx(expected, rel=0.01)
+    assert plant.lip_push_limit(-90.0) > plant.lip_push_limit(
+        "lateral"
+    )  # the payload sits on the left
 
 
-def test_the_limit_sees_the_feet_from_above_on_a_slope() -> None:
+def test_lip_push_limit_projects_the_feet_vertically_on_a_slope() -> None:
     uphill = Plant("go1", PlantSettings(sensors="ideal", slope_deg=10.0))
     level = Plant("go1", PlantSettings(sensors="ideal"))
-    assert uphill.lip_limit(180.0) < 0.85 * level.lip_limit(180.0)
-    assert uphill.lip_limit("forward") > 1.1 * level.lip_limit("forward")
+    assert uphill.lip_push_limit(180.0) < 0.85 * level.lip_push_limit(180.0)
+    assert uphill.lip_push_limit("forward") > 1.1 * level.lip_push_limit("forward")

@@ -9,16 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plant_helpers import pd_command
-from surefoot.robots import describe_robot
+from surefoot.robot.loading import describe_robot
 from surefoot.sim import Plant, PlantSettings, Push
-from surefoot.sim.collada import read_collada
-from surefoot.sim.visuals import merge_vertices
+from surefoot.sim.model.collada import read_collada
+from surefoot.sim.model.visuals import merge_vertices
 
 needs_graphics = pytest.mark.skipif("MUJOCO_GL" not in os.environ, reason="MUJOCO_GL is not set")
 
 
 @needs_graphics
-def test_a_picture_shows_the_robot_and_the_push() -> None:
+def test_rendered_image_shows_robot_and_push() -> None:
     from surefoot.sim import Renderer
 
     plant = Plant("go2", PlantSettings(sensors="ideal"), [Push("lateral", 8.0, 0.1, 0.01)])
@@ -38,7 +38,7 @@ def test_a_picture_shows_the_robot_and_the_push() -> None:
     assert red(pushed) > 100
 
 
-def test_a_run_without_pictures_does_not_load_the_renderer() -> None:
+def test_simulation_without_rendering_does_not_import_the_renderer() -> None:
     code = "import sys, surefoot.sim; print('surefoot.sim.render' in sys.modules)"
     path = os.pathsep.join([str(Path(p)) for p in sys.path if p])
     answer = subprocess.run(
@@ -58,7 +58,7 @@ def test_a_run_without_pictures_does_not_load_the_renderer() -> None:
         ("go1", "go1_description/meshes/calf.dae", [0.055, 0.040, 0.266]),
     ],
 )
-def test_a_collada_file_is_read_to_its_right_size(name: str, mesh: str, size: list[float]) -> None:
+def test_collada_mesh_has_the_correct_size(name: str, mesh: str, size: list[float]) -> None:
     vertices, faces = read_collada(describe_robot(name).mesh_root / "robots" / mesh)
     np.testing.assert_allclose(np.ptp(vertices, axis=0), size, atol=0.001)
     assert faces.max() == len(vertices) - 1
@@ -79,7 +79,7 @@ SCENE = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema">
   </node></visual_scene></library_visual_scenes></COLLADA>"""
 
 
-def test_nested_nodes_of_a_collada_file_move_their_meshes(tmp_path: Path) -> None:
+def test_nested_collada_nodes_transform_their_meshes(tmp_path: Path) -> None:
     path = tmp_path / "two.dae"
     path.write_text(SCENE.format(TRIANGLE.format("a"), TRIANGLE.format("b")))
     vertices, faces = read_collada(path)

@@ -3,11 +3,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from plant_helpers import ROBOTS, hover, pd_command
+from plant_helpers import ROBOTS, float_without_gravity, pd_command
+from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.sim import Plant, PlantSettings, Push
-from surefoot.sim.encoders import RealEncoders
-from surefoot.sim.foot_sensors import FootSensors
-from surefoot.sim.rotations import matrix_from_wxyz
+from surefoot.sim.hardware.encoders import RealEncoders
+from surefoot.sim.hardware.foot_sensors import FootSensors
 
 
 @pytest.mark.parametrize("name", ROBOTS)
@@ -16,7 +16,7 @@ def test_the_accelerometer_reads_plus_g_on_z_at_rest(name: str) -> None:
     np.testing.assert_allclose(state.imu.accelerometer, [0.0, 0.0, 9.81], atol=0.05)
 
 
-def test_the_gyro_is_the_quaternions_rate_in_the_imus_own_axes() -> None:
+def test_gyroscope_equals_the_quaternion_rate_in_imu_axes() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal"), [Push(60.0, 6.0, 0.1, 0.0, height=0.05)])
     cmd, last, turned, rate = pd_command(plant), plant.reset(), [], []
     for _ in range(60):
@@ -34,10 +34,10 @@ def test_the_gyro_is_the_quaternions_rate_in_the_imus_own_axes() -> None:
     np.testing.assert_allclose(turned, rate, atol=0.02)
 
 
-def test_the_accelerometer_sits_at_its_mount() -> None:
+def test_accelerometer_measures_at_its_mount_position() -> None:
     # A pure turn about the centre of mass: a mount beside it feels the lever arm.
     plant = Plant("go1", PlantSettings(sensors="ideal", control_rate=2000.0))
-    hover(plant)
+    float_without_gravity(plant)
     cmd = pd_command(plant, kp=15.0, kd=0.4)
     plant.add_push(Push("lateral", 20.0, 0.1, 0.0, height=0.05))
     felt, lever = np.zeros(3), plant.robot.config.p_base_imu
@@ -51,7 +51,7 @@ def test_the_accelerometer_sits_at_its_mount() -> None:
     assert np.linalg.norm(felt - base) > 0.1
 
 
-def test_real_noise_and_bias_are_as_large_as_stated() -> None:
+def test_sensor_noise_and_bias_match_the_stated_values() -> None:
     plant = Plant("go1", PlantSettings(seed=3))
     cmd = pd_command(plant)
     states = [plant.step(cmd) for _ in range(1000)]
@@ -65,7 +65,7 @@ def test_real_noise_and_bias_are_as_large_as_stated() -> None:
     np.testing.assert_allclose(speed.std(), 0.05, rtol=0.05)
 
 
-def test_the_attitude_filter_keeps_tilt_and_loses_yaw() -> None:
+def test_attitude_filter_keeps_tilt_and_drifts_in_yaw() -> None:
     plant = Plant("go1", PlantSettings(seed=1))
     cmd = pd_command(plant)
     gyro_bias_z = np.mean([plant.step(cmd).imu.gyroscope[2] for _ in range(2500)])
@@ -91,14 +91,14 @@ def test_the_attitude_filter_follows_a_fast_turn() -> None:
 
 
 @pytest.mark.parametrize(("name", "unit"), [("go1", 256), ("b1", 128)])
-def test_tau_est_comes_in_steps_of_the_wire(name: str, unit: int) -> None:
+def test_tau_est_is_quantised_like_the_wire_format(name: str, unit: int) -> None:
     state = Plant(name).reset()
     torque = np.array([state.motorState[i].tauEst for i in range(12)])
     assert np.abs(torque).max() > 1.0
     np.testing.assert_array_equal(torque * unit, np.round(torque * unit))
 
 
-def test_tau_est_does_not_know_the_motors_error() -> None:
+def test_tau_est_excludes_the_motor_torque_error() -> None:
     plant = Plant("go1")
     cmd = pd_command(plant)
     for _ in range(200):
@@ -108,7 +108,7 @@ def test_tau_est_does_not_know_the_motors_error() -> None:
     assert 0.003 < np.abs(scale - 1.0).max() < 0.055
 
 
-def test_encoders_are_within_a_quantum_of_the_truth() -> None:
+def test_encoder_error_is_below_one_quantum() -> None:
     plant = Plant("go1")
     state = plant.reset()
     q = np.array([state.motorState[i].q for i in range(12)])
@@ -116,7 +116,7 @@ def test_encoders_are_within_a_quantum_of_the_truth() -> None:
     assert 0.0 < np.abs(error).max() < 1e-4
 
 
-def test_ideal_foot_forces_are_newtons() -> None:
+def test_ideal_foot_forces_are_in_newtons() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal", foot_force="est"))
     state = plant.step(pd_command(plant))
     expected = np.round(plant.truth.foot_forces[2])
@@ -124,7 +124,7 @@ def test_ideal_foot_forces_are_newtons() -> None:
     np.testing.assert_array_equal(state.footForce, expected)
 
 
-def test_foot_forces_live_as_they_are_told() -> None:
+def test_foot_force_setting_selects_the_live_fields() -> None:
     def forces(kind: str | None) -> tuple[np.ndarray, np.ndarray]:
         state = Plant("go1", PlantSettings(foot_force=kind)).reset()
         return np.array(state.footForce), np.array(state.footForceEst)
@@ -141,16 +141,16 @@ def test_foot_forces_live_as_they_are_told() -> None:
         assert not newtons.any()
 
 
-def test_raw_counts_have_an_offset_of_their_own_with_the_foot_in_the_air() -> None:
+def test_raw_foot_counts_have_individual_offsets_without_load() -> None:
     plant = Plant("go1", PlantSettings(foot_force="raw"))
-    hover(plant)
+    float_without_gravity(plant)
     for _ in range(3):
         state = plant.step(pd_command(plant))
     assert 0 <= state.footForce.min() <= state.footForce.max() <= 58
     assert len(set(state.footForce.tolist())) > 1
 
 
-def test_raw_counts_drift_by_a_few_in_a_minute() -> None:
+def test_raw_foot_counts_drift_3_to_10_per_minute() -> None:
     drifts = []
     for seed in range(8):
         sensors = FootSensors("raw", 1.0, np.random.default_rng(seed))
@@ -159,7 +159,7 @@ def test_raw_counts_drift_by_a_few_in_a_minute() -> None:
     assert 3.0 < np.std(drifts) < 10.0
 
 
-def test_the_velocity_filter_is_a_first_order_one_of_100_hz() -> None:
+def test_velocity_filter_is_first_order_at_100_hz() -> None:
     encoders = RealEncoders(0.0001, np.random.default_rng(0))
     for _ in range(16):  # one time constant, 1.6 ms
         encoders.step(np.full(12, 10.0))

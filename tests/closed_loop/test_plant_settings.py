@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 import surefoot
-from surefoot.robots import describe_robot
+from surefoot.robot.loading import describe_robot
 from surefoot.sim import Plant, PlantSettings, Push
 
 
@@ -38,7 +38,7 @@ from surefoot.sim import Plant, PlantSettings, Push
         ("seed", 1.5),
     ],
 )
-def test_a_bad_setting_raises_an_error_that_names_it(field: str, value: Any) -> None:
+def test_invalid_setting_error_names_the_field(field: str, value: Any) -> None:
     with pytest.raises(surefoot.Error, match=rf"^{field}: got "):
         PlantSettings(**{field: value})
 
@@ -54,7 +54,7 @@ def test_a_bad_setting_raises_an_error_that_names_it(field: str, value: Any) -> 
         ("height", float("inf")),
     ],
 )
-def test_a_bad_push_raises_an_error_that_names_the_field(field: str, value: Any) -> None:
+def test_invalid_push_error_names_the_field(field: str, value: Any) -> None:
     good: dict[str, Any] = {"direction": "lateral", "impulse": 1.0, "duration": 0.1, "time": 0.0}
     with pytest.raises(surefoot.Error, match=rf"^{field}: got "):
         Push(**{**good, field: value})
@@ -67,26 +67,26 @@ def test_an_error_lists_the_valid_names() -> None:
         Push("up", 1.0)
 
 
-def test_settings_of_the_wrong_kind_are_refused() -> None:
+def test_settings_of_the_wrong_type_are_refused() -> None:
     with pytest.raises(surefoot.Error, match="expected PlantSettings"):
         Plant("go1", {"sensors": "ideal"})  # type: ignore[arg-type]
 
 
-def test_the_defaults_follow_the_kind_of_sensors() -> None:
+def test_motor_lag_default_depends_on_the_sensors() -> None:
     assert PlantSettings().lag == 0.002
     assert PlantSettings(sensors="ideal").lag == 0.0
     assert PlantSettings(motor_lag=0.005).lag == 0.005
     assert PlantSettings().steps_per_tick == 4
 
 
-def test_a_plant_can_be_built_from_files_of_your_own() -> None:
+def test_plant_is_built_from_user_files() -> None:
     go2 = describe_robot("go2")
-    models = surefoot.robot_files._models_folder()
+    models = surefoot.robot.description._models_folder()
     plant = Plant(describe_robot(urdf=go2.urdf, config=models / "go2.toml"))
     assert plant.robot.mass == pytest.approx(Plant("go2").robot.mass)
 
 
-def test_a_foot_that_is_no_link_is_named() -> None:
+def test_unknown_foot_link_is_named() -> None:
     go1 = describe_robot("go1")
     go1.table["feet"]["frames"][2] = "RR_foot_fixed"  # the joint of that name, not the link
     with pytest.raises(surefoot.Error, match="'RR_foot_fixed' is no link of the URDF"):

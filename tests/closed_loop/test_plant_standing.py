@@ -4,11 +4,11 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from plant_helpers import ROBOTS, hover, pd_command
+from plant_helpers import ROBOTS, float_without_gravity, pd_command
 from surefoot import Error
+from surefoot.geometry.rotations import wxyz_from_rotation_vector
 from surefoot.sim import Plant, PlantSettings, Push, Truth
-from surefoot.sim.rotations import wxyz_from_rotation_vector
-from surefoot.sim.stance import HOLD_KD, HOLD_KP
+from surefoot.sim.physics.standing_pose import HOLD_KD, HOLD_KP
 
 
 def run(plant: Plant, seconds: float) -> Truth:
@@ -20,7 +20,7 @@ def run(plant: Plant, seconds: float) -> Truth:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_feet_of_a_robot_held_by_its_joints_do_not_creep(name: str) -> None:
+def test_feet_of_a_position_controlled_robot_creep_below_0_1_mm(name: str) -> None:
     plant = Plant(name)
     start = plant.truth.p_world_feet
     drift = np.linalg.norm(run(plant, 10.0).p_world_feet - start, axis=0)
@@ -28,7 +28,7 @@ def test_feet_of_a_robot_held_by_its_joints_do_not_creep(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_feet_hardly_sink_into_the_ground(name: str) -> None:
+def test_feet_sink_below_0_1_mm_into_rigid_ground(name: str) -> None:
     plant = Plant(name)
     heights = plant.truth.p_world_feet[2]
     sink = plant.robot.config.foot_radius - heights
@@ -59,7 +59,7 @@ def test_a_robot_on_a_slope_starts_parallel_to_it() -> None:
     assert normal[1] == pytest.approx(-np.sin(np.radians(12.0)))
 
 
-def test_the_first_state_already_carries_the_torques_of_standing() -> None:
+def test_first_state_contains_standing_torques() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal"))
     state = plant.reset()
     calves = [state.motorState[i].tauEst for i in (2, 5, 8, 11)]
@@ -75,7 +75,7 @@ def test_position_mode_holds_until_the_first_command_arrives() -> None:
     assert limp.motorState[2].tauEst > 3.0
 
 
-def test_a_robot_without_torque_falls_and_is_seen_to_fall_though_upright() -> None:
+def test_upright_collapse_without_torque_is_detected_as_fall() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal"))
     cmd = pd_command(plant, kp=0.0, kd=0.1)
     for _ in range(500):
@@ -87,9 +87,9 @@ def test_a_robot_without_torque_falls_and_is_seen_to_fall_though_upright() -> No
     assert plant.data.xmat[plant.handles.root].reshape(3, 3)[2, 2] > 0.8
 
 
-def test_a_robot_on_its_side_has_fallen_even_in_the_air() -> None:
+def test_tilt_of_70_deg_is_a_fall_even_in_the_air() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal"))
-    hover(plant)
+    float_without_gravity(plant)
     for degrees, fallen in ((50.0, False), (70.0, True)):
         plant.data.qpos[3:7] = wxyz_from_rotation_vector([np.radians(degrees), 0.0, 0.0])
         mujoco.mj_step1(plant.model, plant.data)
@@ -106,7 +106,7 @@ def test_feet_slide_where_friction_is_less_than_the_slope(
     assert least <= moved <= most
 
 
-def test_the_same_seed_gives_the_same_run_and_another_does_not() -> None:
+def test_equal_seeds_give_equal_runs_and_other_seeds_do_not() -> None:
     def states(seed: int) -> bytes:
         plant = Plant("go1", PlantSettings(seed=seed, foot_force="est"))
         cmd = pd_command(plant)
@@ -116,7 +116,7 @@ def test_the_same_seed_gives_the_same_run_and_another_does_not() -> None:
     assert states(4) != states(5)
 
 
-def test_reset_begins_the_same_run_again() -> None:
+def test_reset_repeats_the_same_run() -> None:
     plant = Plant("a1", pushes=[Push("lateral", 3.0, 0.05, 0.02)])
     cmd = pd_command(plant)
 
@@ -128,11 +128,11 @@ def test_reset_begins_the_same_run_again() -> None:
 
 
 @pytest.mark.parametrize("direction", ["lateral", "forward"])
-def test_half_the_physics_step_changes_no_result(direction: str) -> None:
+def test_half_the_physics_step_changes_sway_below_2_percent(direction: str) -> None:
     peaks = []
     for physics_dt in (0.0005, 0.00025):
         plant = Plant("go1", PlantSettings(physics_dt=physics_dt))
-        plant.add_push(Push(direction, 0.5 * plant.lip_limit(direction), 0.1, 0.1))
+        plant.add_push(Push(direction, 0.5 * plant.lip_push_limit(direction), 0.1, 0.1))
         cmd, start = pd_command(plant), plant.truth.com
         path = []
         for _ in range(400):
@@ -143,6 +143,6 @@ def test_half_the_physics_step_changes_no_result(direction: str) -> None:
     assert peaks[0] == pytest.approx(peaks[1], rel=0.02)
 
 
-def test_a_slope_that_no_held_pose_stands_on_is_refused_before_anything_is_controlled() -> None:
+def test_slope_of_35_deg_is_refused_before_control_starts() -> None:
     with pytest.raises(Error, match=r"go1.*fell.*before.*slope 35 deg"):
         Plant("go1", PlantSettings(slope_deg=35.0))

@@ -24,7 +24,7 @@ class Outcome:
 
 def pushed(name: str, direction: str, share: float, level: int, limit: float) -> Outcome:
     plant = Plant(name, PlantSettings(seed=2))
-    plant.add_push(Push(direction, share * plant.lip_limit(direction), 0.1, 0.5))
+    plant.add_push(Push(direction, share * plant.lip_push_limit(direction), 0.1, 0.5))
     options = surefoot.StandOptions(power_limit=limit)
     controller = surefoot.StandController(plant.robot, plant.robot.config.gains, options)
     safety, report, outcome = surefoot.Safety(plant.robot), plant.reset(), Outcome()
@@ -32,9 +32,9 @@ def pushed(name: str, direction: str, share: float, level: int, limit: float) ->
         command = controller.update(report)
         outcome.refused += safety.power_protect(command, report, level) < 0
         outcome.limited += controller.power_scale < 1.0
-        outcome.over += controller.power > limit
+        outcome.over += controller.command_power > limit
         outcome.measured = max(outcome.measured, safety.power)
-        outcome.commanded = max(outcome.commanded, controller.power)
+        outcome.commanded = max(outcome.commanded, controller.command_power)
         report = plant.step(command)
     outcome.fell = plant.truth.fell
     return outcome
@@ -42,7 +42,7 @@ def pushed(name: str, direction: str, share: float, level: int, limit: float) ->
 
 @pytest.mark.parametrize("direction", ["lateral", "forward"])
 @pytest.mark.parametrize("name", ["a1", "go1", "go2"])
-def test_half_a_push_is_far_below_the_lowest_level(name: str, direction: str) -> None:
+def test_50_percent_push_needs_less_than_40_w(name: str, direction: str) -> None:
     outcome = pushed(name, direction, 0.5, level=1, limit=90.0)
     assert not outcome.fell
     assert (outcome.refused, outcome.limited) == (0, 0)
@@ -50,7 +50,7 @@ def test_half_a_push_is_far_below_the_lowest_level(name: str, direction: str) ->
 
 
 @pytest.mark.parametrize("share", [0.88, 0.92, 0.96])
-def test_a_limit_keeps_the_protection_from_tripping(share: float) -> None:
+def test_power_limit_prevents_power_protection_trips(share: float) -> None:
     free = pushed("b1", "forward", share, level=10, limit=float("inf"))
     assert free.refused > 0
     limited = pushed("b1", "forward", share, level=10, limit=900.0)
@@ -60,7 +60,7 @@ def test_a_limit_keeps_the_protection_from_tripping(share: float) -> None:
     assert limited.over <= 5
 
 
-def test_a_robot_too_heavy_for_its_limit_is_not_let_go() -> None:
+def test_robot_too_heavy_for_its_power_limit_keeps_standing() -> None:
     outcome = pushed("b1", "forward", 0.8, level=1, limit=90.0)
     assert not outcome.fell
     assert outcome.refused > 0

@@ -14,10 +14,17 @@ pytest.importorskip("casadi")
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from plant_helpers import ROBOTS
-from push_bound import Case, Program, contact_jacobian, dynamics, integration, standing
+from push_bound import (
+    Case,
+    PushOcp,
+    contact_jacobian,
+    dynamics_residual,
+    integrator,
+    standing_forces,
+)
 from surefoot import Robot, load_robot
-from surefoot.assess.pinned import pin as pin_down
 from surefoot.assess.push_limits import push_limit
+from surefoot.assess.stance_model import stance_model
 
 
 def random_pose(robot: Robot, model: pin.Model) -> np.ndarray:
@@ -34,7 +41,7 @@ def model_of(robot: Robot) -> pin.Model:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_contact_points_roll_under_their_feet(name: str) -> None:
+def test_contact_jacobian_includes_foot_rolling(name: str) -> None:
     robot = load_robot(name)
     model = model_of(robot)
     data = model.createData()
@@ -48,34 +55,36 @@ def test_contact_points_roll_under_their_feet(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_what_holds_the_standing_pose_holds_it(name: str) -> None:
+def test_standing_forces_and_torques_balance_the_pose(name: str) -> None:
     robot = load_robot(name)
     contact = contact_jacobian(robot)
-    f, tau = standing(robot, contact)
+    f, tau = standing_forces(robot, contact)
     rest = np.zeros(18)
-    residual = dynamics(robot, contact, 30.0)(robot.q_standing(), rest, rest, tau, f, 0.0).full()
+    residual = dynamics_residual(robot, contact, 30.0)(
+        robot.q_standing(), rest, rest, tau, f, 0.0
+    ).full()
     assert np.abs(residual).max() < 1e-9
-    pushed = dynamics(robot, contact, 90.0)(robot.q_standing(), rest, rest, tau, f, 50.0)
+    pushed = dynamics_residual(robot, contact, 90.0)(robot.q_standing(), rest, rest, tau, f, 50.0)
     np.testing.assert_allclose(pushed.full().ravel()[:3], [0.0, -5.0, 0.0], atol=1e-9)
 
 
-def test_a_knot_moves_q_as_the_library_does() -> None:
+def test_integration_step_matches_pinocchio() -> None:
     robot = load_robot("go1")
     model = model_of(robot)
     v = np.random.default_rng(2).normal(size=robot.nv)
     q = random_pose(robot, model)
-    moved = integration(robot)(q, v).full().ravel()
+    moved = integrator(robot)(q, v).full().ravel()
     np.testing.assert_allclose(moved, pin.integrate(model, q, 0.01 * v), atol=2e-4)
 
 
-def test_a1_survives_more_than_its_own_limit_forward() -> None:
+def test_a1_push_bound_is_1_to_1_25_times_its_push_limit() -> None:
     robot = load_robot("a1")
-    own = push_limit(pin_down(robot), 0.0, 0.1, 0.0, 0.8).own
-    program = Program(Case(0.0, 5.0, 0.8), robot)
-    impulse, said = program.largest(0.7 * own)
-    assert said == "Solve_Succeeded"
+    own = push_limit(stance_model(robot), 0.0, 0.1, 0.0, 0.8).limit
+    ocp = PushOcp(Case(0.0, 5.0, 0.8), robot)
+    impulse, status = ocp.largest_impulse(0.7 * own)
+    assert status == "Solve_Succeeded"
     assert own < impulse < 1.25 * own
-    q, f = (np.array(program.opti.value(x)) for x in (program.q, program.f))
+    q, f = (np.array(ocp.opti.value(x)) for x in (ocp.q, ocp.f))
     assert np.degrees(2.0 * np.arcsin(np.hypot(q[3], q[4]))).max() < 5.01
     x, y, z = f.reshape(4, 3, -1).transpose(1, 0, 2)
     assert np.all(np.hypot(x, y) <= 0.8 * z + 1e-3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""On the system's own clock: loops fit their periods. The patient clock would not tell."""
+"""On the system's own clock: loops fit their periods. The stall-tolerant clock would not tell."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ import time
 from pathlib import Path
 
 import pytest
-from virtual_robot_helpers import controller, start
+from virtual_robot_helpers import start_controller, start_robot
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 
 @pytest.fixture
-def on_the_systems_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+def with_system_clock(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("LD_PRELOAD", raising=False)
 
 
-@pytest.mark.usefixtures("on_the_systems_clock")
-def test_a_tick_takes_a_fraction_of_its_period(tmp_path: Path) -> None:
+@pytest.mark.usefixtures("with_system_clock")
+def test_median_tick_takes_less_than_half_its_period(tmp_path: Path) -> None:
     assert "LD_PRELOAD" not in os.environ
-    robot, port = start("--robot", "b1", "--json", str(tmp_path / "robot.json"))
+    robot, port = start_robot("--robot", "b1", "--json", str(tmp_path / "robot.json"))
     began = time.clock_gettime(time.CLOCK_MONOTONIC_RAW)
     words = ("--robot", "b1", "--duration", "3", "--json", str(tmp_path / "run.json"))
-    run = controller(port, *words)
+    run = start_controller(port, *words)
     run.communicate(timeout=60)
     took = time.clock_gettime(time.CLOCK_MONOTONIC_RAW) - began
     robot.send_signal(signal.SIGTERM)

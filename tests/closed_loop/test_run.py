@@ -10,15 +10,17 @@ from pathlib import Path
 
 import pytest
 from surefoot import protocol
-from virtual_robot_helpers import arm_again, controller, start, wait_for
+from virtual_robot_helpers import arm_again, start_controller, start_robot, wait_for
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 
 @pytest.mark.parametrize("name", ["a1", "go1", "b1"])
 def test_a_robot_stands_over_udp_in_its_own_generation(name: str, tmp_path: Path) -> None:
-    robot, port = start("--robot", name, "--json", str(tmp_path / "robot.json"))
-    run = controller(port, "--robot", name, "--duration", "3", "--json", str(tmp_path / "run.json"))
+    robot, port = start_robot("--robot", name, "--json", str(tmp_path / "robot.json"))
+    run = start_controller(
+        port, "--robot", name, "--duration", "3", "--json", str(tmp_path / "run.json")
+    )
     out, err = run.communicate(timeout=60)
     robot.send_signal(signal.SIGTERM)
     robot.wait(timeout=20)
@@ -40,16 +42,16 @@ def test_a_robot_stands_over_udp_in_its_own_generation(name: str, tmp_path: Path
     assert result["greatest_power_w"] < 100.0
 
 
-def test_a_robot_that_dies_is_stale_and_comes_back_only_when_it_is_armed_again(
+def test_killed_robot_is_stale_and_returns_only_after_arming(
     tmp_path: Path,
 ) -> None:
-    robot, port = start()
-    run = controller(port, "--json", str(tmp_path / "run.json"))
+    robot, port = start_robot()
+    run = start_controller(port, "--json", str(tmp_path / "run.json"))
     wait_for(run, "standing")
     time.sleep(0.5)
     robot.kill()
     wait_for(run, "damping: stale")
-    again, _ = start("--port", str(port))
+    again, _ = start_robot("--port", str(port))
     time.sleep(1.0)
     arm_again(run)
     time.sleep(0.5)
@@ -61,9 +63,9 @@ def test_a_robot_that_dies_is_stale_and_comes_back_only_when_it_is_armed_again(
     assert (result["dampings"] - result["pauses"], result["rearms"]) == (1, 1)
 
 
-def test_a_controller_that_dies_leaves_motors_that_damp(tmp_path: Path) -> None:
-    robot, port = start("--json", str(tmp_path / "robot.json"))
-    run = controller(port)
+def test_killed_controller_leaves_damping_motors(tmp_path: Path) -> None:
+    robot, port = start_robot("--json", str(tmp_path / "robot.json"))
+    run = start_controller(port)
     wait_for(run, "standing")
     time.sleep(0.5)
     run.kill()
@@ -74,11 +76,11 @@ def test_a_controller_that_dies_leaves_motors_that_damp(tmp_path: Path) -> None:
     assert record["damping"], record.keys()
 
 
-def test_sticks_move_the_body_and_a_button_damps(tmp_path: Path) -> None:
+def test_remote_arrow_moves_the_body_and_button_b_damps(tmp_path: Path) -> None:
     script = tmp_path / "remote.txt"
     script.write_text("1.5 press DOWN\n3.5 press B\n")
-    robot, port = start("--remote", str(script), "--json", str(tmp_path / "robot.json"))
-    run = controller(port, "--duration", "5", "--json", str(tmp_path / "run.json"))
+    robot, port = start_robot("--remote", str(script), "--json", str(tmp_path / "robot.json"))
+    run = start_controller(port, "--duration", "5", "--json", str(tmp_path / "run.json"))
     out, _ = run.communicate(timeout=60)
     robot.send_signal(signal.SIGTERM)
     robot.wait(timeout=20)
@@ -89,9 +91,11 @@ def test_sticks_move_the_body_and_a_button_damps(tmp_path: Path) -> None:
     assert heights[3.4] - heights[1.4] == pytest.approx(-0.03, abs=0.005)
 
 
-def test_loss_and_delay_are_stood_and_loss_is_told_truly(tmp_path: Path) -> None:
-    robot, port = start("--drop", "5", "--delay-ms", "4", "--json", str(tmp_path / "robot.json"))
-    run = controller(port, "--duration", "4", "--json", str(tmp_path / "run.json"))
+def test_robot_stands_with_5_percent_loss_and_4_ms_delay(tmp_path: Path) -> None:
+    robot, port = start_robot(
+        "--drop", "5", "--delay-ms", "4", "--json", str(tmp_path / "robot.json")
+    )
+    run = start_controller(port, "--duration", "4", "--json", str(tmp_path / "run.json"))
     out, _ = run.communicate(timeout=60)
     robot.send_signal(signal.SIGTERM)
     robot.wait(timeout=20)

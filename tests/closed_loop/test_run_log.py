@@ -16,17 +16,17 @@ import surefoot
 from surefoot.cli import main
 from surefoot.cli.run_log import write_run_log
 from surefoot.estimate import read_log
-from surefoot.estimate.columns import CLOCKS
-from virtual_robot_helpers import controller, start
+from surefoot.sensor_log.columns import CLOCK_COLUMNS
+from virtual_robot_helpers import start_controller, start_robot
 
 
-@pytest.mark.alone
-def test_the_last_second_of_a_run_is_in_a_log_that_the_estimator_reads(tmp_path: Path) -> None:
+@pytest.mark.real_time
+def test_run_log_keeps_the_last_second_and_is_readable_by_estimate(tmp_path: Path) -> None:
     file = str(tmp_path / "run.npz")
     script = tmp_path / "remote.txt"
     script.write_text("1.5 press B\n")
-    robot, port = start("--remote", str(script))
-    run = controller(port, "--duration", "3", "--log", file, "--log-time", "1")
+    robot, port = start_robot("--remote", str(script))
+    run = start_controller(port, "--duration", "3", "--log", file, "--log-time", "1")
     out, err = run.communicate(timeout=60)
     robot.send_signal(signal.SIGTERM)
     robot.wait(timeout=20)
@@ -52,10 +52,12 @@ def test_the_last_second_of_a_run_is_in_a_log_that_the_estimator_reads(tmp_path:
     assert json.loads((tmp_path / "out.json").read_text())
 
 
-@pytest.mark.alone
-def test_a_log_is_not_read_while_it_is_written() -> None:
+@pytest.mark.real_time
+def test_log_of_a_running_runner_is_refused() -> None:
     runner = surefoot.StandRunner(
-        surefoot.load_robot("go1"), port=1, options=surefoot.RunOptions(log_time=1.0, patience=5.0)
+        surefoot.load_robot("go1"),
+        port=1,
+        options=surefoot.RunOptions(log_time=1.0, connect_timeout=5.0),
     )
     loop = threading.Thread(target=runner.run)
     loop.start()
@@ -68,7 +70,7 @@ def test_a_log_is_not_read_while_it_is_written() -> None:
     assert len(runner.log()) == 0 and runner.log().reports.shape == (0, 937)
 
 
-def test_a_log_across_a_restart_of_the_robot_has_the_runs_clock(tmp_path: Path) -> None:
+def test_log_across_a_robot_restart_uses_the_run_clock(tmp_path: Path) -> None:
     ticks = [2**32 - 2, 0, 2, 4, 6]  # it wraps, which is no restart
 
     def written(ticks: list[int]) -> list[str]:
@@ -86,14 +88,16 @@ def test_a_log_across_a_restart_of_the_robot_has_the_runs_clock(tmp_path: Path) 
             commands=np.zeros((len(ticks), len(surefoot.LowCmd().raw)), dtype=np.uint8),
         )
         write_run_log(str(tmp_path / "run.npz"), log)
-        return [name for name in np.load(tmp_path / "run.npz").files if name in CLOCKS]
+        return [name for name in np.load(tmp_path / "run.npz").files if name in CLOCK_COLUMNS]
 
     assert written(ticks) == ["tick", "time"]
     assert written([*ticks, 2, 4]) == ["time"]
     assert read_log(str(tmp_path / "run.npz")).time[-1] == pytest.approx(0.012)
 
 
-def test_a_log_has_its_limits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_invalid_log_options_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     for words, said in (
         (["--log", str(tmp_path / "run.csv")], "expected a name that ends in .npz"),
         (["--log", str(tmp_path / "no" / "run.npz")], "folder that can be written"),
@@ -106,7 +110,7 @@ def test_a_log_has_its_limits(tmp_path: Path, capsys: pytest.CaptureFixture[str]
         assert said in capsys.readouterr().err
 
 
-def test_a_log_that_cannot_be_written_does_not_take_the_runs_end_with_it(
+def test_log_write_failure_does_not_fail_the_run(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object) -> float:
@@ -114,7 +118,7 @@ def test_a_log_that_cannot_be_written_does_not_take_the_runs_end_with_it(
 
     monkeypatch.setattr("surefoot.cli.run.write_run_log", full)
     out = tmp_path / "out.json"
-    robot, port = start()
+    robot, port = start_robot()
     log = str(tmp_path / "run.npz")
     words = ["--port", str(port), "--duration", "0.5", "--log", log, "--json", str(out)]
     status = main(["run", *words])

@@ -11,10 +11,10 @@ import surefoot
 from surefoot import protocol
 from surefoot.cli import main
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 
-class Impostor:
+class WrongGenerationRobot:
     """Answers whoever sends with LowStates of one generation, as a robot does."""
 
     def __init__(self, generation: str) -> None:
@@ -38,7 +38,7 @@ class Impostor:
             state.tick += 1
             self.socket.sendto(protocol.encode_low_state(state, self.generation), sender)
 
-    def __enter__(self) -> Impostor:
+    def __enter__(self) -> WrongGenerationRobot:
         self.thread.start()
         return self
 
@@ -50,12 +50,12 @@ class Impostor:
 
 @pytest.mark.parametrize("wanted", protocol.GENERATIONS)
 @pytest.mark.parametrize("spoken", protocol.GENERATIONS)
-def test_a_robot_of_another_generation_is_refused_by_both_names(
+def test_run_generation_mismatch_names_both_generations(
     wanted: str, spoken: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     if wanted == spoken:
         pytest.skip("not a wrong pair")
-    with Impostor(spoken) as robot:
+    with WrongGenerationRobot(spoken) as robot:
         status = main(["run", "--port", str(robot.port), "--sdk", wanted, "--duration", "5"])
     said = capsys.readouterr().err
     assert status == 1
@@ -77,7 +77,7 @@ def test_a_robot_of_another_generation_is_refused_by_both_names(
         (["--port", "9"], 1, "nobody answers"),
     ],
 )
-def test_what_cannot_be_run_is_one_clear_line(
+def test_invalid_run_arguments_give_one_error_line(
     words: list[str], status: int, said: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["run", *words]) == status

@@ -10,168 +10,168 @@ import numpy as np
 import pytest
 import surefoot
 from surefoot import FaultId, Mode, RequestStatus
-from surefoot.faults.joint_faults import power_level
+from surefoot.robot.power_level import power_level
 from surefoot.sim import Push
 from surefoot.virtual_robot import RemoteEvent
-from wired_helpers import Wired
+from udp_robot_helpers import UdpLinkedRobot
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 IN_FLIGHT = 2  # commands that were on their way, or being made, when they were taken back
 IN_20_MS = 10  # commands, at 500 Hz
 
 
-def rising(wired: Wired) -> None:
-    wired.arm()
-    assert wired.request(Mode.RISE) == RequestStatus.ACCEPTED
-    assert wired.until(lambda now: now.way_up > 0.3, 15.0), (
-        wired.now.phase,
-        wired.now.damping,
+def rising(linked: UdpLinkedRobot) -> None:
+    linked.arm()
+    assert linked.request(Mode.RISE) == RequestStatus.ACCEPTED
+    assert linked.until(lambda now: now.rise_progress > 0.3, 15.0), (
+        linked.snapshot.phase,
+        linked.snapshot.damping_fault,
     )
 
 
 @pytest.mark.parametrize("name", ["go1", "b1"])
 def test_a_lying_robot_gets_up_is_pushed_and_lies_down(name: str) -> None:
-    with Wired(name) as wired:
-        wired.arm()
-        assert wired.with_torque(since=0) == 0
-        assert wired.request(Mode.RISE) == RequestStatus.ACCEPTED
-        assert wired.reaches("standing"), (wired.now.phase, wired.now.damping)
-        wired.run(0.5)
-        plant, height = wired.robot.plant, wired.robot.height
-        impulse = 0.5 * plant.lip_limit("lateral")
+    with UdpLinkedRobot(name) as linked:
+        linked.arm()
+        assert linked.torque_cycles(since=0) == 0
+        assert linked.request(Mode.RISE) == RequestStatus.ACCEPTED
+        assert linked.reaches("standing"), (linked.snapshot.phase, linked.snapshot.damping_fault)
+        linked.run(0.5)
+        plant, height = linked.robot.plant, linked.robot.height
+        impulse = 0.5 * plant.lip_push_limit("lateral")
         plant.add_push(Push("lateral", impulse, time=plant.time + 0.02))
-        wired.run(3.0)
-        assert wired.now.phase == "standing" and wired.robot.tilt < np.radians(2.0)
-        assert wired.robot.height == pytest.approx(height, abs=0.01)
-        assert wired.request(Mode.SIT) == RequestStatus.ACCEPTED
-        assert wired.reaches("passive")
-        wired.run(0.5)
-        down = len(wired.damped)
-        wired.run(0.2)
-        assert len(wired.damped) > down and wired.with_torque(since=down) == 0
-        assert wired.robot.height < 0.4 * height
-        wired.runner.finish()
-        assert wired.reaches("ended", 1.0)
-        end = wired.now
-    assert wired.robot.fell_at is None
-    assert (end.reason, end.stood, end.dampings - end.pauses) == ("asked", True, 0)
+        linked.run(3.0)
+        assert linked.snapshot.phase == "standing" and linked.robot.tilt < np.radians(2.0)
+        assert linked.robot.height == pytest.approx(height, abs=0.01)
+        assert linked.request(Mode.SIT) == RequestStatus.ACCEPTED
+        assert linked.reaches("passive")
+        linked.run(0.5)
+        down = len(linked.damped)
+        linked.run(0.2)
+        assert len(linked.damped) > down and linked.torque_cycles(since=down) == 0
+        assert linked.robot.height < 0.4 * height
+        linked.runner.finish()
+        assert linked.reaches("ended", 1.0)
+        end = linked.snapshot
+    assert linked.robot.fell_at is None
+    assert (end.reason, end.stood, end.dampings - end.resumed_dampings) == ("asked", True, 0)
     assert end.greatest_power < 2.0 * 100.0 * power_level(name)  # for less than six reports
 
 
-def test_what_is_out_of_order_is_refused_and_moves_nothing() -> None:
-    with Wired() as wired:
-        runner = wired.runner
+def test_out_of_order_requests_over_udp_send_no_torque() -> None:
+    with UdpLinkedRobot() as linked:
+        runner = linked.runner
         assert runner.request(Mode.RISE) == RequestStatus.NO_STATE
         assert runner.arm() == RequestStatus.NO_STATE
-        assert wired.reaches("passive", 1.0)
-        assert wired.answer(runner.arm) == RequestStatus.NOT_READY
+        assert linked.reaches("passive", 1.0)
+        assert linked.request_answer(runner.arm) == RequestStatus.NOT_READY
         for mode in (Mode.RISE, Mode.STAND, Mode.SIT):
-            assert wired.request(mode) == RequestStatus.NOT_ARMED
-        wired.arm()
+            assert linked.request(mode) == RequestStatus.NOT_ARMED
+        linked.arm()
         for mode in (Mode.STAND, Mode.SIT, Mode.PASSIVE, Mode.DAMPING):
-            assert wired.request(mode) == RequestStatus.OUT_OF_ORDER
-        wired.run(0.2)
-        assert wired.now.phase == "passive" and wired.with_torque(since=0) == 0
-        assert wired.request(Mode.RISE) == RequestStatus.ACCEPTED
-        assert wired.reaches("rising", 1.0)
-        assert wired.request(Mode.RISE) == RequestStatus.OUT_OF_ORDER
-        assert wired.answer(runner.arm) == RequestStatus.OUT_OF_ORDER
+            assert linked.request(mode) == RequestStatus.OUT_OF_ORDER
+        linked.run(0.2)
+        assert linked.snapshot.phase == "passive" and linked.torque_cycles(since=0) == 0
+        assert linked.request(Mode.RISE) == RequestStatus.ACCEPTED
+        assert linked.reaches("rising", 1.0)
+        assert linked.request(Mode.RISE) == RequestStatus.OUT_OF_ORDER
+        assert linked.request_answer(runner.arm) == RequestStatus.OUT_OF_ORDER
         runner.damp()
-        assert wired.reaches("damping", 1.0)
-        assert wired.request(Mode.RISE) == RequestStatus.LATCHED
+        assert linked.reaches("damping", 1.0)
+        assert linked.request(Mode.RISE) == RequestStatus.LATCHED
 
 
 @pytest.mark.parametrize("end", [False, True])
-def test_a_stop_in_a_rise_damps_at_once_and_for_good(end: bool) -> None:
-    with Wired() as wired:
-        rising(wired)
-        before = len(wired.damped)
-        wired.runner.stop() if end else wired.runner.damp()
-        wired.run(0.15)
-        assert wired.with_torque(since=before) <= IN_FLIGHT < IN_20_MS
-        now = wired.now
+def test_stop_during_a_rise_damps_and_latches(end: bool) -> None:
+    with UdpLinkedRobot() as linked:
+        rising(linked)
+        before = len(linked.damped)
+        linked.runner.stop() if end else linked.runner.damp()
+        linked.run(0.15)
+        assert linked.torque_cycles(since=before) <= IN_FLIGHT < IN_20_MS
+        now = linked.snapshot
         assert (now.phase, now.reason) == ("ended" if end else "damping", "asked")
-        assert end or now.damping == FaultId.STOP
-        before = len(wired.damped)
-        wired.run(0.5)
-        assert wired.with_torque(since=before) == 0
+        assert end or now.damping_fault == FaultId.STOP
+        before = len(linked.damped)
+        linked.run(0.5)
+        assert linked.torque_cycles(since=before) == 0
 
 
-def test_silence_in_a_rise_damps_and_latches() -> None:
-    with Wired() as wired:
-        rising(wired)
-        before = len(wired.damped)
-        wired.port.cut = True
-        wired.run(0.15)
-        assert len(wired.damped) > before + IN_20_MS
-        assert wired.with_torque(since=before) <= IN_20_MS
-        assert (wired.now.phase, wired.now.reason) == ("damping", "stale")
-        assert wired.runner.request(Mode.SIT) == RequestStatus.NO_STATE
-        assert wired.runner.arm() == RequestStatus.NO_STATE
-        before = len(wired.damped)
-        wired.port.cut = False
-        wired.run(0.2)
-        assert (wired.now.phase, wired.now.damping) == ("damping", FaultId.LINK)
-        assert wired.answer(wired.runner.arm) == RequestStatus.NOT_READY
-        assert wired.request(Mode.SIT) == RequestStatus.LATCHED
-        wired.arm()
-        assert wired.now.phase == "passive" and wired.now.rearms == 1
-        assert wired.with_torque(since=before) == 0
+def test_lost_link_during_a_rise_damps_and_latches() -> None:
+    with UdpLinkedRobot() as linked:
+        rising(linked)
+        before = len(linked.damped)
+        linked.port.cut = True
+        linked.run(0.15)
+        assert len(linked.damped) > before + IN_20_MS
+        assert linked.torque_cycles(since=before) <= IN_20_MS
+        assert (linked.snapshot.phase, linked.snapshot.reason) == ("damping", "stale")
+        assert linked.runner.request(Mode.SIT) == RequestStatus.NO_STATE
+        assert linked.runner.arm() == RequestStatus.NO_STATE
+        before = len(linked.damped)
+        linked.port.cut = False
+        linked.run(0.2)
+        assert (linked.snapshot.phase, linked.snapshot.damping_fault) == ("damping", FaultId.LINK)
+        assert linked.request_answer(linked.runner.arm) == RequestStatus.NOT_READY
+        assert linked.request(Mode.SIT) == RequestStatus.LATCHED
+        linked.arm()
+        assert linked.snapshot.phase == "passive" and linked.snapshot.rearms == 1
+        assert linked.torque_cycles(since=before) == 0
 
 
-def test_an_operator_who_is_gone_has_the_robot_sit_down() -> None:
-    with Wired(operator_timeout=0.3) as wired:
-        beats = threading.Event()
+def test_missing_operator_heartbeat_sits_the_robot_down() -> None:
+    with UdpLinkedRobot(operator_timeout=0.3) as linked:
+        heartbeat_stopped = threading.Event()
 
-        def beat() -> None:
-            while not beats.wait(0.05):
-                wired.runner.heartbeat()
+        def send_heartbeats() -> None:
+            while not heartbeat_stopped.wait(0.05):
+                linked.runner.heartbeat()
 
-        operator = threading.Thread(target=beat)
+        operator = threading.Thread(target=send_heartbeats)
         operator.start()
         try:
-            rising(wired)
-            assert wired.reaches("standing"), wired.now.damping
+            rising(linked)
+            assert linked.reaches("standing"), linked.snapshot.damping_fault
         finally:
-            beats.set()
+            heartbeat_stopped.set()
             operator.join()
-        assert wired.until(lambda now: now.phase == "sitting", 0.6)
-        assert FaultId.OPERATOR in wired.now.faults.active
-        assert wired.reaches("passive")
+        assert linked.until(lambda now: now.phase == "sitting", 0.6)
+        assert FaultId.OPERATOR in linked.snapshot.faults.active
+        assert linked.reaches("passive")
 
 
-def test_the_remotes_button_damps_in_a_rise() -> None:
-    with Wired() as wired:
-        rising(wired)
-        before = len(wired.damped)
-        wired.robot.remote.apply(RemoteEvent(0.0, "press", surefoot.Button.B))
-        wired.run(0.15)
-        assert wired.with_torque(since=before) <= IN_20_MS
-        assert (wired.now.reason, wired.now.damping) == ("button", FaultId.BUTTON)
+def test_remote_button_damps_during_a_rise() -> None:
+    with UdpLinkedRobot() as linked:
+        rising(linked)
+        before = len(linked.damped)
+        linked.robot.remote.apply(RemoteEvent(0.0, "press", surefoot.Button.B))
+        linked.run(0.15)
+        assert linked.torque_cycles(since=before) <= IN_20_MS
+        assert (linked.snapshot.reason, linked.snapshot.damping_fault) == ("button", FaultId.BUTTON)
 
 
-def test_a_peer_beyond_loopback_is_talked_to_when_told_so() -> None:
+def test_real_robot_flag_allows_a_host_beyond_loopback() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.connect(("192.0.2.1", 9))  # sends nothing: it chooses an address of ours
         except OSError:
             pytest.skip("this machine has no address but loopback")
         address = probe.getsockname()[0]
-    with Wired(host=address) as wired:
-        wired.arm()
-        assert wired.now.link.valid > 500 and wired.with_torque(since=0) == 0
+    with UdpLinkedRobot(host=address) as linked:
+        linked.arm()
+        assert linked.snapshot.link.valid > 500 and linked.torque_cycles(since=0) == 0
 
 
-def test_the_end_of_a_rise_is_lying_down() -> None:
-    with Wired() as wired:
-        rising(wired)
-        before = len(wired.damped)
-        wired.runner.finish()
-        assert wired.reaches("sitting", 1.0)
-        assert wired.reaches("ended"), wired.now.phase
-        assert wired.with_torque(since=before) > 100
-        before = len(wired.damped)
-        wired.run(0.15)
-        assert wired.with_torque(since=before) == 0
-        assert wired.now.reason == "asked"
+def test_finish_during_a_rise_sits_the_robot_down() -> None:
+    with UdpLinkedRobot() as linked:
+        rising(linked)
+        before = len(linked.damped)
+        linked.runner.finish()
+        assert linked.reaches("sitting", 1.0)
+        assert linked.reaches("ended"), linked.snapshot.phase
+        assert linked.torque_cycles(since=before) > 100
+        before = len(linked.damped)
+        linked.run(0.15)
+        assert linked.torque_cycles(since=before) == 0
+        assert linked.snapshot.reason == "asked"

@@ -17,9 +17,9 @@ from pathlib import Path
 
 import pytest
 from surefoot.cli import main
-from virtual_robot_helpers import controller, start, wait_for
+from virtual_robot_helpers import start_controller, start_robot, wait_for
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 LYING = ("--lying", "--seed", "9")
 
@@ -75,7 +75,7 @@ class Terminal:
 
 @contextmanager
 def lying_robot(*words: str) -> Iterator[tuple[subprocess.Popen[str], int]]:
-    robot, port = start(*LYING, *words)
+    robot, port = start_robot(*LYING, *words)
     try:
         yield robot, port
     finally:
@@ -83,7 +83,7 @@ def lying_robot(*words: str) -> Iterator[tuple[subprocess.Popen[str], int]]:
         robot.wait(timeout=20)
 
 
-def test_an_operator_gets_it_up_and_down_by_keys() -> None:
+def test_operator_keys_arm_rise_and_sit_the_robot() -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
         terminal.shows(" passive")
@@ -114,7 +114,7 @@ def test_an_operator_gets_it_up_and_down_by_keys() -> None:
 
 
 @pytest.mark.parametrize("typed", ["dxx\n", "X\n", "d\nx\n"])
-def test_any_line_with_an_x_damps_however_fast_it_is_typed(typed: str) -> None:
+def test_any_line_containing_x_damps(typed: str) -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
         terminal.stand()
@@ -125,7 +125,7 @@ def test_any_line_with_an_x_damps_however_fast_it_is_typed(typed: str) -> None:
         assert terminal.status() == 3
 
 
-def test_ctrl_c_twice_and_ctrl_backslash_let_go_of_it_and_that_is_no_good_end() -> None:
+def test_double_ctrl_c_or_ctrl_backslash_exits_with_status_3() -> None:
     for keys in ("\x03", "\x03"), ("\x1c",):
         with lying_robot() as (_, port):
             terminal = Terminal(port, "--rise")
@@ -137,7 +137,7 @@ def test_ctrl_c_twice_and_ctrl_backslash_let_go_of_it_and_that_is_no_good_end() 
             assert terminal.status() == 3
 
 
-def test_a_terminal_that_hangs_has_the_robot_lie_down_and_its_keys_are_left_out() -> None:
+def test_hung_terminal_sits_the_robot_down_and_its_keys_are_ignored() -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
         terminal.stand()
@@ -154,10 +154,10 @@ def test_a_terminal_that_hangs_has_the_robot_lie_down_and_its_keys_are_left_out(
         assert terminal.status() == 3  # it did not stand to the end
 
 
-def test_unasked_it_rises_once_stands_its_time_and_lies_down(tmp_path: Path) -> None:
+def test_automatic_rise_stands_for_its_duration_and_sits_down(tmp_path: Path) -> None:
     with lying_robot("--json", str(tmp_path / "robot.json")) as (robot, port):
         words = ("--rise", "--yes", "--duration", "1", "--json", str(tmp_path / "run.json"))
-        run = controller(port, *words)
+        run = start_controller(port, *words)
         out, err = run.communicate(timeout=60)
         robot.send_signal(signal.SIGTERM)
         robot.wait(timeout=20)
@@ -171,9 +171,9 @@ def test_unasked_it_rises_once_stands_its_time_and_lies_down(tmp_path: Path) -> 
     assert record["log"]["height"][-1] < 0.1 < 0.25 < max(record["log"]["height"])
 
 
-def test_ctrl_c_lies_down_first_and_damps_when_pressed_again(tmp_path: Path) -> None:
+def test_first_ctrl_c_sits_down_and_the_second_damps(tmp_path: Path) -> None:
     with lying_robot() as (_, port):
-        run = controller(port, "--rise", "--yes", "--json", str(tmp_path / "run.json"))
+        run = start_controller(port, "--rise", "--yes", "--json", str(tmp_path / "run.json"))
         wait_for(run, " standing")
         time.sleep(0.5)
         run.send_signal(signal.SIGINT)
@@ -185,9 +185,9 @@ def test_ctrl_c_lies_down_first_and_damps_when_pressed_again(tmp_path: Path) -> 
     assert (result["reason"], result["mode"]) == ("asked", "SIT")
 
 
-def test_what_keeps_it_from_being_armed_is_said_check_by_check() -> None:
+def test_failed_arming_checks_are_printed() -> None:
     with lying_robot("--drop", "5") as (_, port):
-        run = controller(port, "--rise", "--yes", "--duration", "1")
+        run = start_controller(port, "--rise", "--yes", "--duration", "1")
         line = wait_for(run, "not ready")
         assert re.search(r"not ready: link: \S+ % of the reports missing, expected below 1 %", line)
         time.sleep(2.0)
@@ -198,9 +198,9 @@ def test_what_keeps_it_from_being_armed_is_said_check_by_check() -> None:
     assert run.returncode == 3 and "rising" not in out
 
 
-def test_a_robot_in_the_air_comes_back_down_and_never_stood() -> None:
-    robot, port = start("--hung")
-    run = controller(port, "--rise", "--yes", "--duration", "1")
+def test_hung_robot_sits_down_and_exits_with_status_3() -> None:
+    robot, port = start_robot("--hung")
+    run = start_controller(port, "--rise", "--yes", "--duration", "1")
     out, _ = run.communicate(timeout=60)
     robot.kill()
     robot.wait(timeout=20)
@@ -222,7 +222,7 @@ def test_a_robot_in_the_air_comes_back_down_and_never_stood() -> None:
         (["--predict-ms", "60"], "--predict-ms: got 60, expected 0 .. 50 [ms]"),
     ],
 )
-def test_a_rise_that_cannot_be_asked_for_is_one_clear_line(
+def test_invalid_rise_arguments_give_one_error_line(
     words: list[str],
     said: str,
     capsys: pytest.CaptureFixture[str],

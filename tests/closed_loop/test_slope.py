@@ -6,13 +6,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
-from surefoot.assess.push_run import angles
+from surefoot.assess.push_outcome import attitude_angles
 from surefoot.sim import Plant, PlantSettings
 
 
 @pytest.mark.parametrize("heading", [0.0, 90.0, 180.0])
 @pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
-def test_on_15_degrees_a_robot_stands_from_the_first_tick_on(robot: str, heading: float) -> None:
+def test_robot_stands_on_a_15_deg_slope_from_the_first_tick(robot: str, heading: float) -> None:
     settings = PlantSettings(seed=1, friction=0.6, slope_deg=15.0, slope_heading_deg=heading)
     plant = Plant(robot, settings)
     controller = surefoot.StandController(plant.robot)
@@ -26,4 +26,4 @@ def test_on_15_degrees_a_robot_stands_from_the_first_tick_on(robot: str, heading
             assert np.linalg.norm(controller.state.v[:3]) < 0.1
     moved = plant.data.xpos[plant.handles.foot_bodies] - feet
     assert np.linalg.norm(moved, axis=1).max() < 0.01
-    assert np.degrees(angles(plant.data.qpos[None, 3:7], attitude)[0]) < 2.0
+    assert np.degrees(attitude_angles(plant.data.qpos[None, 3:7], attitude)[0]) < 2.0

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import surefoot
 from plant_helpers import ROBOTS
+from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.sim import Plant, PlantSettings, Push
-from surefoot.sim.rotations import matrix_from_wxyz
 
 MOTOR = np.dtype([("mode", "u1"), *[(n, "<f4") for n in ("q", "dq", "tau", "Kp", "Kd")]])
 FORCE = ["est", "dead"]
@@ -34,7 +34,7 @@ def rms(x, axis=None):
 
 
 @dataclass
-class Run:
+class StandRun:
     """One run: what was reported, commanded, estimated, and true just before each command."""
 
     plant: Plant
@@ -46,18 +46,18 @@ class Run:
     estimates: list[surefoot.RobotState] = field(default_factory=list)
     truths: list = field(default_factory=list)
 
-    def tail(self, seconds: float = 2.0):
+    def last_truths(self, seconds: float = 2.0):
         return self.truths[-round(seconds * self.plant.settings.control_rate) :]
 
     def offset(self, truth):
         """Base from the mean of the true feet, less what it was at the start [m]."""
-        now, then = (t.q[:3] - t.p_world_feet.mean(axis=1) for t in (truth, self.start))
-        return now - then
+        current, initial = (t.q[:3] - t.p_world_feet.mean(axis=1) for t in (truth, self.start))
+        return current - initial
 
     def tilt(self, truth) -> float:
         """Between today's vertical in base axes and that of the start [deg]."""
-        up, then = (attitude(t.q)[2] for t in (truth, self.start))
-        return math.degrees(math.acos(min(1.0, up @ then)))
+        up, initial = (attitude(t.q)[2] for t in (truth, self.start))
+        return math.degrees(math.acos(min(1.0, up @ initial)))
 
     def yaw(self, truth) -> float:
         """Turn of the base less that of the feet [deg]."""
@@ -69,9 +69,9 @@ class Run:
         feet = np.array([t.p_world_feet for t in self.truths])
         return np.linalg.norm(feet - self.start.p_world_feet, axis=1).max()
 
-    def buzz(self) -> float:
+    def high_frequency_torque(self) -> float:
         """RMS of the worst motor's torque above 30 Hz in the last 2 s [N.m]."""
-        tau = np.array([t.tau for t in self.tail()])
+        tau = np.array([t.tau for t in self.last_truths()])
         spectrum = np.fft.rfft(tau, axis=0)
         low = np.fft.rfftfreq(len(tau), 1.0 / self.plant.settings.control_rate) < 30.0
         spectrum[low] = 0.0
@@ -86,15 +86,17 @@ class Run:
         return float(rms(speed)), math.degrees(rms(lean))
 
 
-def stand(plant: Plant, seconds: float, spoil=lambda k, report: None, lift: float = 0.0) -> Run:
+def stand(
+    plant: Plant, seconds: float, modify_sample=lambda k, report: None, lift: float = 0.0
+) -> StandRun:
     """Stand for a while; the controller gets LowStates and nothing else."""
-    run = Run(plant, surefoot.StandController(plant.robot))
+    run = StandRun(plant, surefoot.StandController(plant.robot))
     report = plant.reset()
     run.start = plant.truth
     plant.data.qpos[2] += lift
     mujoco.mj_step1(plant.model, plant.data)  # a step begins in mj_step2
     for k in range(round(seconds * plant.settings.control_rate)):
-        spoil(k, report)
+        modify_sample(k, report)
         run.reports.append(report.to_bytes())
         command = run.controller.update(surefoot.LowState.from_bytes(run.reports[-1]))
         run.commands.append(command.to_bytes())
@@ -105,7 +107,7 @@ def stand(plant: Plant, seconds: float, spoil=lambda k, report: None, lift: floa
     return run
 
 
-def check_controlled(run: Run) -> None:
+def check_controlled(run: StandRun) -> None:
     """It stands, every tick was solved, and nothing but torque mode left the controller."""
     assert not run.plant.truth.fell
     assert all(surefoot.is_usable(status) for status in run.statuses)
@@ -115,7 +117,7 @@ def check_controlled(run: Run) -> None:
         np.testing.assert_array_equal(motors[name], value)
 
 
-def check_in_place(run: Run) -> None:
+def check_settled(run: StandRun) -> None:
     """Settled, as the end of a run is judged."""
     truth = run.plant.truth
     assert np.linalg.norm(run.offset(truth)) < 0.010
@@ -126,16 +128,16 @@ def check_in_place(run: Run) -> None:
 
 @pytest.mark.parametrize("force", FORCE)
 @pytest.mark.parametrize("name", ROBOTS)
-def test_a_robot_stands_quietly_on_torques(name: str, force: str) -> None:
+def test_robot_stands_quietly_in_torque_mode(name: str, force: str) -> None:
     run = stand(Plant(name, PlantSettings(foot_force=force, seed=1)), 4.0)
     check_controlled(run)
     assert abs(run.offset(run.truths[-1])[2]) <= 0.005
     assert run.tilt(run.truths[-1]) <= 0.5
     assert abs(run.yaw(run.truths[-1])) <= 1.0
-    com = np.array([truth.com for truth in run.tail()])
+    com = np.array([truth.com for truth in run.last_truths()])
     assert rms(np.linalg.norm(com - com.mean(axis=0), axis=1)) <= 0.001
-    assert rms([truth.dq for truth in run.tail()]) <= 0.03
-    assert run.buzz() <= {"b1": 1.5}.get(name, 0.3)
+    assert rms([truth.dq for truth in run.last_truths()]) <= 0.03
+    assert run.high_frequency_torque() <= {"b1": 1.5}.get(name, 0.3)
     assert run.foot_travel() <= 0.005
     speed_error, tilt_error = run.estimate_errors()
     assert speed_error <= 0.04
@@ -146,12 +148,12 @@ def test_a_robot_stands_quietly_on_torques(name: str, force: str) -> None:
 @pytest.mark.parametrize(
     ("name", "force"), [(n, "dead") for n in ROBOTS] + [("go1", "est"), ("b1", "est")]
 )
-def test_a_robot_survives_half_the_pendulums_push_and_settles(name, force, direction) -> None:
+def test_robot_survives_a_50_percent_push_and_settles(name, force, direction) -> None:
     plant = Plant(name, PlantSettings(foot_force=force, seed=2))
-    plant.add_push(Push(direction, 0.5 * plant.lip_limit(direction), 0.1, 1.0))
+    plant.add_push(Push(direction, 0.5 * plant.lip_push_limit(direction), 0.1, 1.0))
     run = stand(plant, 4.1)
     check_controlled(run)
-    check_in_place(run)
+    check_settled(run)
     moved = [np.linalg.norm(run.offset(truth)) for truth in run.truths]
     assert max(moved) > 0.005
     speed_error, tilt_error = run.estimate_errors()
@@ -159,7 +161,7 @@ def test_a_robot_survives_half_the_pendulums_push_and_settles(name, force, direc
     assert tilt_error <= 0.6
 
 
-def test_a_controller_given_the_reports_alone_gives_the_same_commands(tmp_path) -> None:
+def test_controller_depends_on_the_samples_alone(tmp_path) -> None:
     plant = Plant("go1", PlantSettings(seed=3))
     plant.add_push(Push("lateral", 4.0, 0.1, 0.2))
     run = stand(plant, 1.0)
@@ -173,59 +175,59 @@ def test_a_controller_given_the_reports_alone_gives_the_same_commands(tmp_path) 
 
 @pytest.mark.parametrize("force", FORCE)
 @pytest.mark.parametrize("name", ["go1", "b1"])
-def test_a_robot_whose_torques_are_unknown_at_first_stands(name: str, force: str) -> None:
-    def silence(k: int, report: surefoot.LowState) -> None:
+def test_robot_stands_with_zero_tau_est_for_the_first_100_ms(name: str, force: str) -> None:
+    def clear_tau_est(k: int, report: surefoot.LowState) -> None:
         for i in range(12 if k < 50 else 0):
             report.motorState[i].tauEst = 0.0
 
-    run = stand(Plant(name, PlantSettings(foot_force=force)), 3.0, silence)
+    run = stand(Plant(name, PlantSettings(foot_force=force)), 3.0, clear_tau_est)
     check_controlled(run)
-    check_in_place(run)
+    check_settled(run)
 
 
 @pytest.mark.parametrize("force", FORCE)
 @pytest.mark.parametrize("name", ROBOTS)
-def test_a_robot_dropped_from_a_centimetre_stands(name: str, force: str) -> None:
+def test_robot_dropped_from_1_cm_stands(name: str, force: str) -> None:
     run = stand(Plant(name, PlantSettings(foot_force=force)), 4.0, lift=0.01)
     check_controlled(run)
-    check_in_place(run)
+    check_settled(run)
     assert np.linalg.norm(run.truths[5].foot_forces) == 0.0
 
 
 @pytest.mark.parametrize("name", ["go1", "b1"])
-def test_a_robot_stands_and_settles_at_a_kilohertz(name: str) -> None:
+def test_robot_stands_and_settles_at_1_khz(name: str) -> None:
     plant = Plant(name, PlantSettings(control_rate=1000.0))
-    plant.add_push(Push("lateral", 0.5 * plant.lip_limit("lateral"), 0.1, 0.5))
+    plant.add_push(Push("lateral", 0.5 * plant.lip_push_limit("lateral"), 0.1, 0.5))
     run = stand(plant, 3.6)
     check_controlled(run)
-    check_in_place(run)
+    check_settled(run)
     ticks = [surefoot.LowState.from_bytes(report).tick for report in run.reports]
     assert set(np.diff(ticks)) == {1}
-    assert rms([truth.dq for truth in run.tail(0.5)]) <= 0.03
+    assert rms([truth.dq for truth in run.last_truths(0.5)]) <= 0.03
 
 
-def test_exact_sensors_leave_a_robot_still() -> None:
+def test_robot_is_still_with_ideal_sensors() -> None:
     run = stand(Plant("go2", PlantSettings(sensors="ideal")), 3.0)
     check_controlled(run)
     assert np.linalg.norm(run.offset(run.truths[-1])) < 1e-3
-    assert rms([truth.dq for truth in run.tail(1.0)]) < 1e-3
+    assert rms([truth.dq for truth in run.last_truths(1.0)]) < 1e-3
 
 
-def test_reports_lost_for_eight_milliseconds_are_not_felt() -> None:
-    def lose(k: int, report: surefoot.LowState) -> None:
+def test_8_ms_of_bad_samples_do_not_move_the_robot() -> None:
+    def corrupt_sample(k: int, report: surefoot.LowState) -> None:
         report.imu.quaternion[0] = math.nan if k % 100 < 4 and k > 50 else report.imu.quaternion[0]
 
-    run = stand(Plant("go1"), 3.0, lose)
+    run = stand(Plant("go1"), 3.0, corrupt_sample)
     assert set(run.statuses) == {surefoot.Status.OK, surefoot.Status.NON_FINITE}
     assert not run.plant.truth.fell
-    check_in_place(run)
+    check_settled(run)
 
 
-def test_reports_lost_for_good_end_in_damping_that_lets_the_robot_down_gently() -> None:
-    def lose(k: int, report: surefoot.LowState) -> None:
+def test_lasting_bad_samples_damp_and_lower_the_robot_slowly() -> None:
+    def corrupt_sample(k: int, report: surefoot.LowState) -> None:
         report.imu.gyroscope[0] = math.nan if k > 250 else report.imu.gyroscope[0]
 
-    run = stand(Plant("go1"), 1.5, lose)
+    run = stand(Plant("go1"), 1.5, corrupt_sample)
     assert run.statuses[-1] == surefoot.Status.DAMPING
     assert run.controller.fault == surefoot.Status.NON_FINITE
     sinking = [truth.com_velocity[2] for truth in run.truths[250:]]
@@ -233,7 +235,7 @@ def test_reports_lost_for_good_end_in_damping_that_lets_the_robot_down_gently() 
     assert max(run.tilt(truth) for truth in run.truths) < 20.0
 
 
-def test_a_load_the_model_does_not_know_is_carried_level_and_at_the_same_height() -> None:
+def test_unknown_2_kg_payload_causes_no_height_or_tilt_error() -> None:
     load = PlantSettings(payload_kg=2.0, payload_position=(0.15, 0.0, 0.05))
     run = stand(Plant("go1", load), 6.0)
     check_controlled(run)

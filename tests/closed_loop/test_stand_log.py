@@ -22,7 +22,7 @@ def run(sensors: str):
 
 
 @pytest.mark.parametrize(("sensors", "age"), [("real", 1), ("ideal", 0)])
-def test_truth_is_that_of_the_instant_that_the_report_tells_of(sensors, age) -> None:
+def test_truth_has_the_time_of_its_sample(sensors, age) -> None:
     log, recorded = run(sensors)
     assert recorded.rows == len(log.time)
     columns, n = recorded.columns, recorded.rows
@@ -38,7 +38,7 @@ def test_truth_is_that_of_the_instant_that_the_report_tells_of(sensors, age) -> 
     assert int(np.argmin(errors)) == age and errors[age] < 5e-5
 
 
-def test_the_first_report_has_its_own_truth() -> None:
+def test_first_sample_has_its_own_truth() -> None:
     log, recorded = run("real")
     first = recorded.columns["truth_p"][0]
     assert 0.0 < np.linalg.norm(first - log.q_true[0, :3]) < 1e-4
@@ -52,7 +52,7 @@ def test_true_velocities_are_the_derivative_of_true_positions() -> None:
 
 
 @pytest.mark.parametrize("suffix", ["csv", "npz"])
-def test_the_command_writes_a_log_that_estimate_replays(tmp_path, capsys, suffix) -> None:
+def test_stand_command_writes_a_log_for_estimate(tmp_path, capsys, suffix) -> None:
     path = tmp_path / f"log.{suffix}"
     words = ["stand", "--duration", "0.6", "--push", str(PUSH), "--seed", "2", "--log", str(path)]
     assert main(words) == 0
@@ -64,7 +64,7 @@ def test_the_command_writes_a_log_that_estimate_replays(tmp_path, capsys, suffix
     assert summarise(estimate)["velocity_rmse"] < 0.03
 
 
-def test_a_robot_that_falls_leaves_a_log_up_to_its_fall() -> None:
+def test_log_of_a_fall_ends_at_the_fall() -> None:
     recorder = SensorRecorder()
     push = parse_push("lateral:1000%:0.1@0.1")
     log = run_stand(

@@ -10,7 +10,7 @@ import pytest
 
 pytest.importorskip("casadi")
 
-from design_helpers import GOAL, body_of, gains_of, rests
+from design_helpers import GOAL, body_of, comes_to_rest, gains_with_factor
 from plant_helpers import ROBOTS
 from surefoot.tune.design import AXES, ClosedLoop, Observers, Timing, oscillation_boundary
 
@@ -25,32 +25,32 @@ def boundaries(robot: str, axis: str, delay: float) -> dict[str, float]:
         direction.name: oscillation_boundary(
             ClosedLoop(direction, Timing(delay=delay), observers), GOAL.kp, GOAL.kd
         )
-        for direction in body.of_axis(axis)
+        for direction in body.axis_directions(axis)
     }
 
 
 @pytest.mark.parametrize("delay", DELAYS)
 @pytest.mark.parametrize("axis", AXES)
 @pytest.mark.parametrize("robot", ROBOTS)
-def test_20_percent_inside_the_boundary_every_direction_comes_to_rest(
+def test_gains_20_percent_inside_the_boundary_come_to_rest(
     robot: str, axis: str, delay: float
 ) -> None:
     factor = 0.8 * min(boundaries(robot, axis, delay).values())
-    gains = gains_of(robot, axis, factor)
-    for direction in body_of(robot).of_axis(axis):
-        assert rests(robot, delay, gains, direction), direction.name
+    gains = gains_with_factor(robot, axis, factor)
+    for direction in body_of(robot).axis_directions(axis):
+        assert comes_to_rest(robot, delay, gains, direction), direction.name
 
 
 @pytest.mark.parametrize("delay", DELAYS)
 @pytest.mark.parametrize("axis", AXES)
 @pytest.mark.parametrize("robot", ROBOTS)
-def test_20_percent_outside_the_boundary_an_oscillation_stays(
+def test_gains_20_percent_outside_the_boundary_keep_oscillating(
     robot: str, axis: str, delay: float
 ) -> None:
     found = boundaries(robot, axis, delay)
     weakest = min(found, key=lambda name: found[name])
-    gains = gains_of(robot, axis, 1.2 * found[weakest])
+    gains = gains_with_factor(robot, axis, 1.2 * found[weakest])
     there = body_of(robot).directions[weakest]
-    back = dataclasses.replace(there, kick=-there.kick)
+    back = dataclasses.replace(there, push_velocity=-there.push_velocity)
     # The joints' friction may catch the body after one kick by chance, not after every one.
-    assert not all(rests(robot, delay, gains, direction) for direction in (there, back))
+    assert not all(comes_to_rest(robot, delay, gains, direction) for direction in (there, back))

@@ -21,22 +21,22 @@ import surefoot
 import viser
 from surefoot import protocol
 from surefoot.cli import main
-from surefoot.robot_files import describe_robot
-from surefoot.tune.live.comparison import judge
-from surefoot.tune.live.curves import BUCKET, Curves, Sample
+from surefoot.robot.description import describe_robot
+from surefoot.tune.live.control_process import RobotAddress
 from surefoot.tune.live.gain_editor import GainEditor
 from surefoot.tune.live.gain_folder import GainFolder
-from surefoot.tune.live.guard import Guard
-from surefoot.tune.live.linked_robot import LinkedRobot
-from surefoot.tune.live.loop import Loop
+from surefoot.tune.live.gain_limiter import GainLimiter
+from surefoot.tune.live.metric_curves import BUCKET_TIME, Curves, TickMetrics
 from surefoot.tune.live.page import Page
-from surefoot.tune.live.robot_mesh import robot_parts
-from surefoot.tune.live.robot_process import Place
+from surefoot.tune.live.push_cost import push_cost
+from surefoot.tune.live.robot_mesh import body_meshes
 from surefoot.tune.live.server import close_server, open_server
+from surefoot.tune.live.session_thread import SessionThread
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.slider_range import slider_range
+from surefoot.tune.live.udp_session import UdpSession
 from surefoot.tune.live.world import World
-from virtual_robot_helpers import start
+from virtual_robot_helpers import start_robot
 
 OWN = surefoot.load_robot("go1").config.gains
 KP = "com_kp_horizontal"
@@ -64,7 +64,7 @@ def editor_with_clock() -> tuple[GainEditor, list[float]]:
     return GainEditor(OWN, now=lambda: clock[0]), clock
 
 
-def test_a_sliders_whole_way_is_undone_at_once() -> None:
+def test_one_slider_drag_is_one_undo_step() -> None:
     editor, clock = editor_with_clock()
     for value in (61.0, 62.0, 63.0):
         clock[0] += 0.1
@@ -76,7 +76,7 @@ def test_a_sliders_whole_way_is_undone_at_once() -> None:
     assert not editor.undo()
 
 
-def test_gains_out_of_range_change_nothing_but_tell_the_slider_to_go_back() -> None:
+def test_out_of_range_gains_are_refused_and_reset_the_slider() -> None:
     editor, _ = editor_with_clock()
     with pytest.raises(surefoot.Error, match=KP):
         editor.set(KP, 1e6)
@@ -85,7 +85,7 @@ def test_gains_out_of_range_change_nothing_but_tell_the_slider_to_go_back() -> N
     assert editor.gains == OWN and editor.version == 0 and editor.revision == 2
 
 
-def test_a_and_b_keep_gains_and_give_them_back() -> None:
+def test_slots_a_and_b_store_and_restore_gains() -> None:
     editor, _ = editor_with_clock()
     editor.store("A")
     editor.set(KP, 80.0)
@@ -95,7 +95,7 @@ def test_a_and_b_keep_gains_and_give_them_back() -> None:
     assert editor.changed() == {KP: (OWN_KP, 80.0)}
 
 
-def test_the_controller_gets_a_gain_that_is_changed() -> None:
+def test_changed_gain_reaches_the_controller() -> None:
     session = simulation()
     session.editor.set(KP, 90.0)
     run(session, 0.01)
@@ -108,33 +108,35 @@ def test_a_pushed_robot_recovers_and_gets_a_score(degrees: float) -> None:
     run(session, 0.5)
     assert session.push(degrees, 50.0) > 3.0
     run(session, 0.05)
-    session.look()
-    assert session.view.push is not None and session.score.seconds_left > 2.9
+    session.update_view()
+    assert session.scene_state.push is not None and session.score.seconds_left > 2.9
     run(session, 3.0)
-    session.look()
-    assert session.healthy and session.view.push is None and session.view.contact.all()
-    assert session.score.last is not None and 0.1 < session.score.last.value < 10.0
+    session.update_view()
+    assert (
+        session.healthy and session.scene_state.push is None and session.scene_state.contact.all()
+    )
+    assert session.score.last_cost is not None and 0.1 < session.score.last_cost.value < 10.0
     assert session.curves.arrays()[1].max() > 2.0  # [mm]
 
 
-def test_a_push_beyond_what_can_be_survived_is_a_fall_that_reset_ends() -> None:
+def test_fall_after_a_300_percent_push_ends_with_reset() -> None:
     session = simulation()
     run(session, 0.5)
     session.push(90.0, 300.0)
     run(session, 3.2)
-    session.look()
+    session.update_view()
     assert not session.healthy and "fallen" in session.status
-    assert session.score.last is not None and session.score.last.terms["fall"] > 0.0
+    assert session.score.last_cost is not None and session.score.last_cost.terms["fall"] > 0.0
     session.editor.set(KP, 90.0)
     session.reset()
     run(session, 0.5)
     assert session.healthy and surefoot.get_gain(session.controller.gains, KP) == 90.0
 
 
-def test_another_world_is_a_new_stand_and_one_that_cannot_be_stood_on_is_refused() -> None:
+def test_new_world_restarts_the_stand_and_an_impossible_world_is_refused() -> None:
     session = simulation()
-    session.wanted_world = World(payload_kg=3.0, friction=0.5, delay_ms=2.0, sensors="ideal")
-    session.enter_wanted_world()
+    session.requested_world = World(payload_kg=3.0, friction=0.5, delay_ms=2.0, sensors="ideal")
+    session.apply_requested_world()
     run(session, 0.5)
     assert session.healthy and session.plant.settings.payload_kg == 3.0
     with pytest.raises(surefoot.Error, match="fell"):
@@ -143,7 +145,7 @@ def test_another_world_is_a_new_stand_and_one_that_cannot_be_stood_on_is_refused
     assert session.healthy and session.world.payload_kg == 3.0
 
 
-def test_the_body_goes_where_its_sliders_say() -> None:
+def test_reference_sliders_move_the_body() -> None:
     session = simulation()
     run(session, 0.5)
     before = session.plant.truth.q[2]
@@ -152,15 +154,15 @@ def test_the_body_goes_where_its_sliders_say() -> None:
     assert session.plant.truth.q[2] - before == pytest.approx(-0.03, abs=0.003)
 
 
-def test_what_is_worse_costs_more_when_it_is_compared() -> None:
+def test_comparison_gives_worse_gains_a_higher_cost() -> None:
     loose = OWN.__copy__()
     for name in (KP, "base_kp_tilt", "weight_base_tilt"):
         surefoot.set_gain(loose, name, 0.1 * surefoot.get_gain(OWN, name))
-    costs = [judge(describe_robot("go1"), World(), gains, 0.0, 50.0) for gains in (OWN, loose)]
+    costs = [push_cost(describe_robot("go1"), World(), gains, 0.0, 50.0) for gains in (OWN, loose)]
     assert costs[0].value < costs[1].value
 
 
-def test_gains_that_are_saved_load_to_the_same(tmp_path: Path) -> None:
+def test_saved_gains_load_unchanged(tmp_path: Path) -> None:
     robot = surefoot.load_robot("go1")
     files = GainFolder(tmp_path, robot)
     gains = OWN.__copy__()
@@ -181,13 +183,13 @@ def test_gains_that_are_saved_load_to_the_same(tmp_path: Path) -> None:
 def test_plots_keep_every_peak() -> None:
     curves = Curves()
     for k in range(1000):
-        curves.add(0.002 * (k + 1), Sample(50.0 if k == 333 else 1.0, 0.0, 0.0, 0.0, 0.0))
+        curves.add(0.002 * (k + 1), TickMetrics(50.0 if k == 333 else 1.0, 0.0, 0.0, 0.0, 0.0))
     time_, error, *_ = curves.arrays()
-    assert error.max() == 50.0 and len(time_) <= 2.0 / BUCKET + 1
+    assert error.max() == 50.0 and len(time_) <= 2.0 / BUCKET_TIME + 1
     assert np.all(np.diff(time_) > 0.0)
 
 
-def test_every_slider_shows_its_gain_and_reaches_past_it() -> None:
+def test_slider_range_contains_the_gain() -> None:
     for info in surefoot.gain_table():
         own = surefoot.get_gain(OWN, info.name)
         place = slider_range(info, own, own, 4.0)
@@ -196,21 +198,21 @@ def test_every_slider_shows_its_gain_and_reaches_past_it() -> None:
 
 
 @pytest.mark.parametrize("name", ["a1", "go1", "go2", "b1"])
-def test_a_robots_picture_has_few_nodes_and_is_as_large_as_the_robot(name: str) -> None:
+def test_robot_mesh_has_few_parts_and_the_size_of_the_robot(name: str) -> None:
     session = Simulation(describe_robot(name))
-    from surefoot.sim.model import build_model
+    from surefoot.sim.model.mujoco_model import build_model
 
     model = build_model(session.robot, session.description, session.plant.settings, visuals=True)
-    parts = robot_parts(model)
+    parts = body_meshes(model)
     assert len({part.body for part in parts}) == 13 and len(parts) < 25
     assert all(np.isfinite(part.vertices).all() for part in parts)
     reach = max(np.abs(part.vertices).max() for part in parts)
     assert 0.2 < reach < 1.0  # [m]
 
 
-def test_time_passes_as_fast_as_the_clock_and_stands_still_when_paused() -> None:
+def test_simulation_runs_in_real_time_and_stops_when_paused() -> None:
     session, complaints = simulation(), list[str]()
-    loop = Loop(session, complaints.append)
+    loop = SessionThread(session, complaints.append)
     loop.start()
     wait_until(lambda: session.ticks > 500)
     begin, ticks = time.monotonic(), session.ticks
@@ -229,24 +231,24 @@ def test_time_passes_as_fast_as_the_clock_and_stands_still_when_paused() -> None
     assert KP in complaints[0]
 
 
-def test_guarded_gains_stay_near_the_robots_own_and_move_slowly() -> None:
-    guard = Guard(OWN)
-    editor = GainEditor(OWN, check=guard.check)
+def test_guarded_gains_stay_within_a_factor_2_and_change_slowly() -> None:
+    gain_limiter = GainLimiter(OWN)
+    editor = GainEditor(OWN, check=gain_limiter.check)
     with pytest.raises(surefoot.Error, match=f"'{KP}': got .*, expected {0.5 * OWN_KP:g} to"):
         editor.set(KP, 2.01 * OWN_KP)
     editor.set(KP, 2.0 * OWN_KP)
     editor.set("contact_force_on", 0.14)
     present = OWN
     for seconds in range(1, 11):
-        present = guard.approach(present, editor.gains, 0.1)
+        present = gain_limiter.step_towards(present, editor.gains, 0.1)
         present.validate()
         assert surefoot.get_gain(present, KP) == pytest.approx(OWN_KP * 2.0 ** (0.1 * seconds))
-    assert guard.approach(present, editor.gains, 0.1) == editor.gains
+    assert gain_limiter.step_towards(present, editor.gains, 0.1) == editor.gains
 
 
-def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None:
-    process, port = start()
-    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", port, "go1-v3.8"))
+def test_udp_robot_stands_with_guarded_gains(tmp_path: Path) -> None:
+    process, port = start_robot()
+    robot = UdpSession(describe_robot("go1"), RobotAddress("127.0.0.1", port, "go1-v3.8"))
     server = open_server("127.0.0.1", 0, "test")
     page = Page(server, robot, GainFolder(tmp_path, robot.robot))
     loop = page.loop
@@ -254,12 +256,12 @@ def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None
     try:
         wait_until(lambda: robot.healthy)
         loop.post(lambda: robot.editor.set(KP, 90.0))
-        wait_until(lambda: OWN_KP < surefoot.get_gain(robot.present, KP) < 90.0)
-        wait_until(lambda: robot.present == robot.editor.gains)
+        wait_until(lambda: OWN_KP < surefoot.get_gain(robot.active_gains, KP) < 90.0)
+        wait_until(lambda: robot.active_gains == robot.editor.gains)
         loop.post(lambda: robot.set_reference({"height": -0.03}))
-        height = robot.view.qpos[2]
-        wait_until(lambda: robot.view.qpos[2] < height - 0.02)
-        assert robot.healthy and robot.view.contact.sum() == 4
+        height = robot.scene_state.qpos[2]
+        wait_until(lambda: robot.scene_state.qpos[2] < height - 0.02)
+        assert robot.healthy and robot.scene_state.contact.sum() == 4
         robot.damp()
         wait_until(lambda: "damping: asked" in robot.status)
         robot.rearm()
@@ -272,10 +274,10 @@ def test_a_robot_on_udp_stands_on_gains_that_are_guarded(tmp_path: Path) -> None
         process.wait(timeout=20)
 
 
-def test_a_robot_of_another_generation_is_not_taken(tmp_path: Path) -> None:
-    process, port = start("--robot", "a1")
-    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", port, "go1-v3.8"))
-    loop = Loop(robot, lambda _: None)
+def test_robot_of_another_generation_is_refused(tmp_path: Path) -> None:
+    process, port = start_robot("--robot", "a1")
+    robot = UdpSession(describe_robot("go1"), RobotAddress("127.0.0.1", port, "go1-v3.8"))
+    loop = SessionThread(robot, lambda _: None)
     loop.start()
     try:
         wait_until(lambda: "ended: wrong generation: " in robot.status)
@@ -304,15 +306,15 @@ class Listener(threading.Thread):
                 self.frame = self.socket.recv(2048)
                 self.count, self.last = self.count + 1, time.monotonic()
 
-    def damps(self) -> bool:
+    def last_frame_damps(self) -> bool:
         cmd = protocol.decode_low_cmd(self.frame, "go1-v3.8")
         motors = [cmd.motorCmd[i] for i in range(12)]
         return all(m.tau == 0.0 and m.Kp == 0.0 and m.Kd > 0.0 and m.dq == 0.0 for m in motors)
 
 
-def test_a_page_that_hangs_does_not_keep_commands_from_the_robot() -> None:
+def test_hung_page_does_not_stop_commands_to_the_robot() -> None:
     listener = Listener()
-    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", listener.port, "go1-v3.8"))
+    robot = UdpSession(describe_robot("go1"), RobotAddress("127.0.0.1", listener.port, "go1-v3.8"))
     try:
         time.sleep(6.0)  # nobody calls tick(), so nobody reads what the process says
         before = listener.count
@@ -322,13 +324,13 @@ def test_a_page_that_hangs_does_not_keep_commands_from_the_robot() -> None:
         robot.close()
     assert time.monotonic() - begin < 4.0
     assert robot._process.exitcode == 0
-    assert listener.damps()
+    assert listener.last_frame_damps()
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
-def test_no_signal_ends_the_control_process_without_damping(number: int) -> None:
+def test_control_process_damps_on_sigterm_and_ignores_sighup_and_sigint(number: int) -> None:
     listener = Listener()
-    robot = LinkedRobot(describe_robot("go1"), Place("127.0.0.1", listener.port, "go1-v3.8"))
+    robot = UdpSession(describe_robot("go1"), RobotAddress("127.0.0.1", listener.port, "go1-v3.8"))
     try:
         wait_until(lambda: listener.count > 20)
         os.kill(robot._process.pid, number)
@@ -337,7 +339,7 @@ def test_no_signal_ends_the_control_process_without_damping(number: int) -> None
             robot._process.join(5.0)
             assert robot._process.exitcode == 0
             assert listener.last > told + 0.1  # it has said farewell
-            assert listener.damps()
+            assert listener.last_frame_damps()
         else:  # the terminal's: the page says stop
             before = listener.count
             wait_until(lambda: listener.count > before + 50)
@@ -345,9 +347,9 @@ def test_no_signal_ends_the_control_process_without_damping(number: int) -> None
         robot.close()
 
 
-def test_a_load_that_fails_in_an_unforeseen_way_leaves_the_page_alive(tmp_path: Path) -> None:
+def test_unexpected_callback_error_keeps_the_loop_alive(tmp_path: Path) -> None:
     complaints: list[str] = []
-    loop = Loop(Simulation(describe_robot("go1")), complaints.append)
+    loop = SessionThread(Simulation(describe_robot("go1")), complaints.append)
     loop.start()
     try:
         loop.post(lambda: 1 // 0)
@@ -359,7 +361,7 @@ def test_a_load_that_fails_in_an_unforeseen_way_leaves_the_page_alive(tmp_path: 
 
 
 @pytest.mark.parametrize("host", ["localhost", "127.0.0.1"])
-def test_the_names_of_loopback_are_guarded_alike(host: str) -> None:
+def test_all_loopback_names_refuse_other_origins(host: str) -> None:
     from websockets.exceptions import InvalidStatus
     from websockets.sync.client import connect
 
@@ -372,12 +374,12 @@ def test_the_names_of_loopback_are_guarded_alike(host: str) -> None:
         close_server(server)
 
 
-def test_a_link_that_cannot_be_opened_is_one_clear_error() -> None:
+def test_invalid_link_generation_raises_an_error() -> None:
     with pytest.raises(surefoot.Error, match="generation"):
-        LinkedRobot(describe_robot("go1"), Place("127.0.0.1", 8007, "go1-v9"))
+        UdpSession(describe_robot("go1"), RobotAddress("127.0.0.1", 8007, "go1-v9"))
 
 
-def test_pages_of_other_sites_are_not_let_in() -> None:
+def test_pages_of_other_origins_are_refused() -> None:
     from websockets.exceptions import InvalidStatus
     from websockets.sync.client import connect
 
@@ -393,7 +395,7 @@ def test_pages_of_other_sites_are_not_let_in() -> None:
         close_server(server)
 
 
-def test_only_this_machine_is_served_and_a_port_in_use_is_said() -> None:
+def test_server_binds_to_loopback_and_reports_a_port_in_use() -> None:
     server = open_server("127.0.0.1", 0, "test")
     try:
         port = server.get_port()
@@ -422,7 +424,7 @@ def test_only_this_machine_is_served_and_a_port_in_use_is_said() -> None:
         (("--bind", "192.0.2.1"), 2, "no address of this machine"),
     ],
 )
-def test_bad_input_is_one_line(
+def test_invalid_tune_live_arguments_give_one_error_line(
     words: tuple[str, ...], status: int, text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     port = () if "--port" in words else ("--port", "0")
@@ -431,7 +433,7 @@ def test_bad_input_is_one_line(
     assert error.startswith("surefoot: error:") and text in error and error.count("\n") == 1
 
 
-def test_a_port_in_use_ends_the_command_with_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+def test_tune_live_port_in_use_gives_one_error_line(capsys: pytest.CaptureFixture[str]) -> None:
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
@@ -440,7 +442,7 @@ def test_a_port_in_use_ends_the_command_with_one_line(capsys: pytest.CaptureFixt
     assert f"cannot listen on 127.0.0.1:{port}: it is in use" in capsys.readouterr().err
 
 
-def test_the_command_says_where_it_serves_and_ends_by_ctrl_c(tmp_path: Path) -> None:
+def test_tune_live_command_prints_its_address_and_ends_on_ctrl_c(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "surefoot.cli", "tune", "live", "--port", "0"]
     process = subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=tmp_path

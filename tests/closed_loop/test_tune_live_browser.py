@@ -17,13 +17,13 @@ import numpy as np
 import pytest
 import surefoot
 from PIL import Image
-from surefoot.robot_files import describe_robot
+from surefoot.robot.description import describe_robot
 from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.page import Page
 from surefoot.tune.live.server import open_server
 from surefoot.tune.live.simulation import Simulation
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 
@@ -40,7 +40,7 @@ FLAGS = [
     "--force-color-profile=srgb",
     "--no-first-run",
 ]
-PATIENCE = 60_000.0  # [ms]; without a graphics card a picture takes a while
+TIMEOUT_MS = 60_000.0  # [ms]; without a graphics card a picture takes a while
 PICTURE = Path(__file__).parents[2] / "out" / "tune-live.png"
 KP = "com_kp_horizontal"
 
@@ -55,8 +55,8 @@ class Live(NamedTuple):
 
 
 @contextlib.contextmanager
-def without_our_library() -> Iterator[None]:
-    """Start programs without the patient clock: a browser's sandboxes want nothing preloaded."""
+def without_preload() -> Iterator[None]:
+    """Start programs without the stall-tolerant clock: a browser's sandboxes want nothing preloaded."""
     preloaded = os.environ.pop("LD_PRELOAD", None)
     try:
         yield
@@ -98,7 +98,7 @@ def chromium(tmp_path: Path) -> Iterator[sync_api.Browser]:
     if path is None:
         pytest.skip(f"no browser: none of {', '.join(BROWSERS)} is on the PATH")
     with (
-        without_our_library(),
+        without_preload(),
         sync_api.sync_playwright() as playwright,
         browser_process(path, tmp_path / "profile") as address,
     ):
@@ -114,7 +114,7 @@ def live(tmp_path: Path, chromium: sync_api.Browser) -> Iterator[Live]:
     page.start()
     # As small as the panel allows: every pixel is the processor's.
     tab = chromium.new_page(viewport={"width": 900, "height": 480})
-    tab.set_default_timeout(PATIENCE)
+    tab.set_default_timeout(TIMEOUT_MS)
     tab.goto(f"http://127.0.0.1:{server.get_port()}")
     tab.get_by_role("button", name="Push").wait_for()
     yield Live(session, page, tab, tmp_path)
@@ -122,7 +122,7 @@ def live(tmp_path: Path, chromium: sync_api.Browser) -> Iterator[Live]:
 
 
 def wait_until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + PATIENCE / 1000.0
+    end = time.monotonic() + TIMEOUT_MS / 1000.0
     while not condition():
         assert time.monotonic() < end, "waited in vain"
         time.sleep(0.05)
@@ -140,7 +140,7 @@ def move_slider(live: Live, name: str, presses: int) -> None:
         slider.press("ArrowRight")
 
 
-def test_a_gain_a_push_and_a_file_from_a_browser(live: Live) -> None:
+def test_browser_changes_a_gain_pushes_and_saves_a_file(live: Live) -> None:
     tab, session = live.tab, live.session
     own = controller_gain(live, KP)
 
@@ -155,7 +155,7 @@ def test_a_gain_a_push_and_a_file_from_a_browser(live: Live) -> None:
     tab.get_by_text("Last push: ").wait_for()
     tab.get_by_text("lower is better").wait_for()
     assert session.healthy and session.curves.arrays()[1].max() > 2.0  # [mm]
-    assert session.score.last is not None and session.score.last.terms["fall"] == 0.0
+    assert session.score.last_cost is not None and session.score.last_cost.terms["fall"] == 0.0
 
     tab.get_by_role("button", name="Save").click()
     wait_until(lambda: (live.folder / "gains.toml").is_file())
@@ -168,7 +168,7 @@ def test_a_gain_a_push_and_a_file_from_a_browser(live: Live) -> None:
     wait_until(lambda: session.editor.gains == saved)
 
 
-def test_what_is_wrong_is_said_on_the_page(live: Live) -> None:
+def test_page_shows_error_messages(live: Live) -> None:
     tab = live.tab
     (live.folder / "gains.toml").write_text("[gains]\ncom_kp_horizontl = 3\n")
     tab.get_by_role("button", name="Load").click()
@@ -182,7 +182,7 @@ def test_what_is_wrong_is_said_on_the_page(live: Live) -> None:
     assert live.session.editor.changed() == {}
 
 
-def test_the_page_looks_like_a_robot_between_plots_and_sliders(live: Live) -> None:
+def test_page_screenshot_shows_robot_forces_support_and_push(live: Live) -> None:
     tab = live.tab
     tab.set_viewport_size({"width": 1280, "height": 800})
     tab.get_by_role("button", name="Push").click()
@@ -194,12 +194,12 @@ def test_the_page_looks_like_a_robot_between_plots_and_sliders(live: Live) -> No
     # Half a push later time stands still, for the picture to show its arrow.
     live.page.loop.speed = 0.02
     tab.get_by_role("button", name="Push").click()
-    wait_until(lambda: live.session.view.push is not None)
+    wait_until(lambda: live.session.scene_state.push is not None)
     live.page.loop.paused = True
     tab.get_by_text("paused").wait_for()
     time.sleep(2.0)
     PICTURE.parent.mkdir(exist_ok=True)
-    tab.screenshot(path=PICTURE, timeout=PATIENCE)
+    tab.screenshot(path=PICTURE, timeout=TIMEOUT_MS)
     pixels = np.asarray(Image.open(PICTURE).convert("RGB"), dtype=int)
     red, green, blue = np.moveaxis(pixels[:, 340:860], -1, 0)
     assert np.count_nonzero((red < 90) & (green < 90) & (blue < 90)) > 3000  # legs

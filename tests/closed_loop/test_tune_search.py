@@ -17,24 +17,26 @@ from pathlib import Path
 import optuna
 import pytest
 from surefoot import Error, Gains, get_gain, load_gains, load_robot
-from surefoot.gain_files import gain_values
+from surefoot.robot.gain_files import gain_values
 from surefoot.sim import PlantSettings
 from surefoot.tune.search.episodes import Episode
-from surefoot.tune.search.held_out import finals
-from surefoot.tune.search.queue import Queue
-from surefoot.tune.search.rollout import BROKEN, Job, Outcome, judged
+from surefoot.tune.search.final_evaluation import select_best_trial
+from surefoot.tune.search.rollout import BROKEN_COST, Outcome, TrialJob, evaluate_exclusively
 from surefoot.tune.search.run import run_search
 from surefoot.tune.search.settings import SearchSettings
-from surefoot.tune.search.space import apply, default_space, parse_parameter
-from surefoot.tune.search.store import open_store
+from surefoot.tune.search.space import apply_parameters, default_space, parse_parameter
 from surefoot.tune.search.summary import summarise
-from surefoot.tune.search.workers import Cluster, Processes
+from surefoot.tune.search.trial_journal import open_trial_journal
+from surefoot.tune.search.trial_queue import TrialQueue
+from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
 OWN = load_robot("go1").config.gains
 ALL = {p.name: p.get(OWN) for p in default_space()}
-POOR = apply({k: 0.5 * v if k.endswith("frequency") else 0.3 for k, v in ALL.items()}, OWN)
+POOR = apply_parameters(
+    {k: 0.5 * v if k.endswith("frequency") else 0.3 for k, v in ALL.items()}, OWN
+)
 EPISODE = Episode("go1", 1, PlantSettings())
-SHORT = ("--trials", "6", "--episodes", "1", "--held-out", "1", "--jobs", "1")
+SHORT_SEARCH = ("--trials", "6", "--episodes", "1", "--held-out", "1", "--jobs", "1")
 
 
 def search(*words: str, **more) -> subprocess.CompletedProcess[str]:
@@ -54,11 +56,11 @@ def finished(store: Path) -> int:
     return sum(1 for e in entries if e["op_code"] == 6 and e.get("state") == 1)
 
 
-def test_frequencies_and_damping_are_stiffness_and_damping_seen_otherwise() -> None:
-    again = apply(ALL, Gains())
+def test_frequency_and_damping_parameters_convert_to_kp_and_kd() -> None:
+    again = apply_parameters(ALL, Gains())
     for name in ("com_kp_horizontal", "base_kd_tilt", "foot_kp", "com_kd_vertical"):
         assert get_gain(again, name) == pytest.approx(get_gain(OWN, name), rel=1e-12)
-    only = apply({"sway_frequency": 2.0 * ALL["sway_frequency"]}, OWN)
+    only = apply_parameters({"sway_frequency": 2.0 * ALL["sway_frequency"]}, OWN)
     assert only.com_kp_horizontal == pytest.approx(4.0 * OWN.com_kp_horizontal)
     assert only.com_kd_horizontal == pytest.approx(2.0 * OWN.com_kd_horizontal)
     assert only.base_kp_tilt == OWN.base_kp_tilt
@@ -74,29 +76,33 @@ def test_frequencies_and_damping_are_stiffness_and_damping_seen_otherwise() -> N
         ("sway_damping=1:0.5", "expected 0 < LOW < HIGH within 0.2 .. 2.5"),
     ],
 )
-def test_what_cannot_be_searched_is_refused_by_name(text: str, words: str) -> None:
+def test_invalid_search_parameter_is_refused(text: str, words: str) -> None:
     with pytest.raises(Error) as caught:
         parse_parameter(text)
     assert words in str(caught.value)
 
 
-def test_an_episode_is_the_same_every_time_and_another_with_another_seed() -> None:
-    job = Job(gain_values(OWN), (EPISODE,), ("balance",))
-    first, again = judged(job), judged(job)
+def test_episode_is_repeatable_and_depends_on_the_seed() -> None:
+    job = TrialJob(gain_values(OWN), (EPISODE,), ("balance",))
+    first, again = evaluate_exclusively(job), evaluate_exclusively(job)
     assert first.costs == again.costs and first.terms == again.terms
     assert first.ticks == 3300 and first.steps == 6600 and first.falls == 0
-    other = judged(Job(gain_values(OWN), (Episode("go1", 2, PlantSettings()),), ("balance",)))
+    other = evaluate_exclusively(
+        TrialJob(gain_values(OWN), (Episode("go1", 2, PlantSettings()),), ("balance",))
+    )
     assert other.costs != first.costs
 
 
-def test_a_hopeless_trial_is_not_run_to_its_end() -> None:
+def test_hopeless_trial_is_stopped_early() -> None:
     episodes = tuple(Episode("go1", seed, PlantSettings()) for seed in range(1, 4))
-    outcome = judged(Job(gain_values(POOR), episodes, ("balance",), hopeless=1.0))
+    outcome = evaluate_exclusively(
+        TrialJob(gain_values(POOR), episodes, ("balance",), stop_cost=1.0)
+    )
     assert outcome.stopped and outcome.episodes == 1
     assert outcome.costs[0] > 1.0
 
 
-def test_a_search_from_poor_gains_finds_better_ones_and_says_so() -> None:
+def test_search_from_poor_gains_finds_better_gains() -> None:
     settings = SearchSettings("go1", POOR, trials=24, episodes=1, held_out=1)
     summary = summarise(run_search(settings, OWN))
     assert summary["trials"] == 24
@@ -107,7 +113,7 @@ def test_a_search_from_poor_gains_finds_better_ones_and_says_so() -> None:
     json.dumps(summary, allow_nan=False)
 
 
-def test_two_objectives_make_a_front_that_nothing_is_better_than() -> None:
+def test_two_objectives_give_a_pareto_front() -> None:
     settings = SearchSettings(
         "go1", POOR, trials=8, episodes=1, held_out=1, objectives=("balance", "power")
     )
@@ -119,27 +125,27 @@ def test_two_objectives_make_a_front_that_nothing_is_better_than() -> None:
         assert not any(c[0] <= point[0] and c[1] <= point[1] and c != point for c in costs)
 
 
-def test_a_worker_that_is_killed_takes_no_trial_with_it() -> None:
-    crew = Processes(2)
+def test_killed_worker_loses_no_trial() -> None:
+    worker_pool = ProcessPool(2)
     try:
-        queue = Queue(crew)
+        queue = TrialQueue(worker_pool)
         for number in range(6):
-            queue.put(number, Job(gain_values(OWN), (EPISODE,), ("balance",)))
+            queue.put(number, TrialJob(gain_values(OWN), (EPISODE,), ("balance",)))
         done = queue.take()
-        victim = next(iter(crew._pool._processes))
+        victim = next(iter(worker_pool._pool._processes))
         os.kill(victim, signal.SIGKILL)
         while len(queue):
             done += queue.take()
     finally:
-        crew.close()
+        worker_pool.close()
     assert sorted(number for number, _ in done) == list(range(6))
     assert len({outcome.costs for _, outcome in done}) == 1
-    assert done[0][1].costs[0] < BROKEN
+    assert done[0][1].costs[0] < BROKEN_COST
 
 
-def test_a_search_that_is_killed_goes_on_with_every_trial_it_had(tmp_path: Path) -> None:
+def test_killed_search_resumes_with_all_its_trials(tmp_path: Path) -> None:
     store, gains = tmp_path / "trials.log", tmp_path / "best.toml"
-    words = ("--trials", "12", *SHORT[2:], "--store", str(store), "--toml", str(gains))
+    words = ("--trials", "12", *SHORT_SEARCH[2:], "--store", str(store), "--toml", str(gains))
     running = subprocess.Popen(command(*words), start_new_session=True)
     deadline = time.monotonic() + 120.0
     while finished(store) < 3 and time.monotonic() < deadline:
@@ -158,10 +164,10 @@ def test_a_search_that_is_killed_goes_on_with_every_trial_it_had(tmp_path: Path)
 
 
 @pytest.mark.parametrize("content", ["no journal\n", "{}\n", "[1, 2]\n", "garbage without an end"])
-def test_a_corrupt_store_is_refused_and_left_alone(tmp_path: Path, content: str) -> None:
+def test_corrupt_store_is_refused_and_unchanged(tmp_path: Path, content: str) -> None:
     store = tmp_path / "trials.log"
     store.write_text(content)
-    run = search(*SHORT, "--store", str(store))
+    run = search(*SHORT_SEARCH, "--store", str(store))
     assert run.returncode == 2
     assert run.stderr.count("\n") == 1
     assert f"store '{store}': line 1 is no journal entry" in run.stderr
@@ -169,10 +175,10 @@ def test_a_corrupt_store_is_refused_and_left_alone(tmp_path: Path, content: str)
     assert list(tmp_path.iterdir()) == [store]
 
 
-def test_a_store_that_another_search_is_at_work_in_is_refused(tmp_path: Path) -> None:
+def test_store_in_use_by_another_search_is_refused(tmp_path: Path) -> None:
     store = str(tmp_path / "trials.log")
-    with open_store(store):
-        run = search(*SHORT, "--store", store)
+    with open_trial_journal(store):
+        run = search(*SHORT_SEARCH, "--store", store)
     assert run.returncode == 2
     assert f"store '{store}': another search is at work in it" in run.stderr
 
@@ -185,27 +191,31 @@ def test_a_store_of_another_search_is_refused(tmp_path: Path) -> None:
         run_search(SearchSettings("go1", POOR, seed=3, **settings), OWN)
 
 
-def test_a_full_disk_ends_the_search_in_one_line_with_its_trials_kept(tmp_path: Path) -> None:
+def test_full_disk_ends_the_search_and_keeps_its_trials(tmp_path: Path) -> None:
     store = tmp_path / "trials.log"
 
-    def little_space() -> None:
+    def limit_file_size() -> None:
         resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
 
-    run = search("--trials", "50", *SHORT[2:], "--store", str(store), preexec_fn=little_space)
+    run = search(
+        "--trials", "50", *SHORT_SEARCH[2:], "--store", str(store), preexec_fn=limit_file_size
+    )
     assert run.returncode == 1
     assert run.stderr.count("\n") == 1 and "File too large" in run.stderr
     kept = finished(store)
     assert kept >= 3
-    more = search("--trials", str(kept + 1), *SHORT[2:], "--store", str(store), "--json", "-")
+    more = search(
+        "--trials", str(kept + 1), *SHORT_SEARCH[2:], "--store", str(store), "--json", "-"
+    )
     assert more.returncode == 0, more.stderr
     assert json.loads(more.stdout)["trials"] == kept + 1
 
 
-def test_a_scheduler_that_is_not_there_is_named(monkeypatch) -> None:
+def test_missing_scheduler_is_named(monkeypatch) -> None:
     pytest.importorskip("distributed")
-    monkeypatch.setattr("surefoot.tune.search.workers.CLUSTER_TIMEOUT", 1.0)
+    monkeypatch.setattr("surefoot.tune.search.worker_pool.CLUSTER_TIMEOUT", 1.0)
     with pytest.raises(Error, match=r"cluster 'tcp://127\.0\.0\.1:1': no scheduler there"):
-        Cluster("tcp://127.0.0.1:1")
+        DaskCluster("tcp://127.0.0.1:1")
 
 
 @pytest.mark.parametrize(
@@ -220,23 +230,23 @@ def test_a_scheduler_that_is_not_there_is_named(monkeypatch) -> None:
         (("--store", "/no/such/folder/x"), "--store: got '/no/such/folder/x'"),
     ],
 )
-def test_a_wrong_option_is_one_line(words: tuple[str, ...], message: str) -> None:
-    run = search(*SHORT, *words)
+def test_invalid_search_option_gives_one_error_line(words: tuple[str, ...], message: str) -> None:
+    run = search(*SHORT_SEARCH, *words)
     assert run.returncode == 2
     assert run.stderr.count("\n") == 1
     assert message in run.stderr
 
 
-class FakeCrew:
+class FakeWorkerPool:
     """One worker at a time; submits answer as they are told to: an outcome, or an exception."""
 
     count = 2
-    deaths = (BrokenExecutor,)
+    worker_death_errors = (BrokenExecutor,)
 
     def __init__(self, answers) -> None:
         self.answers, self.renewed, self.gone = answers, 0, False
 
-    def submit(self, job: Job) -> Future:
+    def submit(self, job: TrialJob) -> Future:
         future: Future = Future()
         answer = self.answers(job)
         if isinstance(answer, BaseException):
@@ -245,7 +255,7 @@ class FakeCrew:
             future.set_result(answer)
         return future
 
-    def renew(self) -> None:
+    def restart_workers(self) -> None:
         self.renewed += 1
 
     def check(self) -> None:
@@ -253,76 +263,84 @@ class FakeCrew:
             raise Error("the scheduler is gone")
 
 
-def job_of(cost: float) -> Job:
-    return Job({"foot_kp": cost}, (EPISODE,), ("balance",))
+def job_of(cost: float) -> TrialJob:
+    return TrialJob({"foot_kp": cost}, (EPISODE,), ("balance",))
 
 
 def test_only_the_trial_that_kills_its_workers_is_broken() -> None:
-    def answer(job: Job):
-        deadly = job.gains["foot_kp"] == 2.0
-        return BrokenExecutor("died") if deadly else Outcome(costs=(job.gains["foot_kp"],))
+    def answer(job: TrialJob):
+        kills_worker = job.gains["foot_kp"] == 2.0
+        return BrokenExecutor("died") if kills_worker else Outcome(costs=(job.gains["foot_kp"],))
 
-    crew = FakeCrew(answer)
-    queue = Queue(crew)
+    worker_pool = FakeWorkerPool(answer)
+    queue = TrialQueue(worker_pool)
     for number in range(5):
         queue.put(number, job_of(float(number)))
     done = {}
     while len(queue):
         done.update(queue.take())
-    assert {n: o.costs[0] for n, o in done.items()} == {0: 0.0, 1: 1.0, 2: BROKEN, 3: 3.0, 4: 4.0}
+    assert {n: o.costs[0] for n, o in done.items()} == {
+        0: 0.0,
+        1: 1.0,
+        2: BROKEN_COST,
+        3: 3.0,
+        4: 4.0,
+    }
     assert [n for n, o in done.items() if o.broken] == [2]
 
 
 def test_a_worker_that_cannot_run_trials_ends_the_search_with_its_reason() -> None:
-    queue = Queue(FakeCrew(lambda job: ModuleNotFoundError("No module named 'surefoot'")))
+    queue = TrialQueue(
+        FakeWorkerPool(lambda job: ModuleNotFoundError("No module named 'surefoot'"))
+    )
     queue.put(0, job_of(1.0))
     with pytest.raises(Error, match="cannot run trials: ModuleNotFoundError: No module named"):
         queue.take()
 
 
-def test_a_scheduler_that_dies_ends_the_search(monkeypatch) -> None:
-    monkeypatch.setattr("surefoot.tune.search.queue.LOOK", 0.01)
-    crew = FakeCrew(lambda job: Outcome(costs=(1.0,)))
-    crew.submit = lambda job: Future()  # type: ignore[method-assign] # nobody ever answers
-    crew.gone = True
-    queue = Queue(crew)
+def test_lost_scheduler_ends_the_search(monkeypatch) -> None:
+    monkeypatch.setattr("surefoot.tune.search.trial_queue.POLL_PERIOD", 0.01)
+    worker_pool = FakeWorkerPool(lambda job: Outcome(costs=(1.0,)))
+    worker_pool.submit = lambda job: Future()  # type: ignore[method-assign] # nobody ever answers
+    worker_pool.gone = True
+    queue = TrialQueue(worker_pool)
     queue.put(0, job_of(1.0))
     with pytest.raises(Error, match="the scheduler is gone"):
         queue.take()
 
 
-def test_a_job_that_is_lost_as_its_pool_breaks_is_run_again(monkeypatch) -> None:
-    monkeypatch.setattr("surefoot.tune.search.queue.LOOK", 0.01)
-    crew = FakeCrew(lambda job: Outcome(costs=(1.0,)))
-    answer, crew.submit = crew.submit, lambda job: Future()  # type: ignore[method-assign]
-    queue = Queue(crew)
+def test_job_lost_with_a_broken_pool_is_run_again(monkeypatch) -> None:
+    monkeypatch.setattr("surefoot.tune.search.trial_queue.POLL_PERIOD", 0.01)
+    worker_pool = FakeWorkerPool(lambda job: Outcome(costs=(1.0,)))
+    answer, worker_pool.submit = worker_pool.submit, lambda job: Future()  # type: ignore[method-assign]
+    queue = TrialQueue(worker_pool)
     queue.put(0, job_of(1.0))
 
     def look() -> None:
-        crew.submit = answer  # type: ignore[method-assign]
+        worker_pool.submit = answer  # type: ignore[method-assign]
         raise BrokenExecutor
 
-    monkeypatch.setattr(crew, "check", look)
+    monkeypatch.setattr(worker_pool, "check", look)
     assert [(number, outcome.costs) for number, outcome in queue.take()] == [(0, (1.0,))]
 
 
-def test_a_pool_that_breaks_between_trials_is_renewed() -> None:
-    crew = Processes(1)
+def test_pool_broken_between_trials_is_replaced() -> None:
+    worker_pool = ProcessPool(1)
     try:
-        queue = Queue(crew)
+        queue = TrialQueue(worker_pool)
         for number in range(2):
-            queue.put(number, Job(gain_values(OWN), (EPISODE,), ("balance",)))
+            queue.put(number, TrialJob(gain_values(OWN), (EPISODE,), ("balance",)))
             outcomes = queue.take()
-            assert outcomes[0][1].costs[0] < BROKEN
-            victim = next(iter(crew._pool._processes))
+            assert outcomes[0][1].costs[0] < BROKEN_COST
+            victim = next(iter(worker_pool._pool._processes))
             os.kill(victim, signal.SIGKILL)
             time.sleep(0.5)  # the pool has seen it by now
     finally:
-        crew.close()
+        worker_pool.close()
 
 
-def test_workers_end_with_a_search_that_is_killed(tmp_path: Path) -> None:
-    running = subprocess.Popen(command("--trials", "500", *SHORT[2:]))
+def test_workers_end_when_the_search_is_killed(tmp_path: Path) -> None:
+    running = subprocess.Popen(command("--trials", "500", *SHORT_SEARCH[2:]))
     children: list[int] = []
     deadline = time.monotonic() + 60.0
     while not children and time.monotonic() < deadline:
@@ -337,19 +355,19 @@ def test_workers_end_with_a_search_that_is_killed(tmp_path: Path) -> None:
         time.sleep(0.1)
 
 
-def test_a_gain_and_the_number_that_sets_it_are_not_searched_together() -> None:
+def test_gain_and_its_frequency_parameter_cannot_be_searched_together() -> None:
     space = tuple(parse_parameter(name) for name in ("sway_frequency", "com_kp_horizontal"))
     with pytest.raises(Error, match="got sway_frequency and com_kp_horizontal, expected one"):
         SearchSettings("go1", OWN, space=space)
 
 
-def test_gains_that_begin_like_a_task_are_themselves() -> None:
+def test_foot_gains_are_searched_by_their_own_name() -> None:
     assert parse_parameter("foot_kp").get(OWN) == OWN.foot_kp
     assert parse_parameter("foot_kd").get(OWN) == OWN.foot_kd
 
 
-def test_a_range_is_widened_to_the_start_and_a_start_of_0_is_refused() -> None:
-    slow = apply({"sway_frequency": 0.3, "sway_damping": 0.25}, OWN)
+def test_search_range_includes_the_start_and_refuses_a_start_of_0() -> None:
+    slow = apply_parameters({"sway_frequency": 0.3, "sway_damping": 0.25}, OWN)
     slow.com_kp_horizontal = 0.5
     settings = SearchSettings("go1", slow)
     sway = next(p for p in settings.space if p.name == "sway_frequency")
@@ -358,7 +376,7 @@ def test_a_range_is_widened_to_the_start_and_a_start_of_0_is_refused() -> None:
         SearchSettings("go1", OWN, space=(parse_parameter("weight_momentum"),))
 
 
-def test_numbers_that_do_not_go_together_are_a_broken_trial_and_the_search_goes_on() -> None:
+def test_inconsistent_gains_are_a_failed_trial_and_the_search_continues() -> None:
     names = ("contact_force_on", "contact_force_off")
     space = tuple(parse_parameter(name) for name in names)
     settings = SearchSettings(
@@ -370,7 +388,7 @@ def test_numbers_that_do_not_go_together_are_a_broken_trial_and_the_search_goes_
 
 
 @pytest.mark.parametrize("sampler", ["random", "tpe"])
-def test_a_search_that_goes_on_does_not_draw_the_same_numbers_again(tmp_path, sampler) -> None:
+def test_resumed_search_draws_new_parameters(tmp_path, sampler) -> None:
     settings = {"episodes": 1, "held_out": 1, "sampler": sampler, "store": str(tmp_path / "x")}
     run_search(SearchSettings("go1", OWN, trials=4, **settings), OWN)
     result = run_search(SearchSettings("go1", OWN, trials=8, **settings), OWN)
@@ -378,7 +396,7 @@ def test_a_search_that_goes_on_does_not_draw_the_same_numbers_again(tmp_path, sa
     assert len(result.trials) == len(drawn) == 8
 
 
-def test_a_store_without_its_beginning_or_of_something_else_is_refused(tmp_path: Path) -> None:
+def test_truncated_or_foreign_search_store_is_refused(tmp_path: Path) -> None:
     store = tmp_path / "trials.log"
     run_search(SearchSettings("go1", OWN, trials=2, episodes=1, held_out=1, store=str(store)), OWN)
     lines = store.read_text().splitlines(keepends=True)
@@ -389,25 +407,28 @@ def test_a_store_without_its_beginning_or_of_something_else_is_refused(tmp_path:
         ("".join(lines[:3]) + "rubbish\n" + "".join(lines[3:]), "line 4 is no journal entry"),
     ):
         store.write_text(text)
-        run = search(*SHORT, "--store", str(store))
+        run = search(*SHORT_SEARCH, "--store", str(store))
         assert run.returncode == 2, text[:100]
         assert words in run.stderr
         assert store.read_text() == text
 
 
 @pytest.mark.parametrize("objective", ["balance", "quiet", "power"])
-def test_nothing_that_stands_costs_more_than_a_fall(objective: str) -> None:
-    stiff = apply({"sway_frequency": 6.0, "sway_damping": 2.5}, OWN)
+def test_standing_costs_less_than_a_fall(objective: str) -> None:
+    stiff = apply_parameters({"sway_frequency": 6.0, "sway_damping": 2.5}, OWN)
     limp = OWN.__copy__()
     limp.fall_tilt = 0.1
     limp.com_kp_horizontal = limp.com_kd_horizontal = 0.0
     limp.base_kp_tilt = limp.base_kd_tilt = 0.0
-    stood, fallen = (judged(Job(gain_values(g), (EPISODE,), (objective,))) for g in (stiff, limp))
+    stood, fallen = (
+        evaluate_exclusively(TrialJob(gain_values(g), (EPISODE,), (objective,)))
+        for g in (stiff, limp)
+    )
     assert (stood.falls, fallen.falls) == (0, 1)
-    assert stood.costs[0] <= 100.0 < fallen.costs[0] <= 300.0 < BROKEN
+    assert stood.costs[0] <= 100.0 < fallen.costs[0] <= 300.0 < BROKEN_COST
 
 
-def test_a_trial_that_was_lucky_with_its_runs_loses_the_finals() -> None:
+def test_lucky_trial_loses_the_final_evaluation() -> None:
     settings = SearchSettings("go1", OWN, space=(parse_parameter("sway_frequency"),))
     scale = optuna.distributions.FloatDistribution(0.3, 6.0, log=True)
     trials = [
@@ -417,9 +438,9 @@ def test_a_trial_that_was_lucky_with_its_runs_loses_the_finals() -> None:
         for f, cost in ((1.0, 3.0), (1.5, 3.2), (2.0, 9.0))
     ]
 
-    def answer(job: Job):
+    def answer(job: TrialJob):
         lucky = job.gains["com_kp_horizontal"] < 50.0  # 1 Hz
         return Outcome(costs=(5.0 if lucky else 3.2,), episodes=1)
 
-    best = finals(settings, FakeCrew(answer), trials, (9.0,))
+    best = select_best_trial(settings, FakeWorkerPool(answer), trials, (9.0,))
     assert best.params == {"sway_frequency": 1.5}

@@ -9,17 +9,17 @@ import surefoot
 from surefoot.protocol import Button, WirelessRemote
 from surefoot.virtual_robot import parse_shake, read_remote_script
 from surefoot.virtual_robot.channel import Channel
-from surefoot.virtual_robot.clock import MOST_LATE, RealTime
-from surefoot.virtual_robot.keyboard import HOLD, Keyboard
-from surefoot.virtual_robot.record import Recorder, summarise
+from surefoot.virtual_robot.keyboard import BUTTON_HOLD_TIME, Keyboard
+from surefoot.virtual_robot.real_time_pacer import MAX_CATCH_UP, RealTimePacer
 from surefoot.virtual_robot.remote import Remote
+from surefoot.virtual_robot.run_record import RunRecorder, summarise
 from surefoot.virtual_robot.status_line import StatusLine
-from virtual_robot_helpers import BLANK, CLIENT, Bench, servo
+from virtual_robot_helpers import BLANK, CLIENT, SteppedRobot, servo
 
 POSE = (0.0, 1.2, -2.0)
 
 
-def test_a_channel_loses_its_share_and_counts_it() -> None:
+def test_channel_loss_rate_is_applied_and_counted() -> None:
     channel = Channel(20.0, 0.0, 0.0, np.random.default_rng(1))
     for k in range(5000):
         channel.put((bytes([k % 256]), CLIENT), 0.0)
@@ -45,44 +45,44 @@ def test_a_channel_delays_within_its_jitter_and_keeps_the_order() -> None:
     assert max(delays) - min(delays) > 0.002
 
 
-def test_delay_is_on_both_ways() -> None:
-    bench = Bench(hung=True, delay=0.005)
-    bench.hear(BLANK)
-    bench.run(0.005)
-    assert bench.robot.link.peer is None
-    bench.run(0.005)  # the first report leaves after 6 ms and arrives 5 ms later
-    assert not bench.port.outbox
-    bench.run(0.001)
-    assert len(bench.port.outbox) == 1
-    bench.command(servo(POSE))
-    bench.run(0.005)
-    assert bench.robot.command is None
-    bench.run(0.001)
-    assert bench.robot.command is not None
+def test_delay_applies_in_both_directions() -> None:
+    stepped = SteppedRobot(hung=True, delay=0.005)
+    stepped.put_datagram(BLANK)
+    stepped.run(0.005)
+    assert stepped.robot.link.peer is None
+    stepped.run(0.005)  # the first report leaves after 6 ms and arrives 5 ms later
+    assert not stepped.port.outbox
+    stepped.run(0.001)
+    assert len(stepped.port.outbox) == 1
+    stepped.command(servo(POSE))
+    stepped.run(0.005)
+    assert stepped.robot.command is None
+    stepped.run(0.001)
+    assert stepped.robot.command is not None
 
 
-def test_loss_is_on_both_ways_and_counted() -> None:
-    bench = Bench(hung=True, drop=30.0)
-    bench.run(1.0, servo(POSE))
-    lost_in, lost_out = bench.robot.link.lost
+def test_loss_applies_in_both_directions_and_is_counted() -> None:
+    stepped = SteppedRobot(hung=True, drop=30.0)
+    stepped.run(1.0, servo(POSE))
+    lost_in, lost_out = stepped.robot.link.lost
     assert lost_in == pytest.approx(150, abs=45)
     assert lost_out == pytest.approx(300, abs=60)
-    assert bench.robot.link.commands == 500 - lost_in
-    assert f"lost {lost_in} in, {lost_out} out" in StatusLine(bench.robot).line(1.0)
-    assert len(bench.port.outbox) == bench.robot.link.sent - lost_out
-    assert bench.robot.watchdog.intervals == []
+    assert stepped.robot.link.commands == 500 - lost_in
+    assert f"lost {lost_in} in, {lost_out} out" in StatusLine(stepped.robot).line(1.0)
+    assert len(stepped.port.outbox) == stepped.robot.link.sent - lost_out
+    assert stepped.robot.watchdog.intervals == []
 
 
-def test_a_script_plays_on_the_remote(tmp_path: Path) -> None:
+def test_script_drives_the_remote(tmp_path: Path) -> None:
     script = tmp_path / "remote.txt"
     script.write_text(
         "# a comment\n0.010 press A\n0.012 lx 0.5  # half right\n\n"
         "0.020 release a\n0.015 press L2\n0.016 L2 1\n"
     )
-    bench = Bench(remote=read_remote_script(script))
-    bench.hear(BLANK)
-    bench.run(0.03)
-    states = bench.states()
+    stepped = SteppedRobot(remote=read_remote_script(script))
+    stepped.put_datagram(BLANK)
+    stepped.run(0.03)
+    states = stepped.states()
     remotes = [WirelessRemote.from_bytes(bytes(s.wirelessRemote)) for s in states]
     assert not remotes[8].pressed(Button.A) and remotes[9].pressed(Button.A)
     assert remotes[18].pressed(Button.A) and not remotes[19].pressed(Button.A)
@@ -94,7 +94,7 @@ def test_a_script_plays_on_the_remote(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "line", ["1 press", "soon press A", "1 push A", "1 press Q", "1 lx 2", "1 lx nan", "-1 lx 0"]
 )
-def test_a_script_that_makes_no_sense_is_refused_by_its_line(tmp_path: Path, line: str) -> None:
+def test_invalid_remote_script_error_names_the_line(tmp_path: Path, line: str) -> None:
     script = tmp_path / "remote.txt"
     script.write_text("0 press A\n" + line + "\n")
     with pytest.raises(surefoot.Error, match="line 2"):
@@ -104,31 +104,31 @@ def test_a_script_that_makes_no_sense_is_refused_by_its_line(tmp_path: Path, lin
 def test_keys_move_sticks_by_steps_and_hold_buttons_for_a_while() -> None:
     remote = Remote()
     keyboard = Keyboard(remote)
-    keyboard.type("ddw\x1b[A?", 0.0)
+    keyboard.type_text("ddw\x1b[A?", 0.0)
 
     def seen() -> WirelessRemote:
         return WirelessRemote.from_bytes(remote.bytes or bytes(40))
 
     assert (seen().lx, seen().ly) == (0.5, 0.25)
     assert seen().pressed(Button.UP)
-    keyboard.poll(HOLD)
+    keyboard.poll(BUTTON_HOLD_TIME)
     assert not seen().pressed(Button.UP)
-    keyboard.type("dddddd", 1.0)
+    keyboard.type_text("dddddd", 1.0)
     assert seen().lx == 1.0
-    keyboard.type(" ", 1.0)
+    keyboard.type_text(" ", 1.0)
     assert (seen().lx, seen().ly) == (0.0, 0.0)
 
 
 @pytest.mark.parametrize(
     "text", ["", "FR_1", "FR_1:8:5", "FR_3:8:5@1", "12:8:5@1", "FR_1:x:5@1", "FR_1:8:5@1:2:3"]
 )
-def test_a_shake_that_makes_no_sense_is_refused(text: str) -> None:
+def test_invalid_shake_is_refused(text: str) -> None:
     with pytest.raises(surefoot.Error, match="shake"):
         parse_shake(text)
 
 
 @pytest.mark.parametrize(("name", "motor"), [("FR_0", 0), ("RL_calf", 11), ("7", 7)])
-def test_joints_have_names_and_numbers(name: str, motor: int) -> None:
+def test_shake_accepts_joint_names_and_numbers(name: str, motor: int) -> None:
     assert parse_shake(f"{name}:8:5@1").motor == motor
 
 
@@ -143,36 +143,36 @@ class FakeClock:
         self.time += seconds
 
 
-def test_deadlines_are_absolute_and_little_lateness_is_caught_up() -> None:
+def test_pacing_recovers_from_short_delays() -> None:
     clock = FakeClock()
-    pace = RealTime(0.001, clock.now, clock.sleep)
+    pace = RealTimePacer(0.001, clock.now, clock.sleep)
     for k in range(1000):
         clock.time += 0.004 if k % 10 == 0 else 0.0002  # a slow cycle now and then
         pace.wait()
-    assert clock.time - 100.0 == pytest.approx(1.0, abs=MOST_LATE)
+    assert clock.time - 100.0 == pytest.approx(1.0, abs=MAX_CATCH_UP)
     assert pace.slipped == 0.0
-    assert pace.factor == pytest.approx(1.0, abs=0.01)
+    assert pace.real_time_factor == pytest.approx(1.0, abs=0.01)
 
 
-def test_time_that_cannot_be_caught_up_is_lost_and_said_so() -> None:
+def test_pacing_reports_time_it_cannot_recover() -> None:
     clock = FakeClock()
-    pace = RealTime(0.001, clock.now, clock.sleep)
+    pace = RealTimePacer(0.001, clock.now, clock.sleep)
     for _ in range(1000):
         clock.time += 0.002
         pace.wait()
-    assert pace.factor == pytest.approx(0.5, abs=0.01)
-    assert pace.slipped == pytest.approx(1.0, abs=2 * MOST_LATE)
+    assert pace.real_time_factor == pytest.approx(0.5, abs=0.01)
+    assert pace.slipped == pytest.approx(1.0, abs=2 * MAX_CATCH_UP)
 
 
-def test_the_record_says_what_was_received_and_done() -> None:
-    bench = Bench(hung=True, log_rate=100.0, timeout=0.05)
-    recorder = Recorder(bench.robot)
+def test_record_contains_received_commands_and_motion() -> None:
+    stepped = SteppedRobot(hung=True, log_rate=100.0, timeout=0.05)
+    recorder = RunRecorder(stepped.robot)
     for k in range(300):
         if 100 <= k < 200:
-            bench.command(servo(POSE))
-        bench.robot.cycle()
+            stepped.command(servo(POSE))
+        stepped.robot.cycle()
         recorder.observe()
-    record = summarise(bench.robot, recorder, 0.98, 0.1)
+    record = summarise(stepped.robot, recorder, 0.98, 0.1)
     log = record["log"]
     assert (record["robot"], record["sdk"], record["commands"]) == ("go1", "go1-v3.8", 100)
     assert record["damping"] == [[0.249, None]]
@@ -187,15 +187,15 @@ def test_the_record_says_what_was_received_and_done() -> None:
     assert np.abs(log["tau"]).max() > 1.0
 
 
-def test_the_status_line_has_what_was_asked_for() -> None:
-    bench = Bench(hung=True)
-    status = StatusLine(bench.robot)
+def test_status_line_contains_rates_rejections_and_mode() -> None:
+    stepped = SteppedRobot(hung=True)
+    status = StatusLine(stepped.robot)
     assert "no command yet" in status.line(0.001)
-    bench.hear(b"noise")
-    bench.run(0.5, servo(POSE))
+    stepped.put_datagram(b"noise")
+    stepped.run(0.5, servo(POSE))
     line = status.line(1.001)
     for text in ("commands 250 Hz, 250", "rejected 1 (wrong length 1)", "motors servo", "x 0.50"):
         assert text in line
     assert "249 repeated" in line and "lost" not in line and "overtaken" not in line
-    bench.run(0.2)
+    stepped.run(0.2)
     assert "DAMP" in status.line(1.3)

@@ -9,19 +9,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 from surefoot.cli import main
-from virtual_robot_helpers import UdpClient, servo, start
+from virtual_robot_helpers import UdpClient, servo, start_robot
 
-pytestmark = pytest.mark.alone
+pytestmark = pytest.mark.real_time
 
 POSE = (0.0, 1.2, -2.0)
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT])
-def test_a_program_drives_it_over_udp_and_a_signal_ends_it_with_its_record(
+def test_udp_client_drives_the_robot_and_a_signal_writes_the_record(
     how: signal.Signals, tmp_path: Path
 ) -> None:
     file = tmp_path / "robot.json"
-    process, port = start("--hung", "--json", str(file))
+    process, port = start_robot("--hung", "--json", str(file))
     states = UdpClient(port).run(1.5, servo(POSE))
     process.send_signal(how)
     out, err = process.communicate(timeout=20)
@@ -37,16 +37,16 @@ def test_a_program_drives_it_over_udp_and_a_signal_ends_it_with_its_record(
     assert len(record["log"]["q"]) == len(record["log"]["time"]) > 100
 
 
-def test_it_ends_by_itself(tmp_path: Path) -> None:
+def test_robot_process_ends_after_its_duration(tmp_path: Path) -> None:
     file = tmp_path / "robot.json"
-    process, _ = start("--duration", "0.3", "--json", str(file), "--log-rate", "50")
+    process, _ = start_robot("--duration", "0.3", "--json", str(file), "--log-rate", "50")
     assert process.wait(timeout=20) == 0
     record = json.loads(file.read_text())
     assert record["duration"] == pytest.approx(0.3)
     assert len(record["log"]["time"]) == 15
 
 
-def test_a_port_in_use_is_one_line_and_status_1(capsys) -> None:
+def test_robot_port_in_use_gives_one_error_line_and_status_1(capsys) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("127.0.0.1", 0))
         port = taken.getsockname()[1]
@@ -79,7 +79,7 @@ BAD = {
 
 
 @pytest.mark.parametrize("case", BAD)
-def test_a_wrong_argument_is_one_line_and_status_2(case: str, capsys) -> None:
+def test_invalid_robot_argument_gives_one_error_line_and_status_2(case: str, capsys) -> None:
     words, expected = BAD[case]
     assert main(["robot", "--port", "0", "--duration", "0.01", *words]) == 2
     error = capsys.readouterr().err
@@ -87,7 +87,7 @@ def test_a_wrong_argument_is_one_line_and_status_2(case: str, capsys) -> None:
     assert expected in error
 
 
-def test_a_window_without_a_display_is_one_line_and_status_2(monkeypatch, capsys) -> None:
+def test_view_without_a_display_gives_status_2(monkeypatch, capsys) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     assert main(["robot", "--port", "0", "--view"]) == 2

@@ -35,7 +35,7 @@ class MemoryPort:
         return True
 
 
-class Bench:
+class SteppedRobot:
     """A virtual robot whose time passes when a test says so."""
 
     def __init__(self, robot: str = "go1", **settings) -> None:
@@ -44,11 +44,11 @@ class Bench:
         self.settings = VirtualRobotSettings(robot=robot, **settings)
         self.robot = VirtualRobot(self.settings, self.port, self.lines.append)
 
-    def hear(self, data: bytes, sender: tuple[str, int] = CLIENT) -> None:
+    def put_datagram(self, data: bytes, sender: tuple[str, int] = CLIENT) -> None:
         self.port.inbox.append((data, sender))
 
     def command(self, cmd: surefoot.LowCmd) -> None:
-        self.hear(protocol.encode_low_cmd(cmd, self.settings.generation))
+        self.put_datagram(protocol.encode_low_cmd(cmd, self.settings.generation))
 
     def run(self, seconds: float, cmd: surefoot.LowCmd | None = None) -> None:
         """Let time pass, repeating a command every 2 ms."""
@@ -98,7 +98,7 @@ class UdpClient:
         return states
 
 
-def start(*words: str) -> tuple[subprocess.Popen[str], int]:
+def start_robot(*words: str) -> tuple[subprocess.Popen[str], int]:
     """A virtual robot of its own process, and its port: on its first line, as programs read it."""
     command = [sys.executable, "-m", "surefoot.cli", "robot", "--port", "0", *words]
     process = subprocess.Popen(
@@ -110,7 +110,7 @@ def start(*words: str) -> tuple[subprocess.Popen[str], int]:
     return process, int(found[1])
 
 
-def controller(port: int, *words: str) -> subprocess.Popen[str]:
+def start_controller(port: int, *words: str) -> subprocess.Popen[str]:
     """surefoot run as a process of its own."""
     command = [sys.executable, "-m", "surefoot.cli", "run", "--port", str(port), *words]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -141,6 +141,6 @@ def arm_again(run: subprocess.Popen[str]) -> None:
     raise AssertionError(said)
 
 
-def heed_ctrl_c() -> None:
+def restore_sigint() -> None:
     """For Popen(preexec_fn=...): a process started in the background would ignore SIGINT."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Counts heap allocations and exceptions of the tick, by replacing malloc with its relatives
-// (benchmarks/ticks/heap.cpp) and the throw itself for the whole program.
+// (benchmarks/ticks/memory_counters.cpp) and the throw itself for the whole program.
 #include <dlfcn.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
-#include "kkt.hpp"
-#include "safety/command_ladder.hpp"
-#include "scenes.hpp"
+#include "random_disturbances.hpp"
+#include "random_qp.hpp"
+#include "robot_states.hpp"
+#include "safety/fallback_chain.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/supervisor.hpp"
-#include "ticks/heap.hpp"
+#include "ticks/memory_counters.hpp"
 #include "wbc/qp_solver.hpp"
-#include "weather.hpp"
 
 namespace {
 long exceptions = 0;
@@ -54,14 +54,14 @@ struct UserTask : Task {
   long calls = 0;
 };
 
-struct Seen {
-  long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0, slowed = 0,
-       lifted = 0;
+struct TickCounts {
+  long general = 0, condensed = 0, yielding = 0, stopped = 0, damping = 0, faults = 0,
+       power_limited = 0, lifted = 0;
   long refused = 0, cold = 0, forces = 0, held = 0;
   long allocations = 0, exceptions = 0;
 };
 
-Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
+TickCounts run(const Robot& robot, QpForm form, double delay, std::uint32_t ticks) {
   StandOptions options;
   options.form = form;
   options.delay = delay;
@@ -72,41 +72,43 @@ Seen run(const Robot& robot, Form form, double delay, std::uint32_t ticks) {
   gains.edge_rise = 0.8;
   StandController controller(robot, gains, options);
   controller.add_task(std::make_shared<UserTask>());
-  Weather weather(robot);
+  RandomDisturbances disturbances(robot);
   Safety safety(robot);
-  Seen seen;
+  TickCounts tick_counts;
   const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
   for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
-    if (tick % 400 == 0) controller.set_body_reference(weather.reference());
+    if (tick % 400 == 0) controller.set_body_reference(disturbances.reference());
     if (tick % 2100 == 0) controller.set_body_reference({0.0, std::nan(""), 0.0, 0.0, 0.0, 0.0});
-    const LowState& report = weather.report(tick);
+    const LowState& report = disturbances.report(tick);
     LowCmd command = controller.update(report);
     safety.position_limit(command);
     const bool safe =
         safety.power_protect(command, report, 1) + safety.position_protect(command, report) == 2;
-    seen.refused += !safe;
-    seen.slowed += controller.power_scale() < 1.0;
-    for (const FootReference& foot : controller.reference().feet) seen.lifted += !foot.stance;
+    tick_counts.refused += !safe;
+    tick_counts.power_limited += controller.power_scale() < 1.0;
+    for (const FootReference& foot : controller.reference().feet)
+      tick_counts.lifted += !foot.stance;
     const Solution& s = controller.solution();
-    (s.form == Form::kGeneral ? seen.general : seen.condensed) += 1;
-    seen.yielding += s.torque_excess + s.joint_limit_excess + s.hold_down_missing > 1e-3;
-    seen.stopped += controller.reach().limit != ReachLimit::kNone;
-    seen.faults += !is_usable(controller.status());
+    (s.form == QpForm::kGeneral ? tick_counts.general : tick_counts.condensed) += 1;
+    tick_counts.yielding +=
+        s.torque_limit_violation + s.joint_limit_violation + s.hold_down_violation > 1e-3;
+    tick_counts.stopped += controller.reach().limit != ReachLimit::kNone;
+    tick_counts.faults += !is_usable(controller.status());
     if (controller.status() != Status::kDamping) continue;
-    ++seen.damping;
+    ++tick_counts.damping;
     controller.reset();
   }
-  seen.allocations = bench::heap_allocations() - allocations_before;
-  seen.exceptions = exceptions - exceptions_before;
-  seen.cold = static_cast<long>(controller.rung_count(Rung::kColdSolve));
-  seen.forces = static_cast<long>(controller.rung_count(Rung::kForces));
-  seen.held = static_cast<long>(controller.rung_count(Rung::kHold));
-  return seen;
+  tick_counts.allocations = bench::heap_allocations() - allocations_before;
+  tick_counts.exceptions = exceptions - exceptions_before;
+  tick_counts.cold = static_cast<long>(controller.fallback_count(FallbackLevel::kColdSolve));
+  tick_counts.forces = static_cast<long>(controller.fallback_count(FallbackLevel::kForces));
+  tick_counts.held = static_cast<long>(controller.fallback_count(FallbackLevel::kHold));
+  return tick_counts;
 }
 
 // A robot without mass: its joints go where motors and the ground pull them, as fast as they are
 // damped. The ground pulls as it does on a robot that stands, but not at one that lies and brakes.
-void follow(const LowCmd& command, const LowState& standing, LowState& report) {
+void simulate_massless_robot(const LowCmd& command, const LowState& standing, LowState& report) {
   report.tick += 2;
   report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
   report.imu.accelerometer[0] = report.imu.gyroscope[2];
@@ -120,33 +122,33 @@ void follow(const LowCmd& command, const LowState& standing, LowState& report) {
   }
 }
 
-struct Supervised {
+struct SupervisedCounts {
   std::array<long, 5> ticks{};  // in each mode
   long allocations = 0, exceptions = 0;
 };
 
 // Up, down, up again, stopped, armed again, and so on; every call but the constructor counts.
-Supervised supervise(const Robot& robot) {
+SupervisedCounts run_supervisor(const Robot& robot) {
   Supervisor supervisor(robot);
-  const LowState standing = resting_report(robot, 0);
+  const LowState standing = resting_sample(robot, 0);
   LowState report = standing;
-  Supervised seen;
+  SupervisedCounts tick_counts;
   const long allocations_before = bench::heap_allocations(), exceptions_before = exceptions;
   for (int tick = 0; tick < 25000; ++tick) {
-    follow(supervisor.update(report), standing, report);
+    simulate_massless_robot(supervisor.update(report), standing, report);
     const Mode mode = supervisor.mode();
-    ++seen.ticks[static_cast<int>(mode)];
+    ++tick_counts.ticks[static_cast<int>(mode)];
     if (!supervisor.armed()) supervisor.arm();
     if (mode == Mode::kPassive) supervisor.request(Mode::kRise);
     if (mode == Mode::kStand && tick % 700 == 0) supervisor.request(Mode::kSit);
     if (tick % 9000 == 0) supervisor.stop();
-    if (tick % 300 == 7) supervisor.bridge(0.004);
-    if (tick % 12000 == 11) supervisor.lose();
-    supervisor.count_reports(1.0, 0.0);
+    if (tick % 300 == 7) supervisor.update_without_state(0.004);
+    if (tick % 12000 == 11) supervisor.report_link_lost();
+    supervisor.count_samples(1.0, 0.0);
   }
-  seen.allocations = bench::heap_allocations() - allocations_before;
-  seen.exceptions = exceptions - exceptions_before;
-  return seen;
+  tick_counts.allocations = bench::heap_allocations() - allocations_before;
+  tick_counts.exceptions = exceptions - exceptions_before;
+  return tick_counts;
 }
 
 // What the ticks above hardly ever need: ProxQP, in the place of the active-set method.
@@ -154,7 +156,7 @@ long fallback_allocations() {
   QpSolver solver(12, 0, 72, 1e-6, 0);
   long found = 0, iterations = 0;
   for (int seed = 0; seed < 200; ++seed) {
-    const RandomProgram random(seed);
+    const RandomQp random(seed);
     const long before = bench::heap_allocations();
     iterations += solver.solve(random.problem).iterations;
     found += bench::heap_allocations() - before;
@@ -164,15 +166,15 @@ long fallback_allocations() {
 }
 
 // The rungs that good states never need: the last forces, the weight, and none at all.
-long ladder_allocations(const Robot& robot) {
-  CommandLadder ladder(robot);
+long fallback_chain_allocations(const Robot& robot) {
+  FallbackChain ladder(robot);
   RobotState state = standing_state(robot);
   Reference reference = reference_at(robot, state);
   reference.p_com.x() = std::nan("");
   const FeetMatrix planned = FeetMatrix::Constant(10.0);
   Dynamics dynamics(robot);
   const Gains gains;
-  std::array<long, kRungs> found{};
+  std::array<long, kFallbackLevels> found{};
   const long before = bench::heap_allocations();
   for (const double angle : {0.8, std::nan("")}) {
     state.q[8] = angle;
@@ -180,7 +182,7 @@ long ladder_allocations(const Robot& robot) {
     for (const bool known : {true, false}) {
       ladder.reset();
       if (known) ladder.remember(gains, dynamics, state, reference, planned);
-      ++found[static_cast<int>(ladder.descend(gains, dynamics, state, reference))];
+      ++found[static_cast<int>(ladder.compute_fallback(gains, dynamics, state, reference))];
     }
   }
   const long allocations = bench::heap_allocations() - before;
@@ -204,26 +206,27 @@ bool counters_work() {
 
 int main() {
   const Robot robot = quadruped();
-  bool good = counters_work() && fallback_allocations() == 0 && ladder_allocations(robot) == 0;
-  for (const Form form : {Form::kAuto, Form::kGeneral}) {
+  bool good =
+      counters_work() && fallback_allocations() == 0 && fallback_chain_allocations(robot) == 0;
+  for (const QpForm form : {QpForm::kAuto, QpForm::kGeneral}) {
     for (const double delay : {0.0, 0.01}) {
-      const Seen s = run(robot, form, delay, 25000);
+      const TickCounts s = run(robot, form, delay, 25000);
       std::printf(
           "%s, delay %.0f ms, 25000 ticks: %ld allocations, %ld exceptions; "
           "general %ld, condensed %ld, limits giving way %ld, reference stopped %ld, "
           "bad ticks %ld, damped %ld, power limited %ld, refused %ld, "
           "solved anew %ld, bridged %ld, held %ld, feet lifted %ld\n",
           to_string(form), 1e3 * delay, s.allocations, s.exceptions, s.general, s.condensed,
-          s.yielding, s.stopped, s.faults, s.damping, s.slowed, s.refused, s.cold, s.forces, s.held,
-          s.lifted);
+          s.yielding, s.stopped, s.faults, s.damping, s.power_limited, s.refused, s.cold, s.forces,
+          s.held, s.lifted);
       good = good && s.lifted > 100 && s.yielding > 100 && s.stopped > 1000 && s.faults > 100 &&
-             s.damping >= 4 && s.slowed > 100 && s.refused > 100 && s.general > 500 &&
+             s.damping >= 4 && s.power_limited > 100 && s.refused > 100 && s.general > 500 &&
              s.cold > 10 && s.forces > 10 && s.held > 10 &&
-             (form == Form::kGeneral || s.condensed > 1000) && s.allocations == 0 &&
+             (form == QpForm::kGeneral || s.condensed > 1000) && s.allocations == 0 &&
              s.exceptions == 0;
     }
   }
-  const Supervised s = supervise(robot);
+  const SupervisedCounts s = run_supervisor(robot);
   std::printf(
       "supervised, 25000 ticks: %ld allocations, %ld exceptions; passive %ld, rise %ld, "
       "stand %ld, sit %ld, damping %ld\n",

@@ -15,11 +15,11 @@ using namespace surefoot;
 
 namespace {
 
-struct Seen {
-  long datagrams = 0, signed_again = 0, accepted = 0, wrong = 0;
+struct FuzzCounts {
+  long datagrams = 0, recomputed_crcs = 0, accepted = 0, wrong = 0;
 };
 
-Generation pick(std::mt19937_64& random) {
+Generation random_generation(std::mt19937_64& random) {
   return static_cast<Generation>(random() % kGenerations);
 }
 
@@ -88,20 +88,20 @@ bool all_finite(const LowState& state) {
 
 // What is accepted is finite and comes back bit for bit.
 template <typename Struct, typename Decode, typename Encode>
-void judge(const std::vector<std::uint8_t>& bytes, Generation g, Decode decode, Encode encode,
-           Seen& seen) {
+void check_datagram(const std::vector<std::uint8_t>& bytes, Generation g, Decode decode,
+                    Encode encode, FuzzCounts& seen) {
   // A block of its own size, so that a byte too far is seen.
   const std::vector<std::uint8_t> exact(bytes);
-  Struct told{};
+  Struct decoded{};
   FrameExtras extras;
-  if (decode(exact.data(), exact.size(), g, told, extras).status != FrameStatus::kOk) return;
+  if (decode(exact.data(), exact.size(), g, decoded, extras).status != FrameStatus::kOk) return;
   ++seen.accepted;
   Frame back;
-  const bool same = encode(told, extras, g, back).status == FrameStatus::kOk &&
+  const bool same = encode(decoded, extras, g, back).status == FrameStatus::kOk &&
                     back.size == exact.size() &&
                     std::memcmp(back.bytes.data(), exact.data(), exact.size()) == 0;
-  if (!same || !all_finite(told)) ++seen.wrong;
-  const WirelessRemote remote = decode_wireless_remote(told.wirelessRemote);
+  if (!same || !all_finite(decoded)) ++seen.wrong;
+  const WirelessRemote remote = decode_wireless_remote(decoded.wirelessRemote);
   if (!std::isfinite(remote.lx + remote.ly + remote.rx + remote.ry + remote.L2)) ++seen.wrong;
 }
 
@@ -110,25 +110,27 @@ void judge(const std::vector<std::uint8_t>& bytes, Generation g, Decode decode, 
 int main(int argc, char** argv) {
   const long count = argc > 1 ? std::atol(argv[1]) : 100000;
   std::mt19937_64 random(argc > 2 ? std::atol(argv[2]) : 1);
-  Seen seen;
+  FuzzCounts seen;
   while (seen.datagrams < count) {
     const bool cmd = random() % 2 == 0;
-    const Generation made = pick(random), asked = random() % 8 == 0 ? pick(random) : made;
-    std::vector<std::uint8_t> bytes = datagram(cmd, made, random);
+    const Generation sent_generation = random_generation(random),
+                     decoded_generation =
+                         random() % 8 == 0 ? random_generation(random) : sent_generation;
+    std::vector<std::uint8_t> bytes = datagram(cmd, sent_generation, random);
     if (random() % 4 != 0 && bytes.size() >= 4) {
       const std::uint32_t crc = crc32(bytes.data(), bytes.size() - 4);
       std::memcpy(bytes.data() + bytes.size() - 4, &crc, 4);
-      ++seen.signed_again;
+      ++seen.recomputed_crcs;
     }
     ++seen.datagrams;
     if (cmd) {
-      judge<LowCmd>(bytes, asked, decode_low_cmd, encode_low_cmd, seen);
+      check_datagram<LowCmd>(bytes, decoded_generation, decode_low_cmd, encode_low_cmd, seen);
     } else {
-      judge<LowState>(bytes, asked, decode_low_state, encode_low_state, seen);
+      check_datagram<LowState>(bytes, decoded_generation, decode_low_state, encode_low_state, seen);
     }
   }
   std::printf("%ld datagrams, %ld signed again, %ld accepted, %ld accepted wrongly\n",
-              seen.datagrams, seen.signed_again, seen.accepted, seen.wrong);
-  const bool enough = 2 * seen.signed_again >= seen.datagrams && seen.accepted > count / 100;
+              seen.datagrams, seen.recomputed_crcs, seen.accepted, seen.wrong);
+  const bool enough = 2 * seen.recomputed_crcs >= seen.datagrams && seen.accepted > count / 100;
   return seen.wrong == 0 && enough ? 0 : 1;
 }

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "kkt.hpp"
+#include "random_qp.hpp"
 #include "wbc/active_set.hpp"
 
 using namespace surefoot;
@@ -11,8 +11,8 @@ namespace {
 
 using Outcome = ActiveSet::Outcome;
 
-struct Solved {
-  explicit Solved(const QpProblem& p, double tolerance = 1e-10)
+struct ActiveSetRun {
+  explicit ActiveSetRun(const QpProblem& p, double tolerance = 1e-10)
       : method(int(p.g.size()), int(p.b.size()), int(p.l.size())), x(p.g), y(p.b), z(p.l) {
     z.setZero();
     outcome = method.solve(p, tolerance, x, y, z);
@@ -22,10 +22,12 @@ struct Solved {
   Outcome outcome;
 };
 
-double residual(const QpProblem& p, const Solved& s) { return kkt_residual(p, s.x, s.y, s.z); }
+double residual(const QpProblem& p, const ActiveSetRun& s) {
+  return kkt_residual(p, s.x, s.y, s.z);
+}
 
 // Minimise |x - target|^2 / 2 within rows.
-QpProblem nearest(const Eigen::VectorXd& target, int rows) {
+QpProblem projection_qp(const Eigen::VectorXd& target, int rows) {
   QpProblem p(int(target.size()), 0, rows);
   p.H.setIdentity();
   p.g = -target;
@@ -38,19 +40,19 @@ QpProblem nearest(const Eigen::VectorXd& target, int rows) {
 
 BOOST_AUTO_TEST_SUITE(active_set)
 
-BOOST_AUTO_TEST_CASE(random_programs_are_solved_from_nothing) {
+BOOST_AUTO_TEST_CASE(random_qps_are_solved_from_a_cold_start) {
   for (int seed = 0; seed < 500; ++seed) {
-    const RandomProgram random(seed);
-    const Solved s(random.problem);
+    const RandomQp random(seed);
+    const ActiveSetRun s(random.problem);
     BOOST_REQUIRE((s.outcome == Outcome::kSolved));
     BOOST_TEST(residual(random.problem, s) < 1e-8);
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_rows_of_the_answer_are_the_answers_again_at_once) {
+BOOST_AUTO_TEST_CASE(warm_start_with_the_optimal_active_set_takes_one_iteration) {
   for (int seed = 0; seed < 50; ++seed) {
-    const RandomProgram random(seed);
-    Solved s(random.problem);
+    const RandomQp random(seed);
+    ActiveSetRun s(random.problem);
     const Eigen::VectorXd x = s.x;
     BOOST_TEST((s.method.solve(random.problem, 1e-10, s.x, s.y, s.z) == Outcome::kSolved));
     BOOST_TEST(s.method.iterations() == 1);
@@ -58,34 +60,34 @@ BOOST_AUTO_TEST_CASE(the_rows_of_the_answer_are_the_answers_again_at_once) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(equalities_hold_whatever_their_multipliers) {
+BOOST_AUTO_TEST_CASE(equality_constraints_hold_at_the_solution) {
   for (int seed = 0; seed < 100; ++seed) {
-    const RandomProgram random(seed, 30, 18, 88);
-    const Solved s(random.problem);
+    const RandomQp random(seed, 30, 18, 88);
+    const ActiveSetRun s(random.problem);
     BOOST_TEST((s.outcome == Outcome::kSolved));
     BOOST_TEST(residual(random.problem, s) < 1e-8);
   }
 }
 
 // A soft foot's rows say nothing.
-BOOST_AUTO_TEST_CASE(equalities_of_nothing_are_no_trouble) {
+BOOST_AUTO_TEST_CASE(zero_equality_rows_do_not_prevent_a_solution) {
   for (int seed = 0; seed < 50; ++seed) {
-    RandomProgram random(seed, 30, 18, 88);
+    RandomQp random(seed, 30, 18, 88);
     random.problem.A.middleRows<3>(6 + 3 * (seed % 4)).setZero();
     random.problem.b.segment<3>(6 + 3 * (seed % 4)).setZero();
-    const Solved s(random.problem);
+    const ActiveSetRun s(random.problem);
     BOOST_TEST((s.outcome == Outcome::kSolved));
     BOOST_TEST(residual(random.problem, s) < 1e-8);
   }
 }
 
 // A row on its bound is off it by rounding, which is more than what counts as violated here.
-BOOST_AUTO_TEST_CASE(rounding_of_active_rows_makes_no_row_change) {
+BOOST_AUTO_TEST_CASE(rounding_on_active_rows_does_not_change_the_active_set) {
   for (const double tolerance : {1e-11, 1e-10, 1e-9}) {
     for (const double rest : {1e-2, 1e-3, 1e-4}) {
       for (int seed = 0; seed < 50; ++seed) {
         const QpProblem p = ill_conditioned(seed, rest);
-        Solved s(p, tolerance);
+        ActiveSetRun s(p, tolerance);
         BOOST_TEST((s.outcome == Outcome::kSolved));
         BOOST_TEST((s.method.solve(p, tolerance, s.x, s.y, s.z) == Outcome::kSolved));
         BOOST_TEST(s.method.iterations() == 1);
@@ -94,83 +96,83 @@ BOOST_AUTO_TEST_CASE(rounding_of_active_rows_makes_no_row_change) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(any_rows_to_begin_with_lead_to_the_same_answer) {
+BOOST_AUTO_TEST_CASE(any_initial_active_set_leads_to_the_same_solution) {
   for (int seed = 0; seed < 100; ++seed) {
-    const RandomProgram random(seed), other(seed + 1000);
-    const Solved s(random.problem), wrong(other.problem);
+    const RandomQp random(seed), other(seed + 1000);
+    const ActiveSetRun s(random.problem), other_solution(other.problem);
     ActiveSet method(12, 0, int(random.problem.l.size()));
-    Eigen::VectorXd x = s.x, y, z = wrong.z;
+    Eigen::VectorXd x = s.x, y, z = other_solution.z;
     BOOST_TEST((method.solve(random.problem, 1e-10, x, y, z) == Outcome::kSolved));
     BOOST_TEST((s.x - x).norm() < 1e-8);
   }
 }
 
-BOOST_AUTO_TEST_CASE(rows_that_meet_in_one_point_are_no_trouble) {
+BOOST_AUTO_TEST_CASE(sixteen_constraints_through_one_vertex_are_solved) {
   // The tip of a cone with sixteen facets, as a foot that carries nothing has it.
-  QpProblem p = nearest(Eigen::Vector3d(0.3, 0.1, -2.0), 16);
+  QpProblem p = projection_qp(Eigen::Vector3d(0.3, 0.1, -2.0), 16);
   for (int k = 0; k < 16; ++k) {
     const double angle = 2.0 * M_PI * k / 16;
     p.C.row(k) << std::cos(angle), std::sin(angle), -0.6;
     p.u[k] = 0.0;
   }
-  const Solved s(p);
+  const ActiveSetRun s(p);
   BOOST_TEST((s.outcome == Outcome::kSolved));
   BOOST_TEST(s.x.norm() < 1e-12);
   BOOST_TEST(residual(p, s) < 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(rows_that_cannot_all_hold_are_called_so) {
-  QpProblem p = nearest(Eigen::Vector2d(1.0, 1.0), 2);
+BOOST_AUTO_TEST_CASE(contradictory_constraints_are_reported_as_infeasible) {
+  QpProblem p = projection_qp(Eigen::Vector2d(1.0, 1.0), 2);
   p.C << 1.0, 0.0, 1.0, 0.0;
   p.u[0] = -1.0;
   p.l[1] = 0.5;
-  BOOST_TEST((Solved(p).outcome == Outcome::kInfeasible));
+  BOOST_TEST((ActiveSetRun(p).outcome == Outcome::kInfeasible));
 }
 
-BOOST_AUTO_TEST_CASE(a_row_whose_bounds_contradict_each_other_is_called_so) {
-  QpProblem p = nearest(Eigen::Vector2d(1.0, 1.0), 1);
+BOOST_AUTO_TEST_CASE(row_with_lower_bound_above_upper_bound_is_infeasible) {
+  QpProblem p = projection_qp(Eigen::Vector2d(1.0, 1.0), 1);
   p.C << 1.0, 0.0;
   p.u[0] = 0.0;
   p.l[0] = 0.5;
-  BOOST_TEST((Solved(p).outcome == Outcome::kInfeasible));
+  BOOST_TEST((ActiveSetRun(p).outcome == Outcome::kInfeasible));
 }
 
-BOOST_AUTO_TEST_CASE(rows_that_are_nearly_parallel_are_not_called_contradictory) {
-  QpProblem p = nearest(Eigen::Vector2d(0.0, 0.0), 2);
+BOOST_AUTO_TEST_CASE(nearly_parallel_constraints_are_not_reported_as_infeasible) {
+  QpProblem p = projection_qp(Eigen::Vector2d(0.0, 0.0), 2);
   p.C << 1.0, 0.0, 1.0, 1e-5;
   p.u[0] = 0.0;
   p.l[1] = 1e-6;  // (0, 0.1) satisfies both
-  BOOST_TEST((Solved(p, 1e-6).outcome == Outcome::kGaveUp));
-  BOOST_TEST((Solved(p, 1e-9).outcome == Outcome::kGaveUp));
+  BOOST_TEST((ActiveSetRun(p, 1e-6).outcome == Outcome::kGaveUp));
+  BOOST_TEST((ActiveSetRun(p, 1e-9).outcome == Outcome::kGaveUp));
   p.C(1, 1) = 0.0;  // now nothing does
-  BOOST_TEST((Solved(p, 1e-6).outcome == Outcome::kInfeasible));
+  BOOST_TEST((ActiveSetRun(p, 1e-6).outcome == Outcome::kInfeasible));
 }
 
-BOOST_AUTO_TEST_CASE(no_more_rows_change_than_it_is_told) {
-  for (const int most : {0, 1, 5}) {
+BOOST_AUTO_TEST_CASE(number_of_active_set_changes_is_limited) {
+  for (const int max_changes : {0, 1, 5}) {
     int ended = 0;
     for (int seed = 0; seed < 50; ++seed) {
-      const RandomProgram random(seed), other(seed + 1000);
-      const Solved wrong(other.problem);
-      ActiveSet method(12, 0, int(random.problem.l.size()), most);
-      Eigen::VectorXd x = wrong.x, y, z = wrong.z;
+      const RandomQp random(seed), other(seed + 1000);
+      const ActiveSetRun other_solution(other.problem);
+      ActiveSet method(12, 0, int(random.problem.l.size()), max_changes);
+      Eigen::VectorXd x = other_solution.x, y, z = other_solution.z;
       ended += method.solve(random.problem, 1e-10, x, y, z) == Outcome::kGaveUp;
-      BOOST_TEST(method.iterations() <= most + 1);
+      BOOST_TEST(method.iterations() <= max_changes + 1);
     }
     BOOST_TEST(ended > 0);
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_not_convex_or_no_number_is_given_up) {
-  QpProblem p = nearest(Eigen::Vector2d(1.0, 1.0), 1);
+BOOST_AUTO_TEST_CASE(nonconvex_or_nan_qp_is_not_solved) {
+  QpProblem p = projection_qp(Eigen::Vector2d(1.0, 1.0), 1);
   p.C << 1.0, 1.0;
   p.H(1, 1) = -1.0;
-  BOOST_TEST((Solved(p).outcome == Outcome::kGaveUp));
+  BOOST_TEST((ActiveSetRun(p).outcome == Outcome::kGaveUp));
   p.H(1, 1) = 1.0;
   for (double* number : {&p.H(0, 1), &p.C(0, 1), &p.u[0], &p.l[0], &p.g[1]}) {
     const double kept = *number;
     *number = NAN;
-    BOOST_TEST((Solved(p).outcome != Outcome::kSolved));
+    BOOST_TEST((ActiveSetRun(p).outcome != Outcome::kSolved));
     *number = kept;
   }
 }

@@ -5,7 +5,7 @@
 #include "dynamics/dynamics.hpp"
 #include "reference/body_motion.hpp"
 #include "reference/support_polygon.hpp"
-#include "scenes.hpp"
+#include "robot_states.hpp"
 
 using namespace surefoot;
 
@@ -20,35 +20,35 @@ Vector6 vector_of(const BodyReference& r) {
 }
 
 // The support frame of a robot that stands level is below its base.
-struct Level {
+struct BodyMotionFixture {
   Robot robot;
   Gains gains;
   RobotState state = standing_state(robot);
   FeetMatrix feet = contact_points(robot, state.q);
   BodyMotion motion{robot};
   StanceKinematics legs{robot};
-  double fastest = 0.0, fastest_turn = 0.0, hardest = 0.0;  // of what was seen
+  double max_speed = 0.0, max_turn_speed = 0.0, max_acceleration = 0.0;  // of what was seen
   Vector6 last_speed = Vector6::Zero();
-  Level() : Level(quadruped()) {}
-  explicit Level(const Robot& of) : robot(of) {
-    legs.start_from(state.q);
+  BodyMotionFixture() : BodyMotionFixture(quadruped()) {}
+  explicit BodyMotionFixture(const Robot& of) : robot(of) {
+    legs.set_initial_guess(state.q);
     motion.latch({state.q.head<3>(), Quaternion::Identity()}, center_of_mass(robot, state.q),
                  state.q);
   }
   void run(double seconds) {
     for (int k = 0; k < seconds / kDt; ++k) {
       const Vector6 before = vector_of(motion.position());
-      motion.step(gains, feet, -Vector3::UnitZ(), kDt);
+      motion.update(gains, feet, -Vector3::UnitZ(), kDt);
       BOOST_REQUIRE(legs.solve(motion.p_base(), motion.R_base(), feet, Vector3::UnitZ()));
       const Vector6 speed = (vector_of(motion.position()) - before) / kDt;
-      hardest = std::max(hardest, (speed - last_speed).head<3>().norm() / kDt);
+      max_acceleration = std::max(max_acceleration, (speed - last_speed).head<3>().norm() / kDt);
       last_speed = speed;
-      fastest = std::max(fastest, speed.head<3>().norm());
-      fastest_turn = std::max(fastest_turn, speed.tail<3>().norm());
+      max_speed = std::max(max_speed, speed.head<3>().norm());
+      max_turn_speed = std::max(max_turn_speed, speed.tail<3>().norm());
     }
   }
   // Least distance of a joint from its limits in the pose that is asked for now.
-  double joint_room() const {
+  double joint_margin() const {
     double room = 1e9;
     for (int i = 0; i < kMotors; ++i) {
       const double q = legs.q()[robot.motor_to_q()[i]];
@@ -61,7 +61,7 @@ struct Level {
     const double q = legs.q()[robot.motor_to_q()[motor]];
     return motor / 3 % 2 == 1 ? -q : q;
   }
-  double support_room() const {
+  double support_margin() const {
     return SupportPolygon(feet, {true, true, true, true}).margin(motion.p_com().head<2>());
   }
 };
@@ -70,24 +70,25 @@ struct Level {
 
 BOOST_AUTO_TEST_SUITE(body_motion)
 
-BOOST_FIXTURE_TEST_CASE(a_target_within_reach_is_reached_no_faster_than_the_gains_say, Level) {
+BOOST_FIXTURE_TEST_CASE(reachable_target_is_reached_within_speed_and_acceleration_gains,
+                        BodyMotionFixture) {
   const BodyReference target{0.03, -0.02, -0.04, 0.1, -0.08, 0.15};
   motion.set_target(target);
   run(3.0);
   BOOST_TEST((vector_of(motion.position()) - vector_of(target)).norm() < 1e-4);
   BOOST_TEST((motion.status().limit == ReachLimit::kNone));
-  BOOST_TEST(fastest <= gains.reference_speed + 1e-9);
-  BOOST_TEST(fastest > 0.6 * gains.reference_speed);
-  BOOST_TEST(hardest <= gains.reference_acceleration * (1.0 + 1e-6));
-  BOOST_TEST(fastest_turn <= gains.reference_turn_speed + 1e-9);
-  BOOST_TEST(fastest_turn > 0.9 * gains.reference_turn_speed);
+  BOOST_TEST(max_speed <= gains.reference_speed + 1e-9);
+  BOOST_TEST(max_speed > 0.6 * gains.reference_speed);
+  BOOST_TEST(max_acceleration <= gains.reference_acceleration * (1.0 + 1e-6));
+  BOOST_TEST(max_turn_speed <= gains.reference_turn_speed + 1e-9);
+  BOOST_TEST(max_turn_speed > 0.9 * gains.reference_turn_speed);
   BOOST_TEST(motion.v_com().norm() == 0.0);
   BOOST_TEST(motion.w_base().norm() == 0.0);
 }
 
 // Sixty seconds of random requests, most of them beyond what a leg or the balance can do.
-BOOST_FIXTURE_TEST_CASE(whatever_is_asked_speed_joints_and_support_stay_inside_their_limits,
-                        Level) {
+BOOST_FIXTURE_TEST_CASE(random_targets_keep_speed_joint_and_support_limits_for_60_s,
+                        BodyMotionFixture) {
   std::srand(11);
   double joint = 1e9, support = 1e9;
   for (int request = 0; request < 60; ++request) {
@@ -95,15 +96,15 @@ BOOST_FIXTURE_TEST_CASE(whatever_is_asked_speed_joints_and_support_stay_inside_t
     motion.set_target({0.15 * r[0], 0.15 * r[1], 0.12 * r[2], 0.5 * r[3], 0.5 * r[4], r[5]});
     for (int k = 0; k < 500; ++k) {
       run(kDt);
-      joint = std::min(joint, joint_room());
-      support = std::min(support, support_room());
+      joint = std::min(joint, joint_margin());
+      support = std::min(support, support_margin());
     }
   }
-  BOOST_TEST(fastest <= gains.reference_speed + 1e-9);
-  BOOST_TEST(fastest > 0.6 * gains.reference_speed);
-  BOOST_TEST(hardest <= gains.reference_acceleration * (1.0 + 1e-6));
-  BOOST_TEST(fastest_turn <= gains.reference_turn_speed + 1e-9);
-  BOOST_TEST(fastest_turn > 0.9 * gains.reference_turn_speed);
+  BOOST_TEST(max_speed <= gains.reference_speed + 1e-9);
+  BOOST_TEST(max_speed > 0.6 * gains.reference_speed);
+  BOOST_TEST(max_acceleration <= gains.reference_acceleration * (1.0 + 1e-6));
+  BOOST_TEST(max_turn_speed <= gains.reference_turn_speed + 1e-9);
+  BOOST_TEST(max_turn_speed > 0.9 * gains.reference_turn_speed);
   // On several axes at once the way to a stop is a curve, and its end alone was looked at.
   BOOST_TEST(joint >= gains.reach_joint_margin - 2e-3);
   BOOST_TEST(joint < gains.reach_joint_margin + 0.01);
@@ -111,22 +112,22 @@ BOOST_FIXTURE_TEST_CASE(whatever_is_asked_speed_joints_and_support_stay_inside_t
   BOOST_TEST(support < gains.reach_support_margin + 0.01);
 }
 
-BOOST_FIXTURE_TEST_CASE(too_low_stops_at_a_knee_and_says_which, Level) {
+BOOST_FIXTURE_TEST_CASE(low_target_stops_at_a_knee_limit_and_reports_the_motor, BodyMotionFixture) {
   motion.set_target({0.0, 0.0, -0.25, 0.0, 0.0, 0.0});
   run(4.0);
   BOOST_TEST((motion.status().limit == ReachLimit::kJoint));
   BOOST_TEST(motion.status().motor % 3 != 0);
   BOOST_TEST(motion.position().height < -0.05);
   BOOST_TEST(motion.position().height > -0.25);
-  BOOST_TEST(joint_room() >= gains.reach_joint_margin - 1e-9);
-  BOOST_TEST(joint_room() < gains.reach_joint_margin + 2e-3);
+  BOOST_TEST(joint_margin() >= gains.reach_joint_margin - 1e-9);
+  BOOST_TEST(joint_margin() < gains.reach_joint_margin + 2e-3);
   BOOST_TEST(motion.v_com().norm() == 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(sideways_it_stops_at_a_hip_that_may_turn_no_further_inward) {
+BOOST_AUTO_TEST_CASE(roll_target_stops_at_the_inward_hip_limit) {
   RobotConfig config = quadruped_config();
   config.hip_inward = 0.3;
-  Level level(quadruped(config));
+  BodyMotionFixture level(quadruped(config));
   level.motion.set_target({0.0, 0.0, 0.0, 0.45, 0.0, 0.0});
   level.run(4.0);
   const ReachStatus status = level.motion.status();
@@ -137,7 +138,8 @@ BOOST_AUTO_TEST_CASE(sideways_it_stops_at_a_hip_that_may_turn_no_further_inward)
   BOOST_TEST(inward > 0.3 - 2e-3);
 }
 
-BOOST_FIXTURE_TEST_CASE(too_low_stops_where_a_foot_comes_near_its_hips_height, Level) {
+BOOST_FIXTURE_TEST_CASE(low_target_stops_at_the_minimum_foot_depth_below_the_hip,
+                        BodyMotionFixture) {
   gains.reach_joint_margin = 0.0;
   gains.reach_foot_depth = 0.15;
   motion.set_target({0.0, 0.0, -0.25, 0.0, 0.0, 0.0});
@@ -154,17 +156,16 @@ BOOST_FIXTURE_TEST_CASE(too_low_stops_where_a_foot_comes_near_its_hips_height, L
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(too_far_aside_stops_before_the_edge_of_the_support, Level) {
+BOOST_FIXTURE_TEST_CASE(lateral_target_stops_before_the_support_polygon_edge, BodyMotionFixture) {
   gains.reach_joint_margin = 0.0;
   motion.set_target({0.0, 0.13, 0.0, 0.0, 0.0, 0.0});
   run(4.0);
   BOOST_TEST((motion.status().limit == ReachLimit::kSupport));
-  BOOST_TEST(support_room() >= gains.reach_support_margin - 1e-9);
-  BOOST_TEST(support_room() < gains.reach_support_margin + 2e-3);
+  BOOST_TEST(support_margin() >= gains.reach_support_margin - 1e-9);
+  BOOST_TEST(support_margin() < gains.reach_support_margin + 2e-3);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_body_that_was_latched_beyond_a_margin_may_leave_it_and_go_no_further,
-                        Level) {
+BOOST_FIXTURE_TEST_CASE(body_latched_outside_a_margin_moves_only_back_inside, BodyMotionFixture) {
   motion.set_target({0.0, 0.02, 0.0, 0.0, 0.0, 0.0});
   run(1.0);
   gains.reach_support_margin = 0.5;  // nobody has that much
@@ -177,8 +178,8 @@ BOOST_FIXTURE_TEST_CASE(a_body_that_was_latched_beyond_a_margin_may_leave_it_and
   BOOST_TEST(std::abs(motion.position().y - 0.01) < 1e-4);
 }
 
-BOOST_FIXTURE_TEST_CASE(feet_that_moved_take_the_centre_of_mass_along_without_a_jump_in_speed,
-                        Level) {
+BOOST_FIXTURE_TEST_CASE(moved_foot_shifts_the_com_reference_without_a_velocity_step,
+                        BodyMotionFixture) {
   run(kDt);
   feet.col(FL_) += Vector3(0.02, 0.01, 0.0);
   run(0.1);
@@ -191,7 +192,7 @@ BOOST_FIXTURE_TEST_CASE(feet_that_moved_take_the_centre_of_mass_along_without_a_
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(a_target_beyond_all_bounds_is_a_target_far_away, Level) {
+BOOST_FIXTURE_TEST_CASE(huge_finite_target_stops_at_a_reach_limit, BodyMotionFixture) {
   for (const double far : {1e3, 1e200, 1.7e308}) {
     motion.set_target({far, 0.0, 0.0, 0.0, 0.0, 0.0});
     run(2.0);
@@ -200,7 +201,7 @@ BOOST_FIXTURE_TEST_CASE(a_target_beyond_all_bounds_is_a_target_far_away, Level) 
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(a_request_that_is_no_number_says_so_until_the_next_one, Level) {
+BOOST_FIXTURE_TEST_CASE(nan_target_reports_not_finite_until_the_next_target, BodyMotionFixture) {
   motion.set_target({0.02, 0.0, 0.0, 0.0, 0.0, 0.0});
   run(0.02);
   motion.set_target({std::nan(""), 0.0, 0.0, 0.0, 0.0, 0.0});
@@ -211,7 +212,7 @@ BOOST_FIXTURE_TEST_CASE(a_request_that_is_no_number_says_so_until_the_next_one, 
   BOOST_TEST((motion.status().limit == ReachLimit::kNone));
 }
 
-BOOST_FIXTURE_TEST_CASE(it_returns_from_a_limit_to_where_it_was_latched, Level) {
+BOOST_FIXTURE_TEST_CASE(zero_target_returns_from_a_limit_to_the_latched_pose, BodyMotionFixture) {
   motion.set_target({0.1, 0.1, -0.3, 0.5, 0.5, 0.5});
   run(4.0);
   BOOST_TEST((motion.status().limit != ReachLimit::kNone));
@@ -222,7 +223,7 @@ BOOST_FIXTURE_TEST_CASE(it_returns_from_a_limit_to_where_it_was_latched, Level) 
   BOOST_TEST((motion.p_com() - center_of_mass(robot, state.q)).norm() < 1e-4);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_target_that_is_not_a_number_leaves_the_last_one_standing, Level) {
+BOOST_FIXTURE_TEST_CASE(nan_target_keeps_the_previous_target, BodyMotionFixture) {
   motion.set_target({0.0, 0.0, -0.03, 0.0, 0.0, 0.0});
   run(0.1);
   motion.set_target({0.0, 0.0, std::nan(""), 0.0, 0.0, 0.0});
@@ -234,7 +235,7 @@ BOOST_FIXTURE_TEST_CASE(a_target_that_is_not_a_number_leaves_the_last_one_standi
   BOOST_TEST(vector_of(motion.position()).allFinite());
 }
 
-BOOST_FIXTURE_TEST_CASE(velocities_are_those_of_the_pose_it_asks_for, Level) {
+BOOST_FIXTURE_TEST_CASE(reference_velocities_match_the_derivative_of_the_pose, BodyMotionFixture) {
   motion.set_target({0.03, -0.02, -0.04, 0.2, -0.15, 0.3});
   run(0.1);
   const Quaternion R = motion.R_base();

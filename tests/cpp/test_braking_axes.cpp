@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "leaning.hpp"
+#include "capture_point_robot.hpp"
 #include "reference/capture_margin.hpp"
 #include "surefoot/whole_body_controller.hpp"
 #include "wbc/braking_axes.hpp"
@@ -10,14 +10,14 @@ using namespace surefoot;
 
 namespace {
 
-struct PushedOver : Leaning {
+struct PushedStance : CapturePointRobot {
   BrakingAxes axes() const { return braking_axes(dynamics, state, reference, robot.mass()); }
   // Times what takes the capture point over the front edge.
   void push(double degrees, double share) {
     const double angle = degrees / 180.0 * M_PI;
     const double edge = contact_points(robot, state.q)(0, FL_) - dynamics.p_world_com().x();
     const double force = share * edge * omega() * robot.mass() / 0.08;
-    state.f_outside = force * Vector3(std::cos(angle), std::sin(angle), 0.0);
+    state.f_external = force * Vector3(std::cos(angle), std::sin(angle), 0.0);
   }
 };
 
@@ -25,14 +25,14 @@ struct PushedOver : Leaning {
 
 BOOST_AUTO_TEST_SUITE(braking)
 
-BOOST_FIXTURE_TEST_CASE(away_from_the_edges_all_directions_count_alike, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(all_directions_have_equal_weight_inside_the_support, PushedStance) {
   BOOST_TEST(axes().along == 1.0);
   push(22.5, 0.5);
   BOOST_TEST(axes().along == 1.0);
   BOOST_TEST(axes().R.isIdentity());
 }
 
-BOOST_FIXTURE_TEST_CASE(over_the_front_edge_it_brakes_forward_first, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(push_over_the_front_edge_brakes_forward_motion_first, PushedStance) {
   push(15.0, 1.5);
   const BrakingAxes found = axes();
   BOOST_TEST((found.R.row(0) - Eigen::RowVector3d(1, 0, 0)).norm() < 1e-9);
@@ -41,21 +41,21 @@ BOOST_FIXTURE_TEST_CASE(over_the_front_edge_it_brakes_forward_first, PushedOver)
   BOOST_TEST(found.along > 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(over_the_side_it_brakes_sideways_first, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(push_over_the_side_edge_brakes_lateral_motion_first, PushedStance) {
   push(90.0, 1.5);
   const BrakingAxes found = axes();
   BOOST_TEST((found.R.row(0) - Eigen::RowVector3d(0, 1, 0)).norm() < 1e-9);
   BOOST_TEST(found.along < 0.05);
 }
 
-BOOST_FIXTURE_TEST_CASE(over_a_corner_both_edges_count, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(push_over_a_corner_keeps_weight_on_both_edges, PushedStance) {
   const Vector3 corner = contact_points(robot, state.q).col(FL_) - dynamics.p_world_com();
-  lean(1.3 * omega() * Vector3(corner.x(), corner.y(), 0.0));
+  set_com_velocity(1.3 * omega() * Vector3(corner.x(), corner.y(), 0.0));
   BOOST_TEST(axes().along > 0.5);
 }
 
 // The share does not jump as the capture point goes out past an edge, nor round the corner.
-BOOST_FIXTURE_TEST_CASE(nothing_jumps, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(braking_weight_is_continuous_across_edges_and_corners, PushedStance) {
   const auto weight = [&] {  // of every direction, as a matrix
     const BrakingAxes found = axes();
     return Matrix3(found.R.transpose() * Vector3(1.0, found.along, 1.0).asDiagonal() * found.R);
@@ -70,7 +70,7 @@ BOOST_FIXTURE_TEST_CASE(nothing_jumps, PushedOver) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(turned_rows_ask_the_same_of_the_body, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(rotated_task_rows_request_the_same_acceleration, PushedStance) {
   BodyRows rows;
   rows.A_base.setRandom();
   rows.A_force.setRandom();
@@ -79,23 +79,23 @@ BOOST_FIXTURE_TEST_CASE(turned_rows_ask_the_same_of_the_body, PushedOver) {
   const BodyRows as_given = rows;
   push(22.5, 1.5);
   const BrakingAxes found = axes();
-  found.turn(rows);
+  found.apply_to(rows);
   BOOST_TEST((found.R.transpose() * rows.b - as_given.b).norm() < 1e-12);
   BOOST_TEST((found.R.transpose() * rows.A_force - as_given.A_force).norm() < 1e-12);
   BOOST_TEST((found.R.transpose() * rows.A_base - as_given.A_base).norm() < 1e-12);
   BOOST_TEST((rows.weight - Vector3(2.0, 2.0 * found.along, 3.0)).norm() < 1e-12);
 }
 
-BOOST_FIXTURE_TEST_CASE(two_feet_have_no_edge, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(two_loaded_feet_keep_equal_weights, PushedStance) {
   reference.feet[FR_].load = reference.feet[RL_].load = 0.0;
   push(22.5, 5.0);
   BOOST_TEST(axes().along == 1.0);
 }
 
 // The force of both front feet against a push that leaves over their edge.
-BOOST_FIXTURE_TEST_CASE(the_front_feet_share_the_braking, PushedOver) {
+BOOST_FIXTURE_TEST_CASE(both_front_feet_brake_a_forward_push, PushedStance) {
   push(15.0, 1.5);
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     WholeBodyController controller(robot, gains, {form});
     const Solution& solution = controller.update(state, controller.hold(state));
     BOOST_REQUIRE(is_usable(solution.status));

@@ -3,12 +3,12 @@
 #include <functional>
 #include <random>
 
-#include "estimator/contact/contact_belief.hpp"
-#include "estimator/contact/foot_rise.hpp"
+#include "estimator/contact/contact_confidence.hpp"
+#include "estimator/contact/foot_clearance.hpp"
 #include "estimator/contact/leg_forces.hpp"
 #include "estimator/contact/slip_detector.hpp"
-#include "estimator/contact/torque_health.hpp"
-#include "scenes.hpp"
+#include "estimator/contact/torque_check.hpp"
+#include "robot_states.hpp"
 
 using namespace surefoot;
 
@@ -21,15 +21,15 @@ constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
 constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
 
 // A belief and what it is told; at first the torques alone speak, and the robot stands.
-struct Believing {
+struct ContactFixture {
   Gains gains;
-  ContactBelief belief{kWeight};
+  ContactConfidence contacts{kWeight};
   ContactSignals signals;
   int tick = 0;
-  bool stuck = false;  // do footForceEst's words lack the last digit's noise?
-  Believing() { signals.torque_load.setConstant(0.25); }
+  bool est_without_noise = false;  // do footForceEst's words lack the last digit's noise?
+  ContactFixture() { signals.torque_load.setConstant(0.25); }
   void no_torques() {
-    signals.tau_est = Verdict::kZero;
+    signals.tau_est = SensorVerdict::kZero;
     signals.torque_load.setZero();
   }
   // One leg in the air, the others bear the weight.
@@ -37,42 +37,42 @@ struct Believing {
     for (int leg = 0; leg < kLegs; ++leg)
       signals.torque_load[leg] = leg == lifted ? 0.0 : 1.0 / 3.0;
   }
-  double after(double seconds, int leg = FL_) {
+  double confidence_after(double seconds, int leg = FL_) {
     for (int k = 0; k < seconds / kPeriod - 0.5; ++k) {
       ContactSignals now = signals;
       ++tick;
       for (std::int16_t& force : now.foot_force_est) {
-        if (force > 10 && !stuck) force = static_cast<std::int16_t>(force + tick % 2);
+        if (force > 10 && !est_without_noise) force = static_cast<std::int16_t>(force + tick % 2);
       }
-      belief.update(gains, now, kPeriod);
+      contacts.update(gains, now, kPeriod);
     }
-    return belief.probability()[leg];
+    return contacts.confidence()[leg];
   }
-  Verdict verdict(int source, int leg = FL_) const {
+  SensorVerdict verdict(int source, int leg = FL_) const {
     EstimatorReport report;
-    belief.write(report);
+    contacts.write(report);
     return report.contact_sources[source][leg];
   }
 };
 
 // Counts of a foot whose load changes, as a real one's do.
-struct Counting {
+struct CalibrationFixture {
   Gains gains;
-  FootCount foot;
-  Evidence evidence;
+  FootForceCalibration foot;
+  ContactEvidence evidence;
   std::mt19937 generator{5};
   std::normal_distribution<double> normal;
   double t = 0.0;
   static double load(double t) {
     return 0.25 + 0.1 * std::sin(4.0 * t) + 0.05 * std::sin(11.0 * t);
   }
-  void see(double count, double load) {
+  void add_count(double count, double load) {
     evidence = foot.update(gains, static_cast<int>(std::lround(count)), load, true, true, kPeriod);
     t += kPeriod;
   }
   template <class Count>
   void run(double seconds, Count count) {
-    for (const double end = t + seconds; t < end;) see(count(t), load(t));
+    for (const double end = t + seconds; t < end;) add_count(count(t), load(t));
   }
 };
 
@@ -80,277 +80,283 @@ struct Counting {
 
 BOOST_AUTO_TEST_SUITE(contact)
 
-BOOST_FIXTURE_TEST_CASE(torques_alone_tell_of_a_lifted_foot_within_the_dwell, Believing) {
-  BOOST_TEST(after(1.0) == 1.0);
-  BOOST_TEST(!belief.foot_force_est_alive());
+BOOST_FIXTURE_TEST_CASE(torques_alone_detect_a_lifted_foot_within_the_dwell_time, ContactFixture) {
+  BOOST_TEST(confidence_after(1.0) == 1.0);
+  BOOST_TEST(!contacts.foot_force_est_alive());
   lift(FL_);
-  BOOST_TEST(after(kPeriod) == 0.8);  // one wrong sample is one step
+  BOOST_TEST(confidence_after(kPeriod) == 0.8);  // one wrong sample is one step
   lift(-1);
-  BOOST_TEST(after(kPeriod) == 1.0);
+  BOOST_TEST(confidence_after(kPeriod) == 1.0);
   lift(FL_);
-  BOOST_TEST(after(gains.contact_dwell - kPeriod) > 0.0);
-  BOOST_TEST(after(2 * kPeriod) == 0.0);
-  BOOST_TEST(after(1.0, FR_) == 1.0);
+  BOOST_TEST(confidence_after(gains.contact_dwell - kPeriod) > 0.0);
+  BOOST_TEST(confidence_after(2 * kPeriod) == 0.0);
+  BOOST_TEST(confidence_after(1.0, FR_) == 1.0);
   signals.torque_load[FL_] = 0.5 * (gains.contact_force_on + gains.contact_force_off);
-  BOOST_TEST(after(1.0) == 0.0);  // hysteresis
+  BOOST_TEST(confidence_after(1.0) == 0.0);  // hysteresis
   lift(-1);
-  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 1.0);
+  BOOST_TEST(confidence_after(gains.contact_dwell + kPeriod) == 1.0);
   signals.torque_load[FL_] = 0.5 * (gains.contact_force_on + gains.contact_force_off);
-  BOOST_TEST(after(1.0) == 1.0);
+  BOOST_TEST(confidence_after(1.0) == 1.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(foot_force_est_alone_tells, Believing) {
+BOOST_FIXTURE_TEST_CASE(foot_force_est_alone_detects_a_lifted_foot, ContactFixture) {
   no_torques();
   signals.foot_force_est = {30, 30, 30, 30};
-  BOOST_TEST(after(0.05) == 1.0);
-  BOOST_TEST(!belief.foot_force_est_alive());
-  after(0.1);
-  BOOST_TEST(belief.foot_force_est_alive());
+  BOOST_TEST(confidence_after(0.05) == 1.0);
+  BOOST_TEST(!contacts.foot_force_est_alive());
+  confidence_after(0.1);
+  BOOST_TEST(contacts.foot_force_est_alive());
   signals.foot_force_est[FL_] = 1;
-  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 0.0);
-  BOOST_TEST(after(0.1, RL_) == 1.0);
+  BOOST_TEST(confidence_after(gains.contact_dwell + kPeriod) == 0.0);
+  BOOST_TEST(confidence_after(0.1, RL_) == 1.0);
   signals.foot_force_est[FL_] = 30;
-  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 1.0);
-  BOOST_TEST((verdict(kEst) == Verdict::kGood && verdict(kTau) == Verdict::kZero));
+  BOOST_TEST(confidence_after(gains.contact_dwell + kPeriod) == 1.0);
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood && verdict(kTau) == SensorVerdict::kZero));
 }
 
-BOOST_FIXTURE_TEST_CASE(counts_alone_tell_by_the_range_that_they_have_shown, Believing) {
+BOOST_FIXTURE_TEST_CASE(foot_force_counts_alone_detect_a_lift_from_their_observed_range,
+                        ContactFixture) {
   no_torques();
   const auto noisy = [this](int tick, int fl) {
     const auto count = [&](int at) { return static_cast<std::int16_t>(at + (tick * 7) % 3); };
     signals.foot_force = {count(120), count(fl), count(120), count(120)};
-    return after(kPeriod);
+    return confidence_after(kPeriod);
   };
-  double probability = 0.0;
-  for (int tick = 0; tick < 200; ++tick) probability = noisy(tick, 120);
-  BOOST_TEST(probability == 1.0);
-  BOOST_TEST((verdict(kCount) == Verdict::kUnjudged));
-  for (int tick = 0; tick < 20; ++tick) probability = noisy(tick, 60);
-  BOOST_TEST(probability == 0.0);
-  BOOST_TEST(belief.probability()[FR_] == 1.0);
-  BOOST_TEST((verdict(kCount) == Verdict::kGood));
-  for (int tick = 0; tick < 20; ++tick) probability = noisy(tick, 120);
-  BOOST_TEST(probability == 1.0);
+  double confidence = 0.0;
+  for (int tick = 0; tick < 200; ++tick) confidence = noisy(tick, 120);
+  BOOST_TEST(confidence == 1.0);
+  BOOST_TEST((verdict(kCount) == SensorVerdict::kUnjudged));
+  for (int tick = 0; tick < 20; ++tick) confidence = noisy(tick, 60);
+  BOOST_TEST(confidence == 0.0);
+  BOOST_TEST(contacts.confidence()[FR_] == 1.0);
+  BOOST_TEST((verdict(kCount) == SensorVerdict::kGood));
+  for (int tick = 0; tick < 20; ++tick) confidence = noisy(tick, 120);
+  BOOST_TEST(confidence == 1.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(motion_alone_speaks_against_contact_and_rest_for_it, Believing) {
+BOOST_FIXTURE_TEST_CASE(foot_speed_and_height_alone_end_and_restore_contact, ContactFixture) {
   no_torques();
-  BOOST_TEST(after(1.0) == 1.0);
+  BOOST_TEST(confidence_after(1.0) == 1.0);
   signals.speed[FL_] = 0.2;  // neither
-  BOOST_TEST(after(1.0) == 1.0);
+  BOOST_TEST(confidence_after(1.0) == 1.0);
   signals.speed[FL_] = 0.5;
-  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 0.0);
+  BOOST_TEST(confidence_after(gains.contact_dwell + kPeriod) == 0.0);
   signals.speed[FL_] = 0.2;
-  BOOST_TEST(after(1.0) == 0.0);
+  BOOST_TEST(confidence_after(1.0) == 0.0);
   signals.speed[FL_] = 0.0;
-  BOOST_TEST(after(gains.contact_dwell) < 1.0);
-  BOOST_TEST(after(2.0 * gains.contact_dwell) == 1.0);
-  signals.rise[FL_] = 0.005;  // soft ground
-  BOOST_TEST(after(1.0) == 1.0);
-  signals.rise[FL_] = 0.012;
-  BOOST_TEST(after(gains.contact_dwell + kPeriod) == 0.0);
+  BOOST_TEST(confidence_after(gains.contact_dwell) < 1.0);
+  BOOST_TEST(confidence_after(2.0 * gains.contact_dwell) == 1.0);
+  signals.clearance[FL_] = 0.005;  // soft ground
+  BOOST_TEST(confidence_after(1.0) == 1.0);
+  signals.clearance[FL_] = 0.012;
+  BOOST_TEST(confidence_after(gains.contact_dwell + kPeriod) == 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(two_that_contradict_each_other_leave_the_belief, Believing) {
+BOOST_FIXTURE_TEST_CASE(contradicting_force_sources_leave_the_confidence_unchanged,
+                        ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
-  after(0.2);
-  signals.felt = 1.2;  // the torques bear less than what is felt: nobody vouches for them
+  confidence_after(0.2);
+  signals.load_factor = 1.2;  // the torques bear less than what is felt: nobody vouches for them
   signals.torque_load[FL_] = 0.0;
-  BOOST_TEST(after(0.2) == 1.0);
+  BOOST_TEST(confidence_after(0.2) == 1.0);
   signals.foot_force_est[FL_] = 0;
-  BOOST_TEST(after(0.02) == 0.0);
+  BOOST_TEST(confidence_after(0.02) == 0.0);
   signals.foot_force_est[FL_] = 30;
-  BOOST_TEST(after(0.05) == 0.0);
+  BOOST_TEST(confidence_after(0.05) == 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(torques_that_bear_what_is_felt_outvote_a_stuck_sensor, Believing) {
+BOOST_FIXTURE_TEST_CASE(torques_consistent_with_the_accelerometer_outvote_a_stuck_sensor,
+                        ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
-  after(0.2);
+  confidence_after(0.2);
   lift(FL_);
-  BOOST_TEST(after(0.1) == 0.0);
-  BOOST_TEST((verdict(kEst) == Verdict::kGood));
-  after(0.35);
-  BOOST_TEST((verdict(kEst) == Verdict::kDisagrees));
-  BOOST_TEST((verdict(kEst, FR_) == Verdict::kGood));
+  BOOST_TEST(confidence_after(0.1) == 0.0);
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));
+  confidence_after(0.35);
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kDisagrees));
+  BOOST_TEST((verdict(kEst, FR_) == SensorVerdict::kGood));
   lift(-1);
   signals.foot_force_est[FL_] = 29;
-  after(0.7);
-  BOOST_TEST((verdict(kEst) == Verdict::kGood));  // believed again
+  confidence_after(0.7);
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));  // believed again
 }
 
-BOOST_FIXTURE_TEST_CASE(a_word_that_stands_still_while_the_load_moves_is_stuck, Believing) {
-  stuck = true;
+BOOST_FIXTURE_TEST_CASE(constant_foot_force_under_changing_load_is_marked_constant,
+                        ContactFixture) {
+  est_without_noise = true;
   signals.foot_force_est = {30, 30, 30, 30};
-  after(1.0);
-  BOOST_TEST((verdict(kEst) == Verdict::kGood));  // nothing has happened yet
+  confidence_after(1.0);
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));  // nothing has happened yet
   lift(FL_);
-  BOOST_TEST(after(0.02) == 0.0);
-  BOOST_TEST((verdict(kEst) == Verdict::kConstant));
+  BOOST_TEST(confidence_after(0.02) == 0.0);
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kConstant));
 }
 
-BOOST_FIXTURE_TEST_CASE(two_others_outvote_the_torques, Believing) {
+BOOST_FIXTURE_TEST_CASE(foot_force_and_foot_height_outvote_the_torques, ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
-  after(0.2);
+  confidence_after(0.2);
   signals.foot_force_est[FL_] = 0;
-  signals.rise[FL_] = 0.03;
-  BOOST_TEST(after(0.2) == 0.0);
-  BOOST_TEST(after(kPeriod, FR_) == 1.0);
+  signals.clearance[FL_] = 0.03;
+  BOOST_TEST(confidence_after(0.2) == 0.0);
+  BOOST_TEST(confidence_after(kPeriod, FR_) == 1.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_foot_that_rises_bears_no_ground_whatever_its_torques_bear, Believing) {
-  after(0.2);
-  signals.rise[FL_] = 0.02;  // a hand lifts it
-  BOOST_TEST(after(0.03) == 0.0);
-  BOOST_TEST((verdict(kTau) == Verdict::kGood));
-  signals.rise[FL_] = 0.0;
-  BOOST_TEST(after(0.02) == 1.0);
+BOOST_FIXTURE_TEST_CASE(raised_foot_has_no_contact_even_when_its_torques_carry_load,
+                        ContactFixture) {
+  confidence_after(0.2);
+  signals.clearance[FL_] = 0.02;  // a hand lifts it
+  BOOST_TEST(confidence_after(0.03) == 0.0);
+  BOOST_TEST((verdict(kTau) == SensorVerdict::kGood));
+  signals.clearance[FL_] = 0.0;
+  BOOST_TEST(confidence_after(0.02) == 1.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(both_fields_of_a_foot_that_fail_together_do_not_outvote_the_torques,
-                        Believing) {
+BOOST_FIXTURE_TEST_CASE(two_failed_force_fields_of_one_foot_do_not_outvote_the_torques,
+                        ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
   for (int k = 0; k < 100; ++k) {
     const auto count = static_cast<std::int16_t>(100 + k % 3);
     signals.foot_force = {count, count, count, count};
-    after(kPeriod);
+    confidence_after(kPeriod);
   }
   signals.foot_force_est[FL_] = signals.foot_force[FL_] = 0;
   double least = 1.0;
-  for (int k = 0; k < 500; ++k) least = std::min(least, after(kPeriod));
+  for (int k = 0; k < 500; ++k) least = std::min(least, confidence_after(kPeriod));
   BOOST_TEST(least > 0.5);
-  BOOST_TEST(belief.probability()[FL_] == 1.0);
+  BOOST_TEST(contacts.confidence()[FL_] == 1.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(torques_that_miss_what_is_felt_and_borne_are_left_out, Believing) {
+BOOST_FIXTURE_TEST_CASE(torques_inconsistent_with_imu_and_foot_force_are_ignored, ContactFixture) {
   signals.foot_force_est = {29, 30, 29, 30};
   signals.torque_load.setConstant(0.01);  // live, and wrong from the start
-  after(1.0);
-  BOOST_TEST((verdict(kTau) == Verdict::kDisagrees));
-  BOOST_TEST((belief.probability() == Eigen::Vector4d::Ones()));
-  BOOST_TEST((verdict(kEst) == Verdict::kGood));
+  confidence_after(1.0);
+  BOOST_TEST((verdict(kTau) == SensorVerdict::kDisagrees));
+  BOOST_TEST((contacts.confidence() == Eigen::Vector4d::Ones()));
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));
   signals.foot_force_est[FL_] = 0;
-  BOOST_TEST(after(0.05) == 0.0);
+  BOOST_TEST(confidence_after(0.05) == 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_belief_comes_back_to_a_foot_that_rests_once_the_forces_fall_silent,
-                        Believing) {
-  after(0.2);
+BOOST_FIXTURE_TEST_CASE(resting_foot_regains_contact_when_no_force_source_is_left, ContactFixture) {
+  confidence_after(0.2);
   lift(FL_);
-  BOOST_TEST(after(0.05) == 0.0);
+  BOOST_TEST(confidence_after(0.05) == 0.0);
   no_torques();
-  BOOST_TEST(after(2.0) == 1.0);
+  BOOST_TEST(confidence_after(2.0) == 1.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_force_field_that_goes_silent_while_the_legs_carry_is_dead, Believing) {
+BOOST_FIXTURE_TEST_CASE(zero_foot_force_est_under_load_is_marked_dead, ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
-  after(0.2);
-  BOOST_TEST(belief.foot_force_est_alive());
+  confidence_after(0.2);
+  BOOST_TEST(contacts.foot_force_est_alive());
   signals.foot_force_est = {};
-  after(0.2);
-  BOOST_TEST(!belief.foot_force_est_alive());
-  BOOST_TEST((belief.probability() == Eigen::Vector4d::Ones()));
-  belief.reset();
-  after(0.2);
-  BOOST_TEST((verdict(kEst) == Verdict::kZero));
+  confidence_after(0.2);
+  BOOST_TEST(!contacts.foot_force_est_alive());
+  BOOST_TEST((contacts.confidence() == Eigen::Vector4d::Ones()));
+  contacts.reset();
+  confidence_after(0.2);
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kZero));
 }
 
-BOOST_FIXTURE_TEST_CASE(in_the_air_a_field_of_zeros_stays_alive, Believing) {
+BOOST_FIXTURE_TEST_CASE(zero_foot_force_est_in_the_air_stays_alive, ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
-  after(0.2);
+  confidence_after(0.2);
   signals.foot_force_est = {};
   signals.torque_load.setZero();
-  signals.felt = 0.0;
-  BOOST_TEST(after(1.0) == 0.0);
-  BOOST_TEST(belief.foot_force_est_alive());
+  signals.load_factor = 0.0;
+  BOOST_TEST(confidence_after(1.0) == 0.0);
+  BOOST_TEST(contacts.foot_force_est_alive());
 }
 
-BOOST_FIXTURE_TEST_CASE(stray_counts_in_a_dead_force_field_change_nothing, Believing) {
+BOOST_FIXTURE_TEST_CASE(stray_counts_in_a_dead_foot_force_est_are_ignored, ContactFixture) {
   for (int tick = 0; tick < 1000; ++tick) {
     const auto stray = static_cast<std::int16_t>(tick % 7 == 0 ? 1 : 3);
     signals.foot_force_est = {stray, 0, 2, stray};
-    after(kPeriod);
-    BOOST_TEST(!belief.foot_force_est_alive());
+    confidence_after(kPeriod);
+    BOOST_TEST(!contacts.foot_force_est_alive());
   }
-  BOOST_TEST((belief.probability() == Eigen::Vector4d::Ones()));
+  BOOST_TEST((contacts.confidence() == Eigen::Vector4d::Ones()));
 }
 
-BOOST_AUTO_TEST_CASE(each_sources_word_is_reported) {
-  Believing b;
+BOOST_AUTO_TEST_CASE(estimator_report_contains_the_contact_of_each_source) {
+  ContactFixture b;
   b.signals.foot_force_est = {30, 30, 30, 30};
-  b.after(0.2);
+  b.confidence_after(0.2);
   b.lift(FL_);
-  b.after(kPeriod);
+  b.confidence_after(kPeriod);
   EstimatorReport report;
-  b.belief.write(report);
+  b.contacts.write(report);
   BOOST_TEST(report.contact_by_source(kEst, FL_) > 0.95);
   BOOST_TEST(report.contact_by_source(kTau, FL_) < 0.05);
   BOOST_TEST(report.contact_by_source(kTau, FR_) > 0.95);
   BOOST_TEST(report.contact_by_source(kCount, FL_) == 0.5);
 }
 
-BOOST_FIXTURE_TEST_CASE(offset_and_scale_are_learnt_through_noise_and_drift, Counting) {
+BOOST_FIXTURE_TEST_CASE(foot_count_learns_offset_and_scale_despite_noise_and_drift,
+                        CalibrationFixture) {
   const auto offset = [](double at) { return 130.0 + 50.0 / 60.0 * at; };
   const double scale = 240.0;
   const auto count = [&](double load) {
     return offset(t) + scale * load + 2.0 * normal(generator);
   };
   run(0.01, [&](double at) { return count(load(at)); });
-  BOOST_TEST((evidence.verdict == Verdict::kUnjudged && evidence.says == 0.0));
+  BOOST_TEST((evidence.verdict == SensorVerdict::kUnjudged && evidence.vote == 0.0));
   run(60.0, [&](double at) { return count(load(at)); });
-  BOOST_TEST((evidence.verdict == Verdict::kGood));
+  BOOST_TEST((evidence.verdict == SensorVerdict::kGood));
   BOOST_TEST(std::abs(foot.scale() / scale - 1.0) < 0.1);
   BOOST_TEST(std::abs(foot.offset() - offset(t)) < 8.0);  // it lags by 5 s of drift
-  BOOST_TEST(evidence.says > 0.9);
+  BOOST_TEST(evidence.vote > 0.9);
   double worst = -1.0;
   for (int k = 0; k < 100; ++k) {
-    see(count(0.0), 0.0);
-    worst = std::max(worst, evidence.says);
+    add_count(count(0.0), 0.0);
+    worst = std::max(worst, evidence.vote);
   }
   BOOST_TEST(worst < 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(counts_that_do_not_follow_the_load_are_left_out) {
-  const auto judged = [](std::function<double(double)> count) {
-    Counting c;
+BOOST_AUTO_TEST_CASE(counts_that_do_not_follow_the_load_are_ignored) {
+  const auto verdict_of = [](std::function<double(double)> count) {
+    CalibrationFixture c;
     c.run(10.0, count);
-    BOOST_TEST(c.evidence.says == 0.0);
+    BOOST_TEST(c.evidence.vote == 0.0);
     return c.evidence.verdict;
   };
   std::mt19937 generator(9);
   std::normal_distribution<double> normal;
-  BOOST_TEST((judged([](double) { return 0.0; }) == Verdict::kZero));
-  BOOST_TEST((judged([](double) { return 137.0; }) == Verdict::kConstant));
-  BOOST_TEST((judged([](double t) { return t < 5.0 ? 200.0 * Counting::load(t) : 0.0; }) ==
-              Verdict::kZero));
-  BOOST_TEST(
-      (judged([&](double) { return 137.0 + 3.0 * normal(generator); }) == Verdict::kConstant));
-  BOOST_TEST((judged([](double) { return 32767.0; }) == Verdict::kSaturated));
-  BOOST_TEST((judged([](double) { return -32768.0; }) == Verdict::kSaturated));
-  BOOST_TEST(
-      (judged([](double t) { return 200.0 + 60.0 * std::sin(23.0 * t); }) == Verdict::kDisagrees));
-  BOOST_TEST(
-      (judged([](double t) { return 300.0 - 200.0 * Counting::load(t); }) == Verdict::kDisagrees));
+  BOOST_TEST((verdict_of([](double) { return 0.0; }) == SensorVerdict::kZero));
+  BOOST_TEST((verdict_of([](double) { return 137.0; }) == SensorVerdict::kConstant));
+  BOOST_TEST((verdict_of([](double t) {
+                return t < 5.0 ? 200.0 * CalibrationFixture::load(t) : 0.0;
+              }) == SensorVerdict::kZero));
+  BOOST_TEST((verdict_of([&](double) { return 137.0 + 3.0 * normal(generator); }) ==
+              SensorVerdict::kConstant));
+  BOOST_TEST((verdict_of([](double) { return 32767.0; }) == SensorVerdict::kSaturated));
+  BOOST_TEST((verdict_of([](double) { return -32768.0; }) == SensorVerdict::kSaturated));
+  BOOST_TEST((verdict_of([](double t) { return 200.0 + 60.0 * std::sin(23.0 * t); }) ==
+              SensorVerdict::kDisagrees));
+  BOOST_TEST((verdict_of([](double t) { return 300.0 - 200.0 * CalibrationFixture::load(t); }) ==
+              SensorVerdict::kDisagrees));
 }
 
-BOOST_AUTO_TEST_CASE(torques_are_told_to_be_missing_or_stuck) {
-  TorqueHealth health;
+BOOST_AUTO_TEST_CASE(torque_health_reports_zero_and_constant_torques) {
+  TorqueCheck health;
   Vector12 tau = Vector12::Zero();
   health.update(tau, true, kPeriod);
-  BOOST_TEST((health.verdict() == Verdict::kZero));
+  BOOST_TEST((health.verdict() == SensorVerdict::kZero));
   tau[3] = 1.0;
   health.update(tau, true, kPeriod);
-  BOOST_TEST((health.verdict() == Verdict::kGood));
+  BOOST_TEST((health.verdict() == SensorVerdict::kGood));
   for (int k = 0; k < 500; ++k) health.update(tau, false, kPeriod);  // reports that repeat
   for (int k = 0; k < 48; ++k) health.update(tau, true, kPeriod);
-  BOOST_TEST((health.verdict() == Verdict::kGood));
+  BOOST_TEST((health.verdict() == SensorVerdict::kGood));
   for (int k = 0; k < 4; ++k) health.update(tau, true, kPeriod);
-  BOOST_TEST((health.verdict() == Verdict::kConstant));
+  BOOST_TEST((health.verdict() == SensorVerdict::kConstant));
   tau[7] = 0.1;
   health.update(tau, true, kPeriod);
-  BOOST_TEST((health.verdict() == Verdict::kGood));
+  BOOST_TEST((health.verdict() == SensorVerdict::kGood));
 }
 
-BOOST_AUTO_TEST_CASE(a_loaded_foot_that_moves_alone_slips_and_recovers) {
+BOOST_AUTO_TEST_CASE(single_moving_loaded_foot_slips_until_it_stops) {
   Gains gains;
   SlipDetector slip;
   FeetMatrix v = FeetMatrix::Zero();
@@ -382,7 +388,7 @@ BOOST_AUTO_TEST_CASE(a_loaded_foot_that_moves_alone_slips_and_recovers) {
   BOOST_TEST(slip.slip().norm() == 0.0);  // it swings
 }
 
-BOOST_AUTO_TEST_CASE(a_foots_rise_is_against_where_it_last_stood) {
+BOOST_AUTO_TEST_CASE(foot_clearance_is_measured_from_the_last_stance_height) {
   const Robot robot = quadruped();
   RobotState state = standing_state(robot);
   Dynamics dynamics(robot);
@@ -390,17 +396,17 @@ BOOST_AUTO_TEST_CASE(a_foots_rise_is_against_where_it_last_stood) {
   InvariantFilter filter;
   filter.reset(Quaternion::Identity(), Vector3::Zero(), Vector3(0.0, 0.0, 0.1), FeetMatrix::Zero(),
                {});
-  FootRise rise;
+  FootClearance clearance;
   FeetMatrix v = FeetMatrix::Zero();
   Eigen::Vector4d loaded = Eigen::Vector4d::Ones();
   std::array<bool, kLegs> bears{true, true, true, true};
   const auto run = [&](double seconds) {
     for (int k = 0; k < seconds / kPeriod; ++k) {
-      rise.update(dynamics, filter, v, loaded, bears, Vector3::UnitZ(), kPeriod);
+      clearance.update(dynamics, filter, v, loaded, bears, Vector3::UnitZ(), kPeriod);
     }
   };
   run(2.0);
-  BOOST_TEST(rise.rise().norm() == 0.0);
+  BOOST_TEST(clearance.clearance().norm() == 0.0);
   const double before = dynamics.legs()[FL_].p_world_contact.z();
   state.q[robot.motor_to_q()[FL_2]] -= 0.2;
   dynamics.update(state.q, state.v, Vector3::UnitZ());
@@ -409,30 +415,30 @@ BOOST_AUTO_TEST_CASE(a_foots_rise_is_against_where_it_last_stood) {
   loaded[FL_] = 0.0;
   v(0, FL_) = 0.05;  // a hand lifts it: its torques never cease to bear
   run(3.0);
-  BOOST_TEST((rise.rise() - lifted * Eigen::Vector4d::Unit(FL_)).norm() < 1e-9);
+  BOOST_TEST((clearance.clearance() - lifted * Eigen::Vector4d::Unit(FL_)).norm() < 1e-9);
   loaded[FR_] = 0.0;  // what was known before holds while another is off
   run(0.5);
-  BOOST_TEST(std::abs(rise.rise()[FL_] - lifted) < 1e-9);
+  BOOST_TEST(std::abs(clearance.clearance()[FL_] - lifted) < 1e-9);
   loaded[FR_] = 1.0;
   v.setZero();
   run(3.5);  // it rests and bears: it stands there
-  BOOST_TEST(std::abs(rise.rise()[FL_]) < 1e-3);
+  BOOST_TEST(std::abs(clearance.clearance()[FL_]) < 1e-3);
   state.q[robot.motor_to_q()[FL_2]] -= 0.2;
   dynamics.update(state.q, state.v, Vector3::UnitZ());
   bears[FL_] = false;  // the robot lifts it itself, and puts it onto a stone
   run(0.5);
-  BOOST_TEST(rise.rise()[FL_] == 0.0);
+  BOOST_TEST(clearance.clearance()[FL_] == 0.0);
   bears[FL_] = true;
   run(0.1);
-  BOOST_TEST(std::abs(rise.rise()[FL_]) < 1e-9);
+  BOOST_TEST(std::abs(clearance.clearance()[FL_]) < 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(feet_that_land_one_after_the_other_have_not_risen) {
+BOOST_AUTO_TEST_CASE(feet_landing_in_turn_have_zero_clearance) {
   const Robot robot = quadruped();
   const RobotState state = standing_state(robot);
   Dynamics dynamics(robot);
   dynamics.update(state.q, state.v, Vector3::UnitZ());
-  FootRise rise;
+  FootClearance clearance;
   std::array<bool, kLegs> bears{};
   double height = 0.0;  // falling feet tell nothing of it: it drifts by 1 m/s
   for (const int lands : {FR_, FL_, RL_, RR_}) {
@@ -442,14 +448,14 @@ BOOST_AUTO_TEST_CASE(feet_that_land_one_after_the_other_have_not_risen) {
       InvariantFilter filter;
       filter.reset(Quaternion::Identity(), Vector3::Zero(), Vector3(0.0, 0.0, height),
                    FeetMatrix::Zero(), {});
-      rise.update(dynamics, filter, FeetMatrix::Zero(), Eigen::Vector4d::Ones(), bears,
-                  Vector3::UnitZ(), kPeriod);
+      clearance.update(dynamics, filter, FeetMatrix::Zero(), Eigen::Vector4d::Ones(), bears,
+                       Vector3::UnitZ(), kPeriod);
     }
   }
-  BOOST_TEST(rise.rise().norm() == 0.0);
+  BOOST_TEST(clearance.clearance().norm() == 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(leg_forces_are_those_that_the_torques_were_made_from) {
+BOOST_AUTO_TEST_CASE(leg_forces_recover_the_forces_behind_the_torques) {
   const Robot robot = quadruped();
   RobotState state = random_state(robot, 4, 0.8);
   state.v.head<3>().setZero();
@@ -484,7 +490,7 @@ BOOST_AUTO_TEST_CASE(leg_forces_are_those_that_the_torques_were_made_from) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(joints_near_the_end_of_their_range_may_rest_on_a_stop) {
+BOOST_AUTO_TEST_CASE(joints_near_their_limits_may_touch_a_mechanical_stop) {
   const Robot robot = quadruped();
   const RobotConfig& config = robot.config();
   Vector12 q = config.q_standing, expected = Vector12::Zero();
@@ -492,12 +498,12 @@ BOOST_AUTO_TEST_CASE(joints_near_the_end_of_their_range_may_rest_on_a_stop) {
   q[FL_2] = config.q_upper[FL_2] + 0.02, expected[FL_2] = 1.0;  // they give
   q[RR_1] = config.q_lower[RR_1] + 0.01, expected[RR_1] = -1.0;
   q[RL_2] = config.q_upper[RL_2] - 0.05;
-  BOOST_TEST((stops_at(config, q) - expected).norm() == 0.0);
+  BOOST_TEST((joint_stops(config, q) - expected).norm() == 0.0);
 }
 
 // A knee that presses on its stop bears nothing on its foot; one that the ground presses off its
 // stop bears as before.
-BOOST_AUTO_TEST_CASE(what_a_joint_presses_on_its_stop_is_not_the_grounds) {
+BOOST_AUTO_TEST_CASE(torque_against_a_mechanical_stop_is_not_ground_force) {
   const Robot robot = quadruped();
   RobotState state = standing_state(robot);
   Dynamics dynamics(robot);

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "lambda_task.hpp"
-#include "motion.hpp"
+#include "pushed_robot.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/whole_body_controller.hpp"
@@ -15,7 +15,7 @@ namespace {
 constexpr double kScale = 30.0;  // brings rows to order one, as the program's own are
 
 // Heavy rows on the base's angular acceleration, a joint's acceleration and a force.
-bool mixed(const RobotState&, TaskRows& rows) {
+bool write_mixed_rows(const RobotState&, TaskRows& rows) {
   rows.A_a(0, 4) = 1.0 / kScale;
   rows.A_a(1, 8) = 1.0 / kScale;
   rows.A_f(2, 3 * FL_ + 2) = 1.0 / kScale;
@@ -25,7 +25,7 @@ bool mixed(const RobotState&, TaskRows& rows) {
 }
 
 // Gains that leave a heavy task the last word.
-Gains modest() {
+Gains low_weight_gains() {
   Gains g;
   g.weight_com_horizontal = g.weight_com_vertical = 0.1;
   g.weight_base_tilt = g.weight_base_yaw = 0.01;
@@ -33,7 +33,7 @@ Gains modest() {
   return g;
 }
 
-struct Moving {
+struct MovingRobot {
   Robot robot = quadruped();
   RobotState state = random_state(robot, 6, 0.5);
   Reference reference = reference_at(robot, state);
@@ -43,12 +43,12 @@ struct Moving {
 
 BOOST_AUTO_TEST_SUITE(custom_task)
 
-BOOST_FIXTURE_TEST_CASE(a_heavy_task_gets_what_it_asks_for_and_both_forms_agree, Moving) {
-  WholeBodyController condensed(robot, modest(), {Form::kCondensed, 1e-12});
-  WholeBodyController general(robot, modest(), {Form::kGeneral, 1e-12});
+BOOST_FIXTURE_TEST_CASE(heavy_task_reaches_its_target_in_both_forms, MovingRobot) {
+  WholeBodyController condensed(robot, low_weight_gains(), {QpForm::kCondensed, 1e-12});
+  WholeBodyController general(robot, low_weight_gains(), {QpForm::kGeneral, 1e-12});
   const Solution without = condensed.update(state, reference);
-  condensed.add_task(task(3, mixed));
-  general.add_task(task(3, mixed));
+  condensed.add_task(task(3, write_mixed_rows));
+  general.add_task(task(3, write_mixed_rows));
   const Solution& a = condensed.update(state, reference);
   const Solution& b = general.update(state, reference);
   BOOST_REQUIRE((a.status == Status::kOk && b.status == Status::kOk));
@@ -60,7 +60,7 @@ BOOST_FIXTURE_TEST_CASE(a_heavy_task_gets_what_it_asks_for_and_both_forms_agree,
 }
 
 // The task speaks of accelerations in its own state's frame, whatever frame the dynamics use.
-BOOST_FIXTURE_TEST_CASE(dynamics_that_were_shifted_change_nothing_for_a_task, Moving) {
+BOOST_FIXTURE_TEST_CASE(shifted_dynamics_give_the_same_task_acceleration, MovingRobot) {
   const auto lift = task(1, [](const RobotState&, TaskRows& rows) {
     rows.A_a(0, 2) = 1.0;
     rows.b[0] = 0.7;
@@ -72,7 +72,7 @@ BOOST_FIXTURE_TEST_CASE(dynamics_that_were_shifted_change_nothing_for_a_task, Mo
   resting.v.head<3>().setZero();
   Dynamics shifted = dynamics_at(robot, resting);
   shifted.shift(state.q.head<3>(), dynamics_at(robot, state).v_world_base());
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     WholeBodyController direct(robot, Gains(), {form, 1e-10}), moved(robot, Gains(), {form, 1e-10});
     direct.add_task(lift);
     moved.add_task(lift);
@@ -84,7 +84,7 @@ BOOST_FIXTURE_TEST_CASE(dynamics_that_were_shifted_change_nothing_for_a_task, Mo
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(a_task_without_weight_changes_nothing, Moving) {
+BOOST_FIXTURE_TEST_CASE(zero_weight_task_does_not_change_the_torques, MovingRobot) {
   WholeBodyController with(robot), without(robot);
   with.add_task(task(1, [](const RobotState&, TaskRows& rows) {
     rows.A_a.setOnes();
@@ -96,7 +96,8 @@ BOOST_FIXTURE_TEST_CASE(a_task_without_weight_changes_nothing, Moving) {
   BOOST_TEST((with.update(state, reference).torques - expected).norm() < 1e-6);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_task_that_fails_or_writes_no_number_stops_the_tick_by_name, Moving) {
+BOOST_FIXTURE_TEST_CASE(failing_or_nan_task_returns_bad_task_and_keeps_the_last_torques,
+                        MovingRobot) {
   const double nan = std::nan("");
   const LambdaTask::Write bad[] = {
       [](const RobotState&, TaskRows&) { return false; },
@@ -106,7 +107,7 @@ BOOST_FIXTURE_TEST_CASE(a_task_that_fails_or_writes_no_number_stops_the_tick_by_
       [&](const RobotState&, TaskRows& rows) { return rows.weight[0] = -1.0, true; },
       [&](const RobotState&, TaskRows& rows) { return rows.b.resize(2), true; }};
   for (const LambdaTask::Write& write : bad) {
-    for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+    for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
       WholeBodyController controller(robot, Gains(), {form});
       const Eigen::VectorXd good = controller.update(state, reference).torques;
       controller.add_task(task(1, write));
@@ -116,28 +117,28 @@ BOOST_FIXTURE_TEST_CASE(a_task_that_fails_or_writes_no_number_stops_the_tick_by_
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_stand_controller_damps_when_its_task_goes_on_failing) {
+BOOST_AUTO_TEST_CASE(stand_controller_damps_while_its_task_keeps_failing) {
   const Robot robot = quadruped();
   StandController controller(robot);
   bool works = true;
   controller.add_task(task(1, [&](const RobotState&, TaskRows&) { return works; }));
   for (std::uint32_t tick = 0; tick < 20; tick += 2) {
-    controller.update(resting_report(robot, tick));
+    controller.update(resting_sample(robot, tick));
     BOOST_TEST((controller.status() == Status::kOk));
   }
   works = false;
-  controller.update(resting_report(robot, 20));
+  controller.update(resting_sample(robot, 20));
   BOOST_TEST((controller.status() == Status::kBadTask));
   for (std::uint32_t tick = 22; tick < 40; tick += 2)
-    controller.update(resting_report(robot, tick));
+    controller.update(resting_sample(robot, tick));
   BOOST_TEST((controller.status() == Status::kDamping));
   BOOST_TEST((controller.fault() == Status::kBadTask));
 }
 
-BOOST_FIXTURE_TEST_CASE(no_task_or_one_without_rows_is_refused, Moving) {
+BOOST_FIXTURE_TEST_CASE(null_task_or_task_without_rows_is_refused, MovingRobot) {
   WholeBodyController controller(robot);
   BOOST_CHECK_THROW(controller.add_task(nullptr), Error);
-  BOOST_CHECK_THROW(controller.add_task(task(0, mixed)), Error);
+  BOOST_CHECK_THROW(controller.add_task(task(0, write_mixed_rows)), Error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "estimator/delay_predictor.hpp"
-#include "scenes.hpp"
+#include "robot_states.hpp"
+#include "stand/delay_predictor.hpp"
 
 using namespace surefoot;
 
@@ -10,79 +10,81 @@ namespace {
 
 constexpr double kDelay = 0.012, kDt = 0.002;
 
-struct Predicting {
+struct DelayPredictorFixture {
   Robot robot = quadruped();
   RobotState state = standing_state(robot);
   Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(18, -3.0, 5.0);
   DelayPredictor predictor{18, kDelay};
   void send(const Eigen::VectorXd& acceleration, double dt) {
-    predictor.remember(2.0 * acceleration, 0.5, acceleration.tail<12>(),
-                       2.0 * acceleration.head<3>());
-    predictor.elapse(dt);
+    predictor.record(2.0 * acceleration, 0.5, acceleration.tail<12>(),
+                     2.0 * acceleration.head<3>());
+    predictor.advance(dt);
   }
-  Predicting() { state.contact << 0.1, 0.2, 0.3, 0.4; }
+  DelayPredictorFixture() { state.contact << 0.1, 0.2, 0.3, 0.4; }
 };
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(delay_predictor)
 
-BOOST_FIXTURE_TEST_CASE(the_command_that_acts_is_the_one_sent_a_delay_ago, Predicting) {
-  BOOST_TEST((predictor.acting(kDt) == nullptr));
+BOOST_FIXTURE_TEST_CASE(acting_command_is_the_one_sent_one_delay_ago, DelayPredictorFixture) {
+  BOOST_TEST((predictor.acting_command(kDt) == nullptr));
   for (int k = 0; k < 6; ++k) send(k * a, kDt);
-  BOOST_TEST((predictor.acting(kDt) == nullptr));  // six of 2 ms are all still on their way
+  BOOST_TEST((predictor.acting_command(kDt) == nullptr));  // six of 2 ms are all still on their way
   for (int k = 6; k < 30; ++k) {
     send(k * a, kDt);
-    BOOST_REQUIRE((predictor.acting(kDt)->accelerations - (k - 6) * a).norm() < 1e-12);
+    BOOST_REQUIRE((predictor.acting_command(kDt)->accelerations - (k - 6) * a).norm() < 1e-12);
   }
-  BOOST_TEST((predictor.acting(kDt)->tau - 23.0 * a.tail<12>()).norm() < 1e-12);
-  BOOST_TEST((predictor.acting(kDt)->f_push - 23.0 * a.head<3>()).norm() < 1e-12);
-  predictor.elapse(kDt);  // a report was lost: the last command goes on
-  BOOST_TEST((predictor.acting(kDt)->accelerations - 24.0 * a).norm() < 1e-12);
+  BOOST_TEST((predictor.acting_command(kDt)->tau - 23.0 * a.tail<12>()).norm() < 1e-12);
+  BOOST_TEST((predictor.acting_command(kDt)->f_push - 23.0 * a.head<3>()).norm() < 1e-12);
+  predictor.advance(kDt);  // a report was lost: the last command goes on
+  BOOST_TEST((predictor.acting_command(kDt)->accelerations - 24.0 * a).norm() < 1e-12);
 }
 
 // A period for the report, one for the command.
-BOOST_FIXTURE_TEST_CASE(untold_of_a_delay_it_takes_a_link_to_be_two_periods_long, Predicting) {
-  DelayPredictor told(18, 0.0);
+BOOST_FIXTURE_TEST_CASE(zero_delay_option_assumes_a_link_delay_of_two_periods,
+                        DelayPredictorFixture) {
+  DelayPredictor undelayed(18, 0.0);
   for (int k = 0; k < 5; ++k) {
-    BOOST_REQUIRE((told.acting(kDt) == nullptr) == (k < 3));
-    if (k >= 3) BOOST_TEST((told.acting(kDt)->accelerations - (k - 3) * a).norm() < 1e-12);
-    told.remember(k * a, 1.0, Vector12::Zero(), Vector3::Zero());
-    told.elapse(kDt);
+    BOOST_REQUIRE((undelayed.acting_command(kDt) == nullptr) == (k < 3));
+    if (k >= 3)
+      BOOST_TEST((undelayed.acting_command(kDt)->accelerations - (k - 3) * a).norm() < 1e-12);
+    undelayed.record(k * a, 1.0, Vector12::Zero(), Vector3::Zero());
+    undelayed.advance(kDt);
   }
-  told.elapse(kDt);  // a report was lost
-  BOOST_TEST((told.acting(kDt)->accelerations - 3.0 * a).norm() < 1e-12);
-  told.elapse(3.0 * kDt);  // the last command was held
-  BOOST_TEST((told.acting(kDt)->accelerations - 4.0 * a).norm() < 1e-12);
+  undelayed.advance(kDt);  // a report was lost
+  BOOST_TEST((undelayed.acting_command(kDt)->accelerations - 3.0 * a).norm() < 1e-12);
+  undelayed.advance(3.0 * kDt);  // the last command was held
+  BOOST_TEST((undelayed.acting_command(kDt)->accelerations - 4.0 * a).norm() < 1e-12);
 }
 
-BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly, Predicting) {
+BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly,
+                        DelayPredictorFixture) {
   a.segment<3>(3).setZero();  // turning has a test of its own
   state.v = Eigen::VectorXd::LinSpaced(18, 1.0, -1.0);
   state.v.segment<3>(3).setZero();
   for (int k = 0; k < 10; ++k) send(a, kDt);
-  const RobotState& then = predictor.predict(state);
+  const RobotState& predicted = predictor.predict(state);
   const Eigen::VectorXd step = kDelay * state.v + 0.5 * kDelay * kDelay * a;
-  BOOST_TEST((then.v - state.v - kDelay * a).norm() < 1e-12);
-  BOOST_TEST((then.q.tail(12) - state.q.tail(12) - step.tail(12)).norm() < 1e-12);
-  BOOST_TEST((then.q.head<3>() - state.q.head<3>() - step.head<3>()).norm() < 1e-12);
-  BOOST_TEST((then.contact - state.contact).norm() == 0.0);
+  BOOST_TEST((predicted.v - state.v - kDelay * a).norm() < 1e-12);
+  BOOST_TEST((predicted.q.tail(12) - state.q.tail(12) - step.tail(12)).norm() < 1e-12);
+  BOOST_TEST((predicted.q.head<3>() - state.q.head<3>() - step.head<3>()).norm() < 1e-12);
+  BOOST_TEST((predicted.contact - state.contact).norm() == 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_base_that_turns_steadily_ends_where_it_turns_to, Predicting) {
+BOOST_FIXTURE_TEST_CASE(constant_base_rotation_is_predicted, DelayPredictorFixture) {
   const Quaternion tilted = exp_so3(Vector3(0.3, -0.2, 1.0));
   const Vector3 w(1.0, -2.0, 0.5);
   state.q.segment<4>(3) = tilted.coeffs();
   state.v.segment<3>(3) = w;
-  const RobotState& then = predictor.predict(state);
-  const Quaternion R(then.q[6], then.q[3], then.q[4], then.q[5]);
+  const RobotState& predicted = predictor.predict(state);
+  const Quaternion R(predicted.q[6], predicted.q[3], predicted.q[4], predicted.q[5]);
   BOOST_TEST(R.angularDistance(tilted * exp_so3(kDelay * w)) < 1e-7);
   BOOST_TEST(std::abs(R.norm() - 1.0) < 1e-12);
 }
 
 // Against an integration of the same accelerations, command by command.
-BOOST_FIXTURE_TEST_CASE(commands_on_their_way_act_one_after_the_other_the_oldest_first,
-                        Predicting) {
+BOOST_FIXTURE_TEST_CASE(pending_commands_act_in_the_order_they_were_sent, DelayPredictorFixture) {
   Eigen::VectorXd v = state.v, q = state.q.tail(12);
   for (int k = 0; k < 9; ++k) {
     const Eigen::VectorXd sent = (k - 2.0) * a;
@@ -91,30 +93,31 @@ BOOST_FIXTURE_TEST_CASE(commands_on_their_way_act_one_after_the_other_the_oldest
     q += kDt * v.tail(12) + 0.5 * kDt * kDt * sent.tail(12);
     v += kDt * sent;
   }
-  const RobotState& then = predictor.predict(state);
-  BOOST_TEST((then.v - v).norm() < 1e-12);
-  BOOST_TEST((then.q.tail(12) - q).norm() < 1e-12);
+  const RobotState& predicted = predictor.predict(state);
+  BOOST_TEST((predicted.v - v).norm() < 1e-12);
+  BOOST_TEST((predicted.q.tail(12) - q).norm() < 1e-12);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_command_that_lasts_beyond_the_delay_counts_for_its_share, Predicting) {
+BOOST_FIXTURE_TEST_CASE(command_held_longer_than_the_delay_counts_for_its_part,
+                        DelayPredictorFixture) {
   send(100.0 * a, 0.010);
   send(a, 0.008);  // the last 8 of the 12 ms; the one before it the first 4
-  const RobotState& then = predictor.predict(state);
-  BOOST_TEST((then.v - state.v - (0.004 * 100.0 + 0.008) * a).norm() < 1e-12);
+  const RobotState& predicted = predictor.predict(state);
+  BOOST_TEST((predicted.v - state.v - (0.004 * 100.0 + 0.008) * a).norm() < 1e-12);
 }
 
-BOOST_FIXTURE_TEST_CASE(its_ring_wraps_and_the_oldest_are_forgotten, Predicting) {
+BOOST_FIXTURE_TEST_CASE(command_buffer_wraps_and_drops_the_oldest_commands, DelayPredictorFixture) {
   DelayPredictor fresh(18, kDelay);
   for (int k = 0; k < 200; ++k) send((k % 7) * a, kDt);
   for (int k = 190; k < 200; ++k) {
-    fresh.remember((k % 7) * a, 1.0, Vector12::Zero(), Vector3::Zero());
-    fresh.elapse(kDt);
+    fresh.record((k % 7) * a, 1.0, Vector12::Zero(), Vector3::Zero());
+    fresh.advance(kDt);
   }
   BOOST_TEST((predictor.predict(state).v - fresh.predict(state).v).norm() == 0.0);
   BOOST_TEST((predictor.predict(state).q - fresh.predict(state).q).norm() == 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(after_a_reset_nothing_is_on_its_way, Predicting) {
+BOOST_FIXTURE_TEST_CASE(reset_clears_pending_commands, DelayPredictorFixture) {
   for (int k = 0; k < 10; ++k) send(a, kDt);
   predictor.reset();
   BOOST_TEST((predictor.predict(state).v - state.v).norm() == 0.0);
@@ -123,8 +126,8 @@ BOOST_FIXTURE_TEST_CASE(after_a_reset_nothing_is_on_its_way, Predicting) {
 }
 
 // Far from standing: what Pinocchio's integration says of the same motion, to second order.
-BOOST_FIXTURE_TEST_CASE(a_random_motion_is_predicted_to_the_order_of_the_delay_squared,
-                        Predicting) {
+BOOST_FIXTURE_TEST_CASE(random_motion_is_predicted_to_second_order_in_the_delay,
+                        DelayPredictorFixture) {
   for (int seed = 0; seed < 20; ++seed) {
     const RobotState random = random_state(robot, seed, 1.0);
     for (int k = 0; k < 10; ++k) send(a, kDt);
@@ -135,9 +138,9 @@ BOOST_FIXTURE_TEST_CASE(a_random_motion_is_predicted_to_the_order_of_the_delay_s
       q = integrate(robot, q, h * v + 0.5 * h * h * a);
       v += h * a;
     }
-    const RobotState& then = predictor.predict(random);
-    BOOST_TEST((then.v - v).norm() < 1e-9);
-    BOOST_TEST((then.q - q).norm() < 4.0 * kDelay * kDelay);
+    const RobotState& predicted = predictor.predict(random);
+    BOOST_TEST((predicted.v - v).norm() < 1e-9);
+    BOOST_TEST((predicted.q - q).norm() < 4.0 * kDelay * kDelay);
   }
 }
 

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "dynamics/dynamics.hpp"
-#include "scenes.hpp"
+#include "robot_states.hpp"
 
 using namespace surefoot;
 
@@ -10,15 +10,15 @@ namespace {
 
 constexpr double kStep = 1e-6;
 
-struct Moving {
+struct DynamicsFixture {
   Robot robot = quadruped();
   RobotState state = random_state(robot, 3, 1.0);
   Vector3 normal = Vector3(0.1, -0.05, 1.0).normalized();
-  Dynamics now{robot};
-  Moving() { now.update(state.q, state.v, normal); }
+  Dynamics dynamics_now{robot};
+  DynamicsFixture() { dynamics_now.update(state.q, state.v, normal); }
 
   // The same motion a moment later, at constant joint and base velocity.
-  Dynamics later(double dt) const {
+  Dynamics dynamics_after(double dt) const {
     Dynamics d(robot);
     d.update(integrate(robot, state.q, dt * state.v), state.v, normal);
     return d;
@@ -29,33 +29,34 @@ struct Moving {
 
 BOOST_AUTO_TEST_SUITE(dynamics)
 
-BOOST_FIXTURE_TEST_CASE(blocks_are_those_of_pinocchios_mass_matrix_and_bias, Moving) {
+BOOST_FIXTURE_TEST_CASE(dynamics_blocks_match_pinocchio_mass_matrix_and_bias, DynamicsFixture) {
   const Eigen::MatrixXd M = mass_matrix(robot, state.q);
   const Eigen::VectorXd h = inverse_dynamics(robot, state, Eigen::VectorXd::Zero(robot.nv()));
-  BOOST_TEST((now.M_base() - M.topLeftCorner<6, 6>()).norm() < 1e-10);
-  BOOST_TEST((now.h_base() - h.head<6>()).norm() < 1e-10);
+  BOOST_TEST((dynamics_now.M_base() - M.topLeftCorner<6, 6>()).norm() < 1e-10);
+  BOOST_TEST((dynamics_now.h_base() - h.head<6>()).norm() < 1e-10);
   for (int leg = 0; leg < kLegs; ++leg) {
     const int first = robot.motor_to_v()[3 * leg];
-    const LegDynamics& L = now.legs()[leg];
+    const LegDynamics& L = dynamics_now.legs()[leg];
     BOOST_TEST((L.M_leg - M.block<3, 3>(first, first)).norm() < 1e-10);
     BOOST_TEST((L.M_base_leg - M.block<6, 3>(0, first)).norm() < 1e-10);
     BOOST_TEST((L.h_leg - h.segment<3>(first)).norm() < 1e-10);
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(centre_of_mass_velocity_is_the_derivative_of_its_position, Moving) {
+BOOST_FIXTURE_TEST_CASE(centre_of_mass_velocity_is_the_derivative_of_its_position,
+                        DynamicsFixture) {
   const Vector3 difference =
-      (later(kStep).p_world_com() - later(-kStep).p_world_com()) / (2.0 * kStep);
-  BOOST_TEST((difference - now.v_world_com()).norm() < 1e-7);
+      (dynamics_after(kStep).p_world_com() - dynamics_after(-kStep).p_world_com()) / (2.0 * kStep);
+  BOOST_TEST((difference - dynamics_now.v_world_com()).norm() < 1e-7);
 }
 
 // The material point under the foot centre moves with the centre minus the shank's turn about it.
-BOOST_FIXTURE_TEST_CASE(contact_velocity_is_the_centres_minus_the_roll, Moving) {
+BOOST_FIXTURE_TEST_CASE(contact_velocity_is_foot_centre_velocity_minus_rolling, DynamicsFixture) {
   for (int leg = 0; leg < kLegs; ++leg) {
-    const Vector3 centre_speed =
-        (later(kStep).legs()[leg].p_world_contact - later(-kStep).legs()[leg].p_world_contact) /
-        (2.0 * kStep);
-    const Vector3 w_calf = now.w_world_base() + now.R_world_base() * [&] {
+    const Vector3 centre_speed = (dynamics_after(kStep).legs()[leg].p_world_contact -
+                                  dynamics_after(-kStep).legs()[leg].p_world_contact) /
+                                 (2.0 * kStep);
+    const Vector3 w_calf = dynamics_now.w_world_base() + dynamics_now.R_world_base() * [&] {
       // hip about x, thigh and calf about y after the hip's turn
       const double hip = state.q[robot.motor_to_q()[3 * leg]];
       const int v = robot.motor_to_v()[3 * leg];
@@ -65,35 +66,37 @@ BOOST_FIXTURE_TEST_CASE(contact_velocity_is_the_centres_minus_the_roll, Moving) 
     }();
     const Vector3 lever = robot.config().foot_radius * normal;
     const Vector3 expected = centre_speed - w_calf.cross(lever);
-    BOOST_TEST((now.legs()[leg].v_world_contact - expected).norm() < 1e-7);
+    BOOST_TEST((dynamics_now.legs()[leg].v_world_contact - expected).norm() < 1e-7);
   }
 }
 
 // d/dt (J v) at constant v is the drift, up to what the moving base frame adds to constant v.
 BOOST_FIXTURE_TEST_CASE(drift_is_the_contact_acceleration_at_zero_generalised_acceleration,
-                        Moving) {
-  const Dynamics after = later(kStep), before = later(-kStep);
+                        DynamicsFixture) {
+  const Dynamics after = dynamics_after(kStep), before = dynamics_after(-kStep);
   for (int leg = 0; leg < kLegs; ++leg) {
     const Vector3 difference =
         (after.legs()[leg].v_world_contact - before.legs()[leg].v_world_contact) / (2.0 * kStep);
-    BOOST_TEST((now.legs()[leg].drift - difference).norm() < 1e-5);
+    BOOST_TEST((dynamics_now.legs()[leg].drift - difference).norm() < 1e-5);
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(a_base_at_rest_shifted_to_its_velocity_moves_the_same, Moving) {
+BOOST_FIXTURE_TEST_CASE(shift_of_a_resting_base_matches_the_moving_base, DynamicsFixture) {
   RobotState resting = state;
   resting.q.head<3>().setZero();
   resting.v.head<3>().setZero();
   Dynamics shifted(robot);
   shifted.update(resting.q, resting.v, normal);
-  shifted.shift(state.q.head<3>(), now.R_world_base() * Vector3(state.v.head<3>()));
-  BOOST_TEST((shifted.p_world_com() - now.p_world_com()).norm() < 1e-12);
-  BOOST_TEST((shifted.v_world_com() - now.v_world_com()).norm() < 1e-12);
+  shifted.shift(state.q.head<3>(), dynamics_now.R_world_base() * Vector3(state.v.head<3>()));
+  BOOST_TEST((shifted.p_world_com() - dynamics_now.p_world_com()).norm() < 1e-12);
+  BOOST_TEST((shifted.v_world_com() - dynamics_now.v_world_com()).norm() < 1e-12);
   for (int leg = 0; leg < kLegs; ++leg) {
-    BOOST_TEST((shifted.legs()[leg].v_world_contact - now.legs()[leg].v_world_contact).norm() <
-               1e-12);
-    BOOST_TEST((shifted.legs()[leg].p_world_contact - now.legs()[leg].p_world_contact).norm() <
-               1e-12);
+    BOOST_TEST(
+        (shifted.legs()[leg].v_world_contact - dynamics_now.legs()[leg].v_world_contact).norm() <
+        1e-12);
+    BOOST_TEST(
+        (shifted.legs()[leg].p_world_contact - dynamics_now.legs()[leg].p_world_contact).norm() <
+        1e-12);
   }
 }
 

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <random>
 
-#include "scenes.hpp"
+#include "robot_states.hpp"
 #include "surefoot/state_estimator.hpp"
 
 using namespace surefoot;
@@ -13,9 +13,9 @@ namespace {
 // A resting robot's reports, all of it trembling but the joints' angles. The velocities' noise
 // is twenty times that of a real driver, so that what grows with its square shows within four
 // minutes.
-class Trembling {
+class NoisyRestingRobot {
  public:
-  explicit Trembling(const Robot& robot) : rest_(resting_report(robot, 0)) {}
+  explicit NoisyRestingRobot(const Robot& robot) : rest_(resting_sample(robot, 0)) {}
 
   const LowState& report(std::uint32_t tick) {
     report_ = rest_;
@@ -41,12 +41,12 @@ BOOST_AUTO_TEST_SUITE(estimator_rest)
 
 // Contact points that were rolled by these velocities made tilt and bias walk together, always the
 // same way: 0.9 deg and 0.15 m/s^2 here, and 2.4 deg of yaw.
-BOOST_AUTO_TEST_CASE(trembling_joint_velocities_do_not_turn_the_world) {
+BOOST_AUTO_TEST_CASE(noisy_joint_velocities_do_not_rotate_the_estimate) {
   const Robot robot = quadruped();
   StateEstimator estimator(robot);
-  Trembling trembling(robot);
+  NoisyRestingRobot noisy_robot(robot);
   for (std::uint32_t tick = 0; tick < 120000; ++tick) {
-    const Status status = estimator.update(trembling.report(2 * tick), 0.002);
+    const Status status = estimator.update(noisy_robot.report(2 * tick), 0.002);
     BOOST_TEST_REQUIRE((status == Status::kOk));
   }
   const Eigen::Vector4d turned = estimator.state().q.segment<4>(3);
@@ -57,27 +57,27 @@ BOOST_AUTO_TEST_CASE(trembling_joint_velocities_do_not_turn_the_world) {
 
 // A gyroscope that lies while there is no quaternion to tell: the tilt is wrong, and sure of
 // itself.
-BOOST_AUTO_TEST_CASE(a_filter_that_was_led_astray_finds_back) {
+BOOST_AUTO_TEST_CASE(filter_recovers_from_a_wrong_gyroscope) {
   const Robot robot = quadruped();
   StateEstimator estimator(robot);
-  Trembling trembling(robot);
+  NoisyRestingRobot noisy_robot(robot);
   std::uint32_t tick = 0;
-  double astray = 0.0;
+  double max_tilt = 0.0;
   const auto run = [&](double seconds, bool lies) {
     for (int k = 0; k < static_cast<int>(500.0 * seconds); ++k, tick += 2) {
-      LowState report = trembling.report(tick);
+      LowState report = noisy_robot.report(tick);
       if (lies) {
         report.imu.gyroscope[0] += 20.0F;
         report.imu.quaternion = {};
       }
       estimator.update(report, 0.002);
       const Eigen::Vector4d q = estimator.state().q.segment<4>(3);
-      if (lies) astray = std::max(astray, 2.0 * q.head<2>().norm());
+      if (lies) max_tilt = std::max(max_tilt, 2.0 * q.head<2>().norm());
     }
   };
   run(2.0, false);
   run(0.05, true);
-  BOOST_TEST(astray > 0.2);
+  BOOST_TEST(max_tilt > 0.2);
   run(5.0, false);
   BOOST_TEST(2.0 * estimator.state().q.segment<2>(3).norm() < 0.02);
   BOOST_TEST(estimator.report().accelerometer_bias.norm() < 0.2);
@@ -85,26 +85,26 @@ BOOST_AUTO_TEST_CASE(a_filter_that_was_led_astray_finds_back) {
 }
 
 // Every number is one that such a sensor may say, and no motion explains them.
-BOOST_AUTO_TEST_CASE(an_estimate_that_ran_away_begins_anew) {
+BOOST_AUTO_TEST_CASE(diverged_estimate_is_reset) {
   const Robot robot = quadruped();
   StateEstimator estimator(robot);
-  Trembling trembling(robot);
+  NoisyRestingRobot noisy_robot(robot);
   std::mt19937 generator(3);
   std::uniform_real_distribution<float> any(-1.0F, 1.0F);
-  int ran_away = 0;
+  int divergences = 0;
   for (std::uint32_t tick = 0; tick < 2000; ++tick) {
-    LowState report = trembling.report(2 * tick);
+    LowState report = noisy_robot.report(2 * tick);
     for (int k = 0; k < 3; ++k) {
       report.imu.gyroscope[k] = 30.0F * any(generator);
       report.imu.accelerometer[k] = 150.0F * any(generator);
     }
     for (int i = 0; i < kMotors; ++i) report.motorState[i].q += 0.3F * any(generator);
-    ran_away += estimator.update(report, 0.1) == Status::kDiverged;
+    divergences += estimator.update(report, 0.1) == Status::kDiverged;
     BOOST_TEST_REQUIRE(estimator.state().v.norm() < 1e4);
   }
-  BOOST_TEST(ran_away > 0);
+  BOOST_TEST(divergences > 0);
   for (std::uint32_t tick = 2000; tick < 7000; ++tick) {
-    estimator.update(trembling.report(2 * tick), 0.002);
+    estimator.update(noisy_robot.report(2 * tick), 0.002);
   }
   BOOST_TEST(estimator.state().v.head<3>().norm() < 0.1);
   BOOST_TEST(estimator.state().contact.minCoeff() > 0.9);

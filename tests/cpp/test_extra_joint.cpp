@@ -2,11 +2,11 @@
 // A robot with an arm on its trunk: the general form takes it, the others say why not.
 #include <boost/test/unit_test.hpp>
 
-#include "motion.hpp"
+#include "pushed_robot.hpp"
+#include "robot/joint_table.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/whole_body_controller.hpp"
-#include "wbc/joint_table.hpp"
 
 using namespace surefoot;
 
@@ -22,11 +22,11 @@ std::string error_of(Action&& action) {
   return "";
 }
 
-struct WithArm {
+struct RobotWithArm {
   Robot robot = quadruped_with_arm();
   int arm_v = 0, arm_q = 0;
   RobotState state = standing_state(robot);
-  WithArm() {
+  RobotWithArm() {
     const JointRow arm = make_joint_table(robot).back();
     arm_v = arm.v;
     arm_q = arm.q;
@@ -37,7 +37,7 @@ struct WithArm {
 
 BOOST_AUTO_TEST_SUITE(extra_joint)
 
-BOOST_FIXTURE_TEST_CASE(its_row_comes_from_the_model, WithArm) {
+BOOST_FIXTURE_TEST_CASE(arm_joint_row_comes_from_the_model, RobotWithArm) {
   const JointTable joints = make_joint_table(robot);
   BOOST_REQUIRE(joints.size() == 13U);
   const JointRow& arm = joints.back();
@@ -49,21 +49,21 @@ BOOST_FIXTURE_TEST_CASE(its_row_comes_from_the_model, WithArm) {
   BOOST_TEST(arm.q_upper == 1.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(the_full_equations_of_motion_hold_with_it, WithArm) {
-  WholeBodyController controller(robot, Gains(), {Form::kAuto, 1e-10});
+BOOST_FIXTURE_TEST_CASE(equations_of_motion_hold_with_an_arm, RobotWithArm) {
+  WholeBodyController controller(robot, Gains(), {QpForm::kAuto, 1e-10});
   for (int seed = 0; seed < 20; ++seed) {
     state = random_state(robot, seed, 1.0);
     const Solution& s = controller.update(state, reference_at(robot, state));
     BOOST_REQUIRE(is_usable(s.status));
-    BOOST_TEST((s.form == Form::kGeneral));
-    Eigen::VectorXd left = inverse_dynamics(robot, state, s.accelerations);
-    left.tail(robot.nv() - 6) -= s.torques;
+    BOOST_TEST((s.form == QpForm::kGeneral));
+    Eigen::VectorXd residual = inverse_dynamics(robot, state, s.accelerations);
+    residual.tail(robot.nv() - 6) -= s.torques;
     const Dynamics dynamics = dynamics_at(robot, state);
     FullDynamics full(robot.nv());
     dynamics.write_full(full);
     BOOST_TEST((full.M - mass_matrix(robot, state.q)).norm() < 1e-9);
-    left -= full.J.transpose() * s.forces.reshaped();
-    BOOST_TEST(left.cwiseAbs().maxCoeff() < 1e-6);
+    residual -= full.J.transpose() * s.forces.reshaped();
+    BOOST_TEST(residual.cwiseAbs().maxCoeff() < 1e-6);
     for (int leg = 0; leg < kLegs; ++leg) {
       const Vector3 v = full.J.middleRows<3>(3 * leg) * state.v;
       BOOST_TEST((v - dynamics.legs()[leg].v_world_contact).norm() < 1e-9);
@@ -71,8 +71,8 @@ BOOST_FIXTURE_TEST_CASE(the_full_equations_of_motion_hold_with_it, WithArm) {
   }
 }
 
-// What own_limits and the feet's forces are reckoned by.
-BOOST_FIXTURE_TEST_CASE(its_legs_have_the_blocks_of_the_whole_mass_matrix, WithArm) {
+// What released_legs and the feet's forces are reckoned by.
+BOOST_FIXTURE_TEST_CASE(leg_blocks_match_the_full_mass_matrix, RobotWithArm) {
   state = random_state(robot, 5, 1.0);
   const Eigen::MatrixXd M = mass_matrix(robot, state.q);
   const Dynamics dynamics = dynamics_at(robot, state);
@@ -90,13 +90,13 @@ BOOST_FIXTURE_TEST_CASE(its_legs_have_the_blocks_of_the_whole_mass_matrix, WithA
 }
 
 // An ideal robot for three seconds: it stands, and the arm goes to its posture and stays inside.
-BOOST_FIXTURE_TEST_CASE(the_robot_stands_and_the_arm_follows_its_posture_to_its_limit, WithArm) {
+BOOST_FIXTURE_TEST_CASE(robot_stands_and_the_arm_stops_at_its_joint_limit, RobotWithArm) {
   WholeBodyController controller(robot);
   Reference reference = controller.hold(state);
   reference.posture[arm_v - 6] = 3.0;  // beyond its limit
   const Vector3 p_com = reference.p_com;
   const double dt = 0.002;
-  double fastest = 0.0;
+  double max_arm_speed = 0.0;
   for (int k = 0; k < 1500; ++k) {
     const Solution& s = controller.update(state, reference);
     BOOST_REQUIRE(is_usable(s.status));
@@ -104,17 +104,17 @@ BOOST_FIXTURE_TEST_CASE(the_robot_stands_and_the_arm_follows_its_posture_to_its_
     state.q = integrate(robot, state.q, dt * state.v + 0.5 * dt * dt * s.accelerations);
     state.v += dt * s.accelerations;
     BOOST_REQUIRE(state.q[arm_q] <= 1.0);
-    fastest = std::max(fastest, state.v[arm_v]);
+    max_arm_speed = std::max(max_arm_speed, state.v[arm_v]);
   }
   BOOST_TEST(state.q[arm_q] > 1.0 - 2.0 * Gains().joint_limit_margin);
-  BOOST_TEST(fastest <= 4.0 + 1e-6);
+  BOOST_TEST(max_arm_speed <= 4.0 + 1e-6);
   BOOST_TEST((center_of_mass(robot, state.q) - p_com).norm() < 2e-3);
   BOOST_TEST(state.v.norm() < 0.05);
 }
 
-BOOST_FIXTURE_TEST_CASE(the_condensed_form_and_the_stand_controller_refuse_it_by_name, WithArm) {
+BOOST_FIXTURE_TEST_CASE(condensed_form_and_stand_controller_refuse_an_arm, RobotWithArm) {
   const std::string condensed =
-      error_of([&] { WholeBodyController(robot, Gains(), {Form::kCondensed}); });
+      error_of([&] { WholeBodyController(robot, Gains(), {QpForm::kCondensed}); });
   BOOST_TEST(condensed.find("testdog") != std::string::npos);
   BOOST_TEST(condensed.find("condensed") != std::string::npos);
   BOOST_TEST(condensed.find("nv = 19") != std::string::npos);

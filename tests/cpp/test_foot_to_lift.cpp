@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSwing = 0.6;
 constexpr double kGain = 0.003;
-constexpr std::array<bool, kLegs> kAll = {true, true, true, true};
+constexpr std::array<bool, kLegs> kAllStance = {true, true, true, true};
 constexpr std::array<bool, kLegs> kHindLeftUp = {true, true, true, false};
 
 // FR FL RR RL; 0.4 m long, 0.3 m wide.
@@ -22,47 +22,54 @@ FeetMatrix rectangle() {
   return feet;
 }
 
-FeetMatrix stepped(double x, double y) { return rectangle().colwise() + Vector3(x, y, 0.0); }
+FeetMatrix shifted_rectangle(double x, double y) {
+  return rectangle().colwise() + Vector3(x, y, 0.0);
+}
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(foot_to_lift_)
 
-BOOST_AUTO_TEST_CASE(beyond_is_the_way_from_the_nearest_edge_corner_or_line) {
-  const SupportPolygon all(rectangle(), kAll);
-  BOOST_TEST(all.beyond({0.1, 0.1}).isZero());
-  BOOST_TEST(all.beyond({0.25, 0.1}).isApprox(Vector2d(0.05, 0.0)));
-  BOOST_TEST(all.beyond({0.25, 0.2}).isApprox(Vector2d(0.05, 0.05)));
+BOOST_AUTO_TEST_CASE(outside_vector_starts_at_the_nearest_edge_corner_or_line) {
+  const SupportPolygon all(rectangle(), kAllStance);
+  BOOST_TEST(all.displacement_outside({0.1, 0.1}).isZero());
+  BOOST_TEST(all.displacement_outside({0.25, 0.1}).isApprox(Vector2d(0.05, 0.0)));
+  BOOST_TEST(all.displacement_outside({0.25, 0.2}).isApprox(Vector2d(0.05, 0.05)));
   const SupportPolygon left(rectangle(), {false, true, false, true});
-  BOOST_TEST(left.beyond({0.1, 0.05}).isApprox(Vector2d(0.0, -0.1)));
-  BOOST_TEST(left.beyond({0.1, 0.15}).isZero());
-  BOOST_TEST(SupportPolygon(rectangle(), {true, false, false, false}).beyond({1.0, 1.0}).isZero());
+  BOOST_TEST(left.displacement_outside({0.1, 0.05}).isApprox(Vector2d(0.0, -0.1)));
+  BOOST_TEST(left.displacement_outside({0.1, 0.15}).isZero());
+  BOOST_TEST(SupportPolygon(rectangle(), {true, false, false, false})
+                 .displacement_outside({1.0, 1.0})
+                 .isZero());
 }
 
 // Over the right feet and ahead: the fore one has to stay.
-BOOST_AUTO_TEST_CASE(of_two_that_would_widen_the_support_it_is_the_one_that_lands_further_out) {
+BOOST_AUTO_TEST_CASE(foot_that_lands_further_out_is_lifted) {
   const Vector2d capture(0.1, -0.16);
-  BOOST_TEST(foot_to_lift(rectangle(), stepped(0.0, -0.25), kAll, capture, kSwing, kGain) == RR_);
+  BOOST_TEST(foot_to_lift(rectangle(), shifted_rectangle(0.0, -0.25), kAllStance, capture, kSwing,
+                          kGain) == RR_);
 }
 
-BOOST_AUTO_TEST_CASE(none_is_lifted_that_would_land_too_late) {
+BOOST_AUTO_TEST_CASE(foot_that_would_land_too_late_is_not_lifted) {
   const Vector2d capture(0.2, 0.0);
   // Without one of the front feet it runs away from the other and the hind one across.
-  BOOST_TEST(foot_to_lift(rectangle(), stepped(0.05, 0.0), kAll, capture, kSwing, kGain) == -1);
+  BOOST_TEST(foot_to_lift(rectangle(), shifted_rectangle(0.05, 0.0), kAllStance, capture, kSwing,
+                          kGain) == -1);
 }
 
-BOOST_AUTO_TEST_CASE(none_where_it_would_not_help) {
+BOOST_AUTO_TEST_CASE(no_foot_is_lifted_when_a_step_does_not_help) {
   const FeetMatrix feet = rectangle();
-  BOOST_TEST(foot_to_lift(feet, feet, kAll, {0.1, -0.16}, kSwing, kGain) == -1);
+  BOOST_TEST(foot_to_lift(feet, feet, kAllStance, {0.1, -0.16}, kSwing, kGain) == -1);
   // Just inside, however much further inside it would come.
-  BOOST_TEST(foot_to_lift(feet, stepped(0.0, -0.3), kAll, {0.1, -0.149}, kSwing, kGain) == -1);
+  BOOST_TEST(foot_to_lift(feet, shifted_rectangle(0.0, -0.3), kAllStance, {0.1, -0.149}, kSwing,
+                          kGain) == -1);
 }
 
 // One leg hangs in the air: the light one of the other three still can.
-BOOST_AUTO_TEST_CASE(two_that_stay_are_enough) {
+BOOST_AUTO_TEST_CASE(foot_is_lifted_when_two_stance_feet_remain) {
   const FeetMatrix feet = rectangle();
   const Vector2d capture(0.205, -0.1);
-  const FeetMatrix goals = stepped(0.2, 0.0);
+  const FeetMatrix goals = shifted_rectangle(0.2, 0.0);
   BOOST_TEST(foot_to_lift(feet, goals, kHindLeftUp, capture, kSwing, kGain) == FL_);
   const std::array<bool, kLegs> front = {true, true, false, false};
   BOOST_TEST(foot_to_lift(feet, goals, front, capture, kSwing, kGain) == -1);

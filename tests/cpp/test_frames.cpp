@@ -27,11 +27,11 @@ std::uint32_t crc_of(G generation, const std::function<void(LowCmd&)>& change) {
 }
 
 // CRCs that the vendor's libraries put on the wire, one change of the initial command each.
-struct Vector {
+struct CrcCase {
   std::function<void(LowCmd&)> change;
   std::uint32_t a1, go1, b1;
 };
-const Vector kVectors[] = {
+const CrcCase kCrcCases[] = {
     {[](LowCmd&) {}, 0x1359692f, 0x347ff0e2, 0x347ff0e2},
     {[](LowCmd& c) { c.motorCmd[0].tau = -0.65F; }, 0xccd8b716, 0x9e3eac09, 0x252512c1},
     {[](LowCmd& c) { c.motorCmd[0].tau = 5.0F; }, 0xe35728e6, 0x138ccdb9, 0x1000619f},
@@ -44,14 +44,14 @@ const Vector kVectors[] = {
     {[](LowCmd& c) { c.wirelessRemote[0] = 0xAB; }, 0x23d713d2, 0x04f18a1f, 0x04f18a1f},
 };
 
-void sign(std::vector<std::uint8_t>& bytes) {
+void write_crc(std::vector<std::uint8_t>& bytes) {
   const std::uint32_t crc = crc32(bytes.data(), bytes.size() - 4);
   std::memcpy(bytes.data() + bytes.size() - 4, &crc, 4);
 }
 
 // Random in every byte, except that the envelope is right and the floats are finite.
-std::vector<std::uint8_t> canonical(std::size_t size, bool head, int first_motor, int motor_size,
-                                    int imu, std::mt19937& random) {
+std::vector<std::uint8_t> random_valid_frame(std::size_t size, bool head, int first_motor,
+                                             int motor_size, int imu, std::mt19937& random) {
   std::vector<std::uint8_t> bytes(size);
   for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random());
   if (head) bytes[0] = 0xFE, bytes[1] = 0xEF, bytes[2] = LOWLEVEL;
@@ -67,18 +67,18 @@ std::vector<std::uint8_t> canonical(std::size_t size, bool head, int first_motor
       if (motor_size == 32) put(motor + at);
     }
   }
-  sign(bytes);
+  write_crc(bytes);
   return bytes;
 }
 
-int header(G g) { return g == G::kA1v33 || g == G::kGo1v34 ? 10 : 22; }
+int header_size(G g) { return g == G::kA1v33 || g == G::kGo1v34 ? 10 : 22; }
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(frames)
 
-BOOST_AUTO_TEST_CASE(crcs_are_those_that_the_vendors_libraries_send) {
-  for (const Vector& v : kVectors) {
+BOOST_AUTO_TEST_CASE(crcs_match_the_vendor_libraries) {
+  for (const CrcCase& v : kCrcCases) {
     BOOST_TEST(crc_of(G::kA1v33, v.change) == v.a1);
     BOOST_TEST(crc_of(G::kGo1v38, v.change) == v.go1);
     BOOST_TEST(crc_of(G::kB1v38, v.change) == v.b1);
@@ -91,12 +91,13 @@ BOOST_AUTO_TEST_CASE(crcs_are_those_that_the_vendors_libraries_send) {
   BOOST_TEST(crc32(reinterpret_cast<const std::uint8_t*>("12345678"), 8) == 0xfefc54f9);
 }
 
-BOOST_AUTO_TEST_CASE(any_canonical_frame_comes_back_bit_for_bit) {
+BOOST_AUTO_TEST_CASE(valid_frames_round_trip_bit_for_bit) {
   std::mt19937 random(1);
   for (const G g : kAll) {
     for (int round = 0; round < 200; ++round) {
-      const bool head = header(g) == 22;
-      const auto cmd_bytes = canonical(low_cmd_size(g), head, header(g), 27, -1, random);
+      const bool head = header_size(g) == 22;
+      const auto cmd_bytes =
+          random_valid_frame(low_cmd_size(g), head, header_size(g), 27, -1, random);
       LowCmd cmd;
       FrameExtras extras;
       Frame frame;
@@ -104,8 +105,8 @@ BOOST_AUTO_TEST_CASE(any_canonical_frame_comes_back_bit_for_bit) {
                      FrameStatus::kOk));
       BOOST_REQUIRE((encode_low_cmd(cmd, extras, g, frame).status == FrameStatus::kOk));
       BOOST_REQUIRE(std::equal(cmd_bytes.begin(), cmd_bytes.end(), frame.bytes.begin()));
-      const auto state_bytes =
-          canonical(low_state_size(g), head, header(g) + 53, 32, header(g), random);
+      const auto state_bytes = random_valid_frame(low_state_size(g), head, header_size(g) + 53, 32,
+                                                  header_size(g), random);
       LowState state;
       BOOST_REQUIRE(
           (decode_low_state(state_bytes.data(), state_bytes.size(), g, state, extras).status ==
@@ -116,7 +117,7 @@ BOOST_AUTO_TEST_CASE(any_canonical_frame_comes_back_bit_for_bit) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_out_of_range_saturates_and_says_so) {
+BOOST_AUTO_TEST_CASE(out_of_range_values_saturate_and_are_reported) {
   const struct {
     float MotorCmd::* field;
     float value, go1, b1;
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(what_is_out_of_range_saturates_and_says_so) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(fixed_point_is_truncated_toward_zero) {
+BOOST_AUTO_TEST_CASE(fixed_point_values_are_truncated_toward_zero) {
   LowCmd cmd = init_low_cmd(), back;
   FrameExtras extras;
   Frame frame;
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(fixed_point_is_truncated_toward_zero) {
   BOOST_TEST(float(back.motorCmd[2].Kd) == 0.0F);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_not_finite_refuses_and_leaves_the_frame_alone) {
+BOOST_AUTO_TEST_CASE(non_finite_command_is_refused_and_the_frame_is_unchanged) {
   for (const float bad : {std::nanf(""), INFINITY, -INFINITY}) {
     for (float MotorCmd::* field :
          {&MotorCmd::q, &MotorCmd::dq, &MotorCmd::tau, &MotorCmd::Kp, &MotorCmd::Kd}) {
@@ -172,7 +173,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_finite_refuses_and_leaves_the_frame_alone) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_frame_of_ours_is_refused_by_its_reason_and_changes_nothing) {
+BOOST_AUTO_TEST_CASE(invalid_frame_is_refused_with_its_reason_and_state_is_unchanged) {
   Frame good;
   encode_low_state(init_low_state(), {}, G::kGo1v38, good);
   const auto verdict = [&](std::vector<std::uint8_t> bytes, G g = G::kGo1v38) {
@@ -191,10 +192,10 @@ BOOST_AUTO_TEST_CASE(what_is_no_frame_of_ours_is_refused_by_its_reason_and_chang
   for (const G g : {G::kA1v33, G::kGo1v34, G::kB1v38}) {
     BOOST_TEST((verdict(bytes, g) == FrameStatus::kWrongGeneration));
   }
-  const auto changed = [&](int at, std::uint8_t to, bool signed_again) {
+  const auto changed = [&](int at, std::uint8_t to, bool recompute_crc) {
     auto other = bytes;
     other[at] = to;
-    if (signed_again) sign(other);
+    if (recompute_crc) write_crc(other);
     return verdict(other);
   };
   BOOST_TEST((changed(0, 0x12, true) == FrameStatus::kWrongHead));
@@ -203,16 +204,16 @@ BOOST_AUTO_TEST_CASE(what_is_no_frame_of_ours_is_refused_by_its_reason_and_chang
   auto nan = bytes;
   const float bad = std::nanf("");
   std::memcpy(nan.data() + 22, &bad, 4);
-  sign(nan);
+  write_crc(nan);
   BOOST_TEST((verdict(nan) == FrameStatus::kNotFinite));
 }
 
-BOOST_AUTO_TEST_CASE(reports_name_both_generations_and_names_are_read_back) {
+BOOST_AUTO_TEST_CASE(frame_report_names_both_generations_and_names_parse_back) {
   FrameReport report;
   report.status = FrameStatus::kWrongGeneration;
   report.size = 795;
-  report.wanted = G::kGo1v38;
-  report.seen = G::kGo1v34;
+  report.expected = G::kGo1v38;
+  report.detected = G::kGo1v34;
   const std::string text = to_text(report);
   BOOST_TEST(text.find("go1-v3.4") != std::string::npos);
   BOOST_TEST(text.find("go1-v3.8") != std::string::npos);

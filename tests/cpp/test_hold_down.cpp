@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "leaning.hpp"
+#include "capture_point_robot.hpp"
 #include "reference/capture_margin.hpp"
-#include "wbc/edge_demand.hpp"
 #include "wbc/hold_down.hpp"
-#include "wbc/terms_writer.hpp"
+#include "wbc/qp_terms_writer.hpp"
+#include "wbc/support_edge.hpp"
 
 using namespace surefoot;
 
 namespace {
 
-struct Pressing : Leaning {
+struct HoldDown : CapturePointRobot {
   Eigen::Vector4d forces() const {
     return hold_down_forces(gains, weight, edge_fade(gains, dynamics, reference), state.contact,
                             reference);
@@ -22,10 +22,10 @@ struct Pressing : Leaning {
 
 BOOST_AUTO_TEST_SUITE(hold_down)
 
-BOOST_FIXTURE_TEST_CASE(it_fades_to_nothing_as_the_capture_point_reaches_the_edge, Pressing) {
+BOOST_FIXTURE_TEST_CASE(hold_down_force_fades_to_zero_at_the_support_edge, HoldDown) {
   const double edge = contact_points(robot, state.q)(1, FL_);
   for (double y = 0.0; y < edge + 0.05; y += 0.002) {
-    lean(Vector3(0.0, (y - dynamics.p_world_com().y()) * omega(), 0.0));
+    set_com_velocity(Vector3(0.0, (y - dynamics.p_world_com().y()) * omega(), 0.0));
     const double margin = edge - y;
     BOOST_TEST(std::abs(capture_margin(dynamics, reference) - margin) < 1e-9);
     const double fade = std::min(std::max(margin / gains.edge_margin, 0.0), 1.0);
@@ -34,20 +34,20 @@ BOOST_FIXTURE_TEST_CASE(it_fades_to_nothing_as_the_capture_point_reaches_the_edg
   BOOST_TEST(forces().maxCoeff() == 0.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(the_edge_is_the_same_whichever_way_the_robot_faces, Pressing) {
-  lean(Vector3(0.1, 0.15, 0.0));
+BOOST_FIXTURE_TEST_CASE(capture_margin_does_not_depend_on_heading, HoldDown) {
+  set_com_velocity(Vector3(0.1, 0.15, 0.0));
   const double margin = capture_margin(dynamics, reference);
   BOOST_TEST(margin > 0.0);
   for (double yaw = 0.0; yaw < 6.3; yaw += 0.3) {
     const Quaternion R = exp_so3(Vector3(0.0, 0.0, yaw));
     state.q.segment<4>(3) = R.coeffs();
-    lean(R * Vector3(0.1, 0.15, 0.0));
+    set_com_velocity(R * Vector3(0.1, 0.15, 0.0));
     BOOST_TEST(std::abs(capture_margin(dynamics, reference) - margin) < 1e-9);
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Pressing) {
-  lean(Vector3(0.25, -0.2, 0.0));
+BOOST_FIXTURE_TEST_CASE(swing_feet_and_lifted_feet_get_no_hold_down_force, HoldDown) {
+  set_com_velocity(Vector3(0.25, -0.2, 0.0));
   gains.edge_margin = 0.03;
   reference.feet[RL_].stance = false;  // three stand; the capture point is on their side
   reference.feet[FL_].load = 0.25;
@@ -60,12 +60,12 @@ BOOST_FIXTURE_TEST_CASE(swing_feet_and_feet_in_the_air_get_none, Pressing) {
   BOOST_TEST(std::abs(f[RR_] - gains.hold_down * weight) < 1e-9);
   reference.feet[FR_].load = 0.0;  // two feet have no edge to be near
   BOOST_TEST(std::abs(forces()[RR_] - gains.hold_down * weight) < 1e-9);
-  lean(Vector3(2.0, 2.0, 0.0));
+  set_com_velocity(Vector3(2.0, 2.0, 0.0));
   BOOST_TEST(std::abs(forces()[RR_] - gains.hold_down * weight) < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Pressing) {
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+BOOST_FIXTURE_TEST_CASE(hold_down_keeps_force_on_a_foot_the_tasks_would_lift, HoldDown) {
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     for (const double share : {0.0, gains.hold_down}) {
       Gains g = gains;
       g.hold_down = share;
@@ -77,14 +77,14 @@ BOOST_FIXTURE_TEST_CASE(it_keeps_a_foot_pressed_that_the_tasks_would_lift, Press
       BOOST_REQUIRE(is_usable(s.status));
       const double least = s.forces.row(2).minCoeff();
       BOOST_TEST((share > 0.0 ? std::abs(least - share * weight) : least) < 0.05);
-      BOOST_TEST(s.hold_down_missing < 0.05);
+      BOOST_TEST(s.hold_down_violation < 0.05);
     }
   }
 }
 
 // On its way down, or thrown up and to be stopped: at the edge it may not be let fall.
-BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_for, Pressing) {
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+BOOST_FIXTURE_TEST_CASE(feet_keep_edge_load_at_the_edge_during_a_downward_request, HoldDown) {
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     for (const double sway : {0.0, 0.8}) {
       WholeBodyController controller(robot, gains, {form});
       Reference r = controller.hold(state);
@@ -106,39 +106,40 @@ BOOST_FIXTURE_TEST_CASE(feet_keep_a_load_at_the_edge_whatever_the_height_asks_fo
 }
 
 // What turns the body back at once takes the force that brakes: at the edge it comes back slowly.
-BOOST_FIXTURE_TEST_CASE(a_tilted_body_is_turned_back_slowly_at_the_edge, Pressing) {
+BOOST_FIXTURE_TEST_CASE(tilt_correction_is_bounded_at_the_edge, HoldDown) {
   const double length = 0.3, slowly = kGravity / length;
-  BodyDemand demand;
-  demand.alpha = Vector3(-300.0, 400.0, 50.0);
-  const Vector3 asked = demand.alpha;
-  bound_at_edge(gains, 1.0, length, 0.0, demand);
-  BOOST_TEST((demand.alpha == asked));
+  BodyAcceleration desired;
+  desired.alpha = Vector3(-300.0, 400.0, 50.0);
+  const Vector3 requested = desired.alpha;
+  bound_at_edge(gains, 1.0, length, 0.0, desired);
+  BOOST_TEST((desired.alpha == requested));
   double before = std::numeric_limits<double>::infinity();
   for (double fade = 1.0; fade >= 0.0; fade -= 0.1) {
-    bound_at_edge(gains, fade, length, 0.0, demand);
-    const double turning = demand.alpha.head<2>().norm();
+    bound_at_edge(gains, fade, length, 0.0, desired);
+    const double turning = desired.alpha.head<2>().norm();
     BOOST_TEST(turning <= before);
-    BOOST_TEST(std::abs(demand.alpha.x() * asked.y() - demand.alpha.y() * asked.x()) < 1e-9);
+    BOOST_TEST(std::abs(desired.alpha.x() * requested.y() - desired.alpha.y() * requested.x()) <
+               1e-9);
     before = turning;
   }
-  BOOST_TEST(demand.alpha.z() == asked.z());
-  bound_at_edge(gains, 0.0, length, 0.0, demand);
-  BOOST_TEST(demand.alpha.head<2>().norm() == slowly, boost::test_tools::tolerance(1e-9));
-  demand.alpha = Vector3(0.5 * slowly, 0.0, 0.0);
-  bound_at_edge(gains, 0.0, length, 0.0, demand);
-  BOOST_TEST(demand.alpha.x() == 0.5 * slowly);
+  BOOST_TEST(desired.alpha.z() == requested.z());
+  bound_at_edge(gains, 0.0, length, 0.0, desired);
+  BOOST_TEST(desired.alpha.head<2>().norm() == slowly, boost::test_tools::tolerance(1e-9));
+  desired.alpha = Vector3(0.5 * slowly, 0.0, 0.0);
+  bound_at_edge(gains, 0.0, length, 0.0, desired);
+  BOOST_TEST(desired.alpha.x() == 0.5 * slowly);
 }
 
 // Feet that turn it back throw it up, and off the ground nothing brakes.
-BOOST_FIXTURE_TEST_CASE(a_tilted_body_that_rises_fast_is_not_turned_back, Pressing) {
+BOOST_FIXTURE_TEST_CASE(tilt_correction_is_zero_while_the_body_rises_fast, HoldDown) {
   const double length = 0.3;
-  const Vector3 asked(-300.0, 400.0, 50.0);
+  const Vector3 requested(-300.0, 400.0, 50.0);
   const auto turning = [&](double v_up) {
-    BodyDemand demand;
-    demand.alpha = 1e6 * asked;
-    bound_at_edge(gains, 0.0, length, v_up, demand);
-    BOOST_TEST(demand.alpha.z() == 1e6 * asked.z());
-    return demand.alpha.head<2>().norm() * length / kGravity;
+    BodyAcceleration desired;
+    desired.alpha = 1e6 * requested;
+    bound_at_edge(gains, 0.0, length, v_up, desired);
+    BOOST_TEST(desired.alpha.z() == 1e6 * requested.z());
+    return desired.alpha.head<2>().norm() * length / kGravity;
   };
   const auto close = boost::test_tools::tolerance(1e-9);
   BOOST_TEST(turning(2.0) == 1.0, close);  // the default's edge_rise: as ever
@@ -151,13 +152,13 @@ BOOST_FIXTURE_TEST_CASE(a_tilted_body_that_rises_fast_is_not_turned_back, Pressi
 }
 
 // Inside, a body that was thrown up is to come down; at the edge height may be had for braking.
-BOOST_FIXTURE_TEST_CASE(height_and_tilt_count_for_less_at_the_edge_and_as_ever_inside, Pressing) {
+BOOST_FIXTURE_TEST_CASE(height_and_tilt_weights_decrease_only_at_the_edge, HoldDown) {
   gains.edge_height = 0.2;
   gains.edge_tilt = 0.1;
-  TermsWriter writer(robot);
+  QpTermsWriter writer(robot);
   const double edge = contact_points(robot, state.q)(1, FL_) - dynamics.p_world_com().y();
   for (const double fade : {0.0, 0.5, 1.0}) {
-    lean(Vector3(0.0, (edge - fade * gains.edge_margin) * omega(), 0.0));
+    set_com_velocity(Vector3(0.0, (edge - fade * gains.edge_margin) * omega(), 0.0));
     const auto softness = Eigen::Vector4d::Zero();
     BOOST_REQUIRE(
         (writer.write(gains, dynamics, state, reference, softness, nullptr) == Status::kOk));

@@ -7,11 +7,11 @@
 #include "dynamics/dynamics.hpp"
 #include "estimator/base/foot_noise.hpp"
 #include "estimator/base/invariant_filter.hpp"
-#include "scenes.hpp"
+#include "robot_states.hpp"
 #include "surefoot/state_estimator.hpp"
 
 using namespace surefoot;
-using namespace surefoot::error;
+using namespace surefoot::error_index;
 
 namespace {
 
@@ -20,7 +20,7 @@ using Covariance = Eigen::Matrix<double, kSize, kSize>;
 using Column = Eigen::Matrix<double, kSize, 1>;
 using Rows = Eigen::Matrix<double, 3, kSize>;
 
-Covariance dense(const ErrorCovariance& P) {
+Covariance to_dense(const ErrorCovariance& P) {
   Covariance out;
   for (int i = 0; i < kSize; ++i) {
     for (int j = 0; j < kSize; ++j) out(i, j) = P(i, j);
@@ -28,7 +28,7 @@ Covariance dense(const ErrorCovariance& P) {
   return out;
 }
 
-double apart(const Covariance& a, const Covariance& b) {
+double max_relative_difference(const Covariance& a, const Covariance& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
@@ -54,50 +54,52 @@ struct Random {
     }
     return P;
   }
-  ErrorMotion motion() {
-    ErrorMotion m;
+  ErrorPropagation motion() {
+    ErrorPropagation m;
     m.dt = 0.002 * positive();
     const Matrix3 R = rotation();
-    m.by_force = m.dt * R;
-    m.by_rate.middleRows<3>(kRotation) = m.dt * R;
-    for (int k = kVelocity; k < kGroup; k += 3) {
-      m.by_rate.middleRows<3>(k) = m.dt * skew(vector()) * R;
+    m.force_jacobian = m.dt * R;
+    m.rate_jacobian.middleRows<3>(kRotation) = m.dt * R;
+    for (int k = kVelocity; k < kGroupSize; k += 3) {
+      m.rate_jacobian.middleRows<3>(k) = m.dt * skew(vector()) * R;
     }
     m.rate_variance = positive();
     m.force_variance = positive();
     for (int leg = 0; leg < kLegs; ++leg) m.foot_variance[leg] = positive();
-    m.gyroscope_drift = positive();
-    m.accelerometer_drift = positive();
-    m.vertical_drift = positive();
+    m.gyroscope_drift_variance = positive();
+    m.accelerometer_drift_variance = positive();
+    m.vertical_drift_variance = positive();
     m.up_base = R.row(2);
-    m.accelerometer_kept = 1.0 / (1.0 + positive());
+    m.accelerometer_bias_decay = 1.0 / (1.0 + positive());
     return m;
   }
 };
 
 // xi' = Phi xi + noise, as Hartley et al. 2020 have it (eq. 52), one Euler step.
-Covariance transition(const ErrorMotion& m) {
+Covariance transition(const ErrorPropagation& m) {
   Covariance Phi = Covariance::Identity();
   Phi.block<3, 3>(kVelocity, kRotation) = m.dt * skew(Vector3(0.0, 0.0, -kGravity));
   Phi.block<3, 3>(kPosition, kVelocity) = m.dt * Matrix3::Identity();
-  Phi.block<kGroup, 3>(0, kGyroscope) = -m.by_rate;
-  Phi.block<3, 3>(kVelocity, kAccelerometer) = -m.by_force;
-  Phi.block<3, 3>(kAccelerometer, kAccelerometer) *= m.accelerometer_kept;
+  Phi.block<kGroupSize, 3>(0, kGyroscopeBias) = -m.rate_jacobian;
+  Phi.block<3, 3>(kVelocity, kAccelerometerBias) = -m.force_jacobian;
+  Phi.block<3, 3>(kAccelerometerBias, kAccelerometerBias) *= m.accelerometer_bias_decay;
   return Phi;
 }
 
-Covariance process_noise(const ErrorMotion& m) {
+Covariance process_noise(const ErrorPropagation& m) {
   Covariance Q = Covariance::Zero();
-  Q.topLeftCorner<kGroup, kGroup>() = m.rate_variance * m.by_rate * m.by_rate.transpose();
-  Q.block<3, 3>(kVelocity, kVelocity) += m.force_variance * m.by_force * m.by_force.transpose();
+  Q.topLeftCorner<kGroupSize, kGroupSize>() =
+      m.rate_variance * m.rate_jacobian * m.rate_jacobian.transpose();
+  Q.block<3, 3>(kVelocity, kVelocity) +=
+      m.force_variance * m.force_jacobian * m.force_jacobian.transpose();
   for (int leg = 0; leg < kLegs; ++leg) {
     const int foot = kFeet + 3 * leg;
     Q.block<3, 3>(foot, foot) += m.foot_variance[leg] * Matrix3::Identity();
   }
-  Q.block<3, 3>(kGyroscope, kGyroscope) = m.gyroscope_drift * Matrix3::Identity();
-  Q.block<3, 3>(kAccelerometer, kAccelerometer) =
-      m.accelerometer_drift * Matrix3::Identity() +
-      m.vertical_drift * m.up_base * m.up_base.transpose();
+  Q.block<3, 3>(kGyroscopeBias, kGyroscopeBias) = m.gyroscope_drift_variance * Matrix3::Identity();
+  Q.block<3, 3>(kAccelerometerBias, kAccelerometerBias) =
+      m.accelerometer_drift_variance * Matrix3::Identity() +
+      m.vertical_drift_variance * m.up_base * m.up_base.transpose();
   return Q;
 }
 
@@ -110,18 +112,18 @@ Rows measurement(int leg) {
 
 void copy(const Eigen::Matrix<double, kSize, 3>& from, ErrorCovariance::Columns& to) {
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < ErrorCovariance::kPadded; ++i) to[k][i] = i < kSize ? from(i, k) : 0.0;
+    for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) to[k][i] = i < kSize ? from(i, k) : 0.0;
   }
 }
 
 // What P knows of yaw and of where everything is: nothing that the feet say may add to it.
-Eigen::Vector4d unseen(const Covariance& P) {
+Eigen::Vector4d unobservable_information(const Covariance& P) {
   const Covariance information = P.inverse();
   Eigen::Vector4d out;
   out[3] = information(kRotation + 2, kRotation + 2);
   for (int axis = 0; axis < 3; ++axis) {
     Column together = Column::Zero();
-    for (int part = kPosition; part < kGyroscope; part += 3) together[part + axis] = 1.0;
+    for (int part = kPosition; part < kGyroscopeBias; part += 3) together[part + axis] = 1.0;
     out[axis] = together.dot(information * together);
   }
   return out;
@@ -134,7 +136,7 @@ FeetMatrix square_feet() {
 }
 
 // A base that sways over feet that stand, and an IMU whose readings integrate to just that.
-struct Sway {
+struct SwayingBase {
   double size = 1.0;  // 0: at rest
   Vector3 gyroscope_bias = Vector3::Zero(), accelerometer_bias = Vector3::Zero();
   double noise_w = 0.0, noise_f = 0.0, noise_foot = 0.0;
@@ -160,11 +162,11 @@ struct Sway {
     return size * Vector3(0.12 * std::cos(4.0 * at), 0.12 * std::cos(6.0 * at + 0.5),
                           0.14 * std::cos(7.0 * at));
   }
-  void start(const StartDoubt& doubt, const Quaternion& wrong = Quaternion::Identity(),
+  void start(const InitialSigmas& sigmas, const Quaternion& wrong = Quaternion::Identity(),
              const Vector3& wrong_v = Vector3::Zero()) {
-    filter.reset(wrong * R(0.0), v(0.0) + wrong_v, p(0.0), feet, doubt);
+    filter.reset(wrong * R(0.0), v(0.0) + wrong_v, p(0.0), feet, sigmas);
   }
-  FeetMatrix seen() {
+  FeetMatrix foot_measurements() {
     FeetMatrix y = R(t).conjugate().toRotationMatrix() * (feet.colwise() - p(t));
     for (int leg = 0; leg < kLegs; ++leg) y.col(leg) += noise_foot * random.vector();
     return y;
@@ -173,7 +175,7 @@ struct Sway {
     const Vector3 turn = log_so3(R(t).conjugate() * R(t + kPeriod));
     const Vector3 a = (v(t + kPeriod) - v(t)) / kPeriod + kGravity * Vector3::UnitZ();
     const Matrix3 halfway = Matrix3::Identity() + 0.5 * skew(turn);
-    InertialStep imu;
+    ImuInput imu;
     imu.w_base = turn / kPeriod + gyroscope_bias + noise_w * random.vector();
     imu.f_base =
         halfway.inverse() * (R(t).conjugate() * a) + accelerometer_bias + noise_f * random.vector();
@@ -201,7 +203,7 @@ struct Sway {
     for (const double end = t + seconds - 0.5 * kPeriod; t < end;) {
       if (normal_noise > 0.0) tilt_ground();
       predict();
-      correct(seen());
+      correct(foot_measurements());
     }
   }
   double variance(int i) const { return filter.covariance()(i, i); }
@@ -214,7 +216,7 @@ struct State {
   FeetMatrix feet = square_feet();
 
   // exp(xi) of this, J taken as 1 - xi x: for small turns, or for any in this way of writing xi.
-  State off_by(const Column& xi) const {
+  State perturbed(const Column& xi) const {
     State out;
     const Quaternion dR = exp_so3(xi.segment<3>(kRotation));
     out.R = dR * R;
@@ -224,9 +226,9 @@ struct State {
     for (int leg = 0; leg < kLegs; ++leg) out.feet.col(leg) += xi.segment<3>(kFeet + 3 * leg);
     return out;
   }
-  InvariantFilter filter(const StartDoubt& doubt = {}) const {
+  InvariantFilter filter(const InitialSigmas& sigmas = {}) const {
     InvariantFilter out;
-    out.reset(R, v, p, feet, doubt);
+    out.reset(R, v, p, feet, sigmas);
     return out;
   }
 };
@@ -244,15 +246,15 @@ Column error_of(const InvariantFilter& estimate, const InvariantFilter& truth) {
   return xi;
 }
 
-InertialStep some_reading() {
-  InertialStep imu;
+ImuInput example_imu_step() {
+  ImuInput imu;
   imu.w_base = Vector3(0.5, -0.8, 0.3);
   imu.f_base = Vector3(1.0, -0.5, 9.0);
   imu.dt = kPeriod;
   return imu;
 }
 
-void move(InvariantFilter& filter, const InertialStep& imu) {
+void move(InvariantFilter& filter, const ImuInput& imu) {
   Gains gains;
   gains.gyroscope_drift = gains.accelerometer_drift = 0.0;
   filter.predict(gains, imu, Eigen::Vector4d::Zero());
@@ -262,25 +264,25 @@ void move(InvariantFilter& filter, const InertialStep& imu) {
 
 BOOST_AUTO_TEST_SUITE(invariant_filter)
 
-BOOST_AUTO_TEST_CASE(covariance_moves_as_the_dense_products_say) {
+BOOST_AUTO_TEST_CASE(covariance_propagation_matches_dense_products) {
   Random random;
   for (int round = 0; round < 200; ++round) {
     ErrorCovariance P = random.covariance();
-    const Covariance before = dense(P);
+    const Covariance before = to_dense(P);
     BOOST_REQUIRE(before.isApprox(before.transpose()));
-    const ErrorMotion motion = random.motion();
+    const ErrorPropagation motion = random.motion();
     P.propagate(motion);
     const Covariance Phi = transition(motion);
     const Covariance expected = Phi * before * Phi.transpose() + process_noise(motion);
-    BOOST_REQUIRE(apart(dense(P), expected) < 1e-12);
+    BOOST_REQUIRE(max_relative_difference(to_dense(P), expected) < 1e-12);
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_correction_is_the_dense_joseph_form_for_any_gain) {
+BOOST_AUTO_TEST_CASE(covariance_correction_matches_the_dense_joseph_form) {
   Random random;
   for (int round = 0; round < 200; ++round) {
     ErrorCovariance P = random.covariance();
-    const Covariance before = dense(P);
+    const Covariance before = to_dense(P);
     Rows H = measurement(round % kLegs);
     const Vector3 lever = round % 2 ? Vector3(0.01, -0.02, 0.03) : Vector3(Vector3::Zero());
     H.leftCols<3>() -= skew(lever);
@@ -299,9 +301,10 @@ BOOST_AUTO_TEST_CASE(a_correction_is_the_dense_joseph_form_for_any_gain) {
     P.correct(w, k, S);
     const Covariance left = Covariance::Identity() - K * H;
     const Covariance expected = left * before * left.transpose() + K * R * K.transpose();
-    BOOST_REQUIRE(apart(dense(P), expected) < 1e-12);
+    BOOST_REQUIRE(max_relative_difference(to_dense(P), expected) < 1e-12);
     if (round % 2 == 0) {  // nothing was learnt of what cannot be seen
-      const Eigen::Vector4d was = unseen(before), is = unseen(dense(P));
+      const Eigen::Vector4d was = unobservable_information(before),
+                            is = unobservable_information(to_dense(P));
       BOOST_REQUIRE((is - was).norm() < 1e-8 * was.norm());
     }
   }
@@ -311,13 +314,13 @@ BOOST_AUTO_TEST_CASE(covariance_stays_symmetric_and_positive_definite_over_many_
   Random random;
   ErrorCovariance P = random.covariance();
   for (int round = 0; round < 100000; ++round) {
-    ErrorMotion motion = random.motion();
+    ErrorPropagation motion = random.motion();
     motion.rate_variance *= 1e-4;
     motion.force_variance *= 1e-2;
     motion.foot_variance *= round % 7 ? 1e-9 : 1e-2;
-    motion.gyroscope_drift *= 1e-10;
-    motion.accelerometer_drift *= 1e-8;
-    motion.vertical_drift *= 1e-8;
+    motion.gyroscope_drift_variance *= 1e-10;
+    motion.accelerometer_drift_variance *= 1e-8;
+    motion.vertical_drift_variance *= 1e-8;
     P.propagate(motion);
     const int leg = round % kLegs;
     ErrorCovariance::Columns W, K;
@@ -329,13 +332,13 @@ BOOST_AUTO_TEST_CASE(covariance_stays_symmetric_and_positive_definite_over_many_
     S.diagonal().array() += 1e-6 * random.positive();
     const Matrix3 inverse = S.inverse();
     for (int k = 0; k < 3; ++k) {
-      for (int i = 0; i < ErrorCovariance::kPadded; ++i) {
+      for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) {
         K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
       }
     }
     P.correct(W, K, S);
     if (round % 1000) continue;
-    const Covariance now = dense(P);
+    const Covariance now = to_dense(P);
     BOOST_REQUIRE((now == now.transpose()));
     const Covariance scale = now.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale * now * scale);
@@ -344,9 +347,9 @@ BOOST_AUTO_TEST_CASE(covariance_stays_symmetric_and_positive_definite_over_many_
 }
 
 // Each part's doubt alone, so that the columns of Phi can be read off the covariance.
-BOOST_AUTO_TEST_CASE(errors_move_as_finite_differences_of_the_groups_error_say) {
+BOOST_AUTO_TEST_CASE(error_propagation_matches_finite_differences_of_the_group_error) {
   const State truth;
-  const InertialStep imu = some_reading();
+  const ImuInput imu = example_imu_step();
   InvariantFilter moved = truth.filter();
   move(moved, imu);
   const auto difference = [&](int column) {
@@ -355,18 +358,18 @@ BOOST_AUTO_TEST_CASE(errors_move_as_finite_differences_of_the_groups_error_say) 
     for (const double h : {step, -step}) {
       Column xi = Column::Zero();
       xi[column] = h;
-      InvariantFilter off = truth.off_by(xi).filter();
-      InertialStep read = imu;  // a bias that is too high takes away from what is read
-      read.w_base -= xi.segment<3>(kGyroscope);
-      read.f_base -= xi.segment<3>(kAccelerometer);
+      InvariantFilter off = truth.perturbed(xi).filter();
+      ImuInput read = imu;  // a bias that is too high takes away from what is read
+      read.w_base -= xi.segment<3>(kGyroscopeBias);
+      read.f_base -= xi.segment<3>(kAccelerometerBias);
       move(off, read);
       out += error_of(off, moved) / (2.0 * h);
     }
-    if (column >= kGroup) out[column] = 1.0;
+    if (column >= kGroupSize) out[column] = 1.0;
     return out;
   };
-  const auto check = [&](const StartDoubt& doubt, int first, int count) {
-    InvariantFilter filter = truth.filter(doubt);
+  const auto check = [&](const InitialSigmas& sigmas, int first, int count) {
+    InvariantFilter filter = truth.filter(sigmas);
     move(filter, imu);
     for (int column = first; column < first + count; ++column) {
       const Column expected = difference(column);
@@ -380,21 +383,21 @@ BOOST_AUTO_TEST_CASE(errors_move_as_finite_differences_of_the_groups_error_say) 
   check({1.0, 0.0, 0.0, 0.0, 0.0}, kRotation, 2);
   check({0.0, 1.0, 0.0, 0.0, 0.0}, kVelocity, 3);
   check({0.0, 0.0, 1.0, 0.0, 0.0}, kFeet, 3 * kLegs);
-  check({0.0, 0.0, 0.0, 1.0, 0.0}, kGyroscope, 3);
-  check({0.0, 0.0, 0.0, 0.0, 1.0}, kAccelerometer, 3);
+  check({0.0, 0.0, 0.0, 1.0, 0.0}, kGyroscopeBias, 3);
+  check({0.0, 0.0, 0.0, 0.0, 1.0}, kAccelerometerBias, 3);
 }
 
-BOOST_AUTO_TEST_CASE(how_a_great_error_moves_does_not_depend_on_the_state) {
+BOOST_AUTO_TEST_CASE(large_error_propagation_does_not_depend_on_the_state) {
   Column xi = Column::Zero();
-  xi.head<kGroup>() = 0.6 * Column::Random().head<kGroup>();
+  xi.head<kGroupSize>() = 0.6 * Column::Random().head<kGroupSize>();
   State here, there;
   there.R = exp_so3(Vector3(-1.0, 0.8, 2.0));
   there.v = Vector3(-3.0, 2.0, 1.0);
   there.p = Vector3(10.0, -20.0, 2.0);
-  InvariantFilter a = here.filter(), a_off = here.off_by(xi).filter();
-  InvariantFilter b = there.filter(), b_off = there.off_by(xi).filter();
+  InvariantFilter a = here.filter(), a_off = here.perturbed(xi).filter();
+  InvariantFilter b = there.filter(), b_off = there.perturbed(xi).filter();
   for (int tick = 0; tick < 200; ++tick) {
-    InertialStep imu = some_reading();
+    ImuInput imu = example_imu_step();
     imu.w_base.x() += 0.01 * tick;
     for (InvariantFilter* one : {&a, &a_off, &b, &b_off}) move(*one, imu);
   }
@@ -402,9 +405,9 @@ BOOST_AUTO_TEST_CASE(how_a_great_error_moves_does_not_depend_on_the_state) {
   BOOST_TEST((error_of(a_off, a) - xi).norm() > 0.5);
 }
 
-BOOST_AUTO_TEST_CASE(a_force_is_turned_by_half_of_the_ticks_rotation) {
+BOOST_AUTO_TEST_CASE(specific_force_is_rotated_by_half_of_the_ticks_rotation) {
   const State start;
-  InertialStep imu = some_reading();
+  ImuInput imu = example_imu_step();
   imu.w_base *= 5.0;
   InvariantFilter filter = start.filter();
   move(filter, imu);
@@ -418,7 +421,7 @@ BOOST_AUTO_TEST_CASE(a_force_is_turned_by_half_of_the_ticks_rotation) {
   BOOST_TEST((filter.v() - start.v).norm() > 1e-3);
 }
 
-BOOST_FIXTURE_TEST_CASE(velocity_is_kept_while_the_base_sways, Sway) {
+BOOST_FIXTURE_TEST_CASE(velocity_is_estimated_while_the_base_sways, SwayingBase) {
   const Quaternion wrong(Eigen::AngleAxisd(0.1, Vector3(1, 1, 0).normalized()));
   start({0.3, 0.5, 0.002, 0.0, 0.0}, wrong, Vector3(0.2, -0.1, 0.1));
   run(3.0);
@@ -430,7 +433,7 @@ BOOST_FIXTURE_TEST_CASE(velocity_is_kept_while_the_base_sways, Sway) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(biases_are_found, Sway) {
+BOOST_FIXTURE_TEST_CASE(gyroscope_and_accelerometer_biases_are_estimated, SwayingBase) {
   gyroscope_bias = Vector3(0.015, -0.01, 0.02);
   accelerometer_bias = Vector3(0.0, 0.0, 0.1);
   size = 0.0;
@@ -439,7 +442,7 @@ BOOST_FIXTURE_TEST_CASE(biases_are_found, Sway) {
   BOOST_TEST((filter.gyroscope_bias() - gyroscope_bias).norm() < 1e-3);
   BOOST_TEST(std::abs(filter.accelerometer_bias().z() - 0.1) < 5e-3);
   // The same with noise, swaying: and all three axes.
-  Sway moving;
+  SwayingBase moving;
   moving.gyroscope_bias = gyroscope_bias;
   moving.accelerometer_bias = Vector3(0.08, -0.06, 0.1);
   moving.noise_w = 0.01;
@@ -450,21 +453,21 @@ BOOST_FIXTURE_TEST_CASE(biases_are_found, Sway) {
   BOOST_TEST((moving.filter.gyroscope_bias() - gyroscope_bias).norm() < 3e-3);
   for (int k = 0; k < 3; ++k) {
     const double off = moving.filter.accelerometer_bias()[k] - moving.accelerometer_bias[k];
-    BOOST_TEST(std::abs(off) < 3.0 * std::sqrt(moving.variance(kAccelerometer + k)));
+    BOOST_TEST(std::abs(off) < 3.0 * std::sqrt(moving.variance(kAccelerometerBias + k)));
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_cannot_be_seen_stays_open) {
+BOOST_AUTO_TEST_CASE(unobservable_yaw_and_position_gain_no_information) {
   for (const double size : {0.0, 1.0}) {
-    Sway sway;
+    SwayingBase sway;
     sway.size = size;
     sway.noise_foot = 1e-3;
     sway.start({0.05, 0.5, 0.002, 0.02, 0.1});
     sway.run(0.1);
-    Eigen::Vector4d known = unseen(dense(sway.filter.covariance()));
+    Eigen::Vector4d known = unobservable_information(to_dense(sway.filter.covariance()));
     for (int k = 0; k < 100; ++k) {
       sway.run(0.1);
-      const Eigen::Vector4d now = unseen(dense(sway.filter.covariance()));
+      const Eigen::Vector4d now = unobservable_information(to_dense(sway.filter.covariance()));
       BOOST_TEST((now.array() <= known.array() * (1.0 + 1e-6)).all());
       known = now;
     }
@@ -482,16 +485,16 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_seen_stays_open) {
     BOOST_TEST(x >= start);
     if (size > 0.0) continue;
     // At rest a tilt and a horizontal bias of the accelerometer look the same.
-    BOOST_TEST(std::sqrt(sway.variance(kAccelerometer)) > 0.8 * 0.1);
-    BOOST_TEST(std::sqrt(sway.variance(kAccelerometer + 1)) > 0.8 * 0.1);
-    BOOST_TEST(std::sqrt(sway.variance(kAccelerometer + 2)) < 0.3 * 0.1);
+    BOOST_TEST(std::sqrt(sway.variance(kAccelerometerBias)) > 0.8 * 0.1);
+    BOOST_TEST(std::sqrt(sway.variance(kAccelerometerBias + 1)) > 0.8 * 0.1);
+    BOOST_TEST(std::sqrt(sway.variance(kAccelerometerBias + 2)) < 0.3 * 0.1);
   }
 }
 
 // A tilt and a bias that look the same must stay what they were, whatever trembles.
-BOOST_AUTO_TEST_CASE(noise_at_rest_teaches_no_bias) {
+BOOST_AUTO_TEST_CASE(noise_at_rest_does_not_change_the_accelerometer_bias) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    Sway sway;
+    SwayingBase sway;
     sway.size = 0.0;
     sway.random.generator.seed(seed);
     sway.gains.noise_gyroscope = sway.noise_w = 0.01;
@@ -508,24 +511,25 @@ BOOST_AUTO_TEST_CASE(noise_at_rest_teaches_no_bias) {
 }
 
 // The ground's normal is found from the believed feet: it trembles, and that is no news.
-BOOST_AUTO_TEST_CASE(a_trembling_normal_tells_nothing_of_tilt_and_bias) {
-  const auto doubt_after = [](double normal_noise) {
-    Sway sway;
+BOOST_AUTO_TEST_CASE(ground_normal_noise_gives_no_information_on_tilt_or_bias) {
+  const auto bias_variance_after = [](double normal_noise) {
+    SwayingBase sway;
     sway.size = 0.0;
     sway.normal_noise = normal_noise;
     sway.gains.noise_foot_position = 2e-6;
     sway.start({0.05, 0.5, 0.002, 0.02, 0.1});
     sway.run(30.0);
-    return Eigen::Vector2d(sway.variance(kAccelerometer), sway.variance(kAccelerometer + 1));
+    return Eigen::Vector2d(sway.variance(kAccelerometerBias),
+                           sway.variance(kAccelerometerBias + 1));
   };
-  const Eigen::Vector2d share = doubt_after(1e-3).cwiseQuotient(doubt_after(1e-9));
+  const Eigen::Vector2d share = bias_variance_after(1e-3).cwiseQuotient(bias_variance_after(1e-9));
   BOOST_TEST(share.minCoeff() > 0.99);  // measured at each tick's lever: next to nothing is left
 }
 
 // Standing feet tell a vertical bias from all else, so a jump must not be laid to the tilt.
-BOOST_AUTO_TEST_CASE(a_vertical_bias_that_jumps_is_learnt_as_soon_as_noise_lets_it) {
-  const auto learns = [](double jump, double noise, double seconds) {
-    Sway sway;
+BOOST_AUTO_TEST_CASE(step_of_the_vertical_bias_is_estimated_within_1_to_6_s) {
+  const auto check_bias_step = [](double jump, double noise, double seconds) {
+    SwayingBase sway;
     sway.size = 0.0;
     sway.noise_foot = 3e-4;
     sway.gains.noise_accelerometer = std::max(noise, 0.05);
@@ -541,13 +545,13 @@ BOOST_AUTO_TEST_CASE(a_vertical_bias_that_jumps_is_learnt_as_soon_as_noise_lets_
     BOOST_TEST(up > std::cos(0.005));
   };
   for (const double jump : {0.7, -0.7}) {
-    learns(jump, 0.05, 1.0);
-    learns(jump, 0.45, 6.0);  // three times sigma sqrt(dt) / drift
+    check_bias_step(jump, 0.05, 1.0);
+    check_bias_step(jump, 0.45, 6.0);  // three times sigma sqrt(dt) / drift
   }
 }
 
 // A small turn is the estimate's own noise, a greater one is true: then the error moves at it.
-BOOST_AUTO_TEST_CASE(the_errors_motion_is_made_anew_once_the_body_has_turned) {
+BOOST_AUTO_TEST_CASE(error_dynamics_are_recomputed_after_10_mrad_of_rotation) {
   Gains gains;
   gains.accelerometer_drift = gains.accelerometer_drift_vertical = 0.0;
   State level;
@@ -555,7 +559,7 @@ BOOST_AUTO_TEST_CASE(the_errors_motion_is_made_anew_once_the_body_has_turned) {
   // P of (v_y, b_x) is -dt sigma^2 times the sum of R_yx over the ticks.
   const auto turned = [&](std::initializer_list<double> headings) {
     InvariantFilter filter = level.filter({0.0, 0.0, 0.0, 0.0, 1.0});
-    InertialStep imu;
+    ImuInput imu;
     imu.f_base = kGravity * Vector3::UnitZ();
     imu.dt = 0.002;
     double last = 0.0, before = 0.0, now = 0.0;
@@ -564,9 +568,9 @@ BOOST_AUTO_TEST_CASE(the_errors_motion_is_made_anew_once_the_body_has_turned) {
       last = heading;
       filter.predict(gains, imu, Eigen::Vector4d::Zero());
       imu.w_base.z() = 0.0;
-      before = filter.covariance()(kVelocity + 1, kAccelerometer);
+      before = filter.covariance()(kVelocity + 1, kAccelerometerBias);
       filter.predict(gains, imu, Eigen::Vector4d::Zero());
-      now = filter.covariance()(kVelocity + 1, kAccelerometer);
+      now = filter.covariance()(kVelocity + 1, kAccelerometerBias);
     }
     return (before - now) / imu.dt;
   };
@@ -577,7 +581,7 @@ BOOST_AUTO_TEST_CASE(the_errors_motion_is_made_anew_once_the_body_has_turned) {
   BOOST_TEST(turned({0.011, 0.022}) == std::sin(0.022), near);
 }
 
-BOOST_AUTO_TEST_CASE(the_measurement_is_made_anew_once_its_lever_has_turned) {
+BOOST_AUTO_TEST_CASE(measurement_is_recomputed_after_10_mrad_of_lever_rotation) {
   State level;
   level.R.setIdentity();
   const Vector3 lever(0.0, 0.0, 1.0);  // long, and feet well known: it decides
@@ -590,20 +594,20 @@ BOOST_AUTO_TEST_CASE(the_measurement_is_made_anew_once_its_lever_has_turned) {
       const bool measures = &angle == std::prev(angles.end());
       filter.correct(y, Eigen::Vector4d::Constant(measures ? 1e-6 : 1e15), 4.0, lean(angle));
     }
-    return dense(filter.covariance());
+    return to_dense(filter.covariance());
   };
-  BOOST_TEST(apart(after({0.0, 0.009}), after({0.0})) < 1e-9);
-  BOOST_TEST(apart(after({0.0, 0.011}), after({0.011})) < 1e-9);
-  BOOST_TEST(apart(after({0.0, 0.011}), after({0.0})) > 1e-4);
-  BOOST_TEST(apart(after({0.0, 0.011, 0.020}), after({0.011})) < 1e-9);
+  BOOST_TEST(max_relative_difference(after({0.0, 0.009}), after({0.0})) < 1e-9);
+  BOOST_TEST(max_relative_difference(after({0.0, 0.011}), after({0.011})) < 1e-9);
+  BOOST_TEST(max_relative_difference(after({0.0, 0.011}), after({0.0})) > 1e-4);
+  BOOST_TEST(max_relative_difference(after({0.0, 0.011, 0.020}), after({0.011})) < 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(the_accelerometers_bias_is_in_the_long_run_as_great_as_at_the_start) {
+BOOST_AUTO_TEST_CASE(accelerometer_bias_variance_converges_to_its_initial_value) {
   Gains gains;
   gains.accelerometer_drift = 0.02;
   gains.start_accelerometer_bias = 0.1;
   const double forgets = 50.0;  // [s] 2 (start / drift)^2
-  InertialStep imu;
+  ImuInput imu;
   imu.f_base = kGravity * Vector3::UnitZ();
   imu.dt = 0.01;
   const auto variance_after = [&](double sigma) {
@@ -613,13 +617,13 @@ BOOST_AUTO_TEST_CASE(the_accelerometers_bias_is_in_the_long_run_as_great_as_at_t
     for (int k = 0; k < 4.0 * forgets / imu.dt; ++k) {
       filter.predict(gains, imu, Eigen::Vector4d::Zero());
     }
-    return filter.covariance()(kAccelerometer, kAccelerometer);
+    return filter.covariance()(kAccelerometerBias, kAccelerometerBias);
   };
   BOOST_TEST(variance_after(0.1) == 0.01, boost::test_tools::tolerance(1e-3));
   BOOST_TEST(variance_after(0.0) == 0.01, boost::test_tools::tolerance(1e-3));
   BOOST_TEST(variance_after(0.5) == 0.01, boost::test_tools::tolerance(2e-2));
 
-  Sway sway;  // at rest the vertical bias is seen
+  SwayingBase sway;  // at rest the vertical bias is seen
   sway.size = 0.0;
   sway.accelerometer_bias = Vector3(0.0, 0.0, 0.08);
   sway.start({0.05, 0.5, 0.002, 0.02, 0.1});
@@ -633,20 +637,21 @@ BOOST_AUTO_TEST_CASE(the_accelerometers_bias_is_in_the_long_run_as_great_as_at_t
              boost::test_tools::tolerance(1e-3));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_foot_that_jumps_is_refused, Sway) {
+BOOST_FIXTURE_TEST_CASE(jumping_foot_measurement_is_rejected, SwayingBase) {
   size = 0.0;
   start({0.05, 0.5, 0.002, 0.02, 0.1});
   run(2.0);
   const Vector3 p_before = filter.p(), foot_before = filter.feet().col(FL_);
   feet.col(FL_).x() += 0.05;
   run(kPeriod);
-  BOOST_TEST((filter.refused()[FL_] && !filter.refused()[FR_] && !filter.refused()[RL_]));
+  BOOST_TEST((filter.rejected_feet()[FL_] && !filter.rejected_feet()[FR_] &&
+              !filter.rejected_feet()[RL_]));
   BOOST_TEST(filter.nis_dimension() == 9);
   BOOST_TEST((filter.p() - p_before).norm() < 1e-5);
   BOOST_TEST((filter.feet().col(FL_) - foot_before).norm() < 1e-5);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_foot_between_one_gate_and_five_counts_for_less, Sway) {
+BOOST_FIXTURE_TEST_CASE(foot_innovation_between_one_and_five_gates_is_downweighted, SwayingBase) {
   size = 0.0;
   foot_variance.setConstant(1e-8);
   start({0.05, 0.5, 0.002, 0.02, 0.1});
@@ -654,10 +659,10 @@ BOOST_FIXTURE_TEST_CASE(a_foot_between_one_gate_and_five_counts_for_less, Sway) 
   predict();
   const auto pull = [&](double jump, double gate) {
     InvariantFilter one = filter;
-    FeetMatrix y = seen();
+    FeetMatrix y = foot_measurements();
     y.col(FL_).x() += jump;
     one.correct(y, Eigen::Vector4d::Constant(4e-6), gate, Vector3::Zero());
-    BOOST_TEST(!one.refused()[FL_]);
+    BOOST_TEST(!one.rejected_feet()[FL_]);
     return one.feet().col(FL_).x() - filter.feet().col(FL_).x();
   };
   BOOST_TEST(pull(0.02, 100.0) > 0.0);
@@ -667,8 +672,8 @@ BOOST_FIXTURE_TEST_CASE(a_foot_between_one_gate_and_five_counts_for_less, Sway) 
   BOOST_TEST(std::abs(pull(0.004, 4.0) - pull(0.004, 100.0)) < 1e-12);
 }
 
-BOOST_AUTO_TEST_CASE(a_foots_noise_is_measured_by_its_innovations) {
-  Sway sway;
+BOOST_AUTO_TEST_CASE(foot_noise_is_estimated_from_innovations) {
+  SwayingBase sway;
   sway.size = 0.0;
   sway.noise_foot = 0.006;  // thrice the guess
   sway.start({0.05, 0.5, 0.002, 0.02, 0.1});
@@ -678,8 +683,9 @@ BOOST_AUTO_TEST_CASE(a_foots_noise_is_measured_by_its_innovations) {
   const auto run = [&](double seconds) {
     for (int k = 0; k < seconds / kPeriod; ++k) {
       sway.predict();
-      sway.filter.correct(sway.seen(), noise.variance(), sway.gains.gate_foot, Vector3::Zero());
-      noise.update(sway.filter.foot_nis(), sway.filter.expected(), standing, kPeriod);
+      sway.filter.correct(sway.foot_measurements(), noise.variance(), sway.gains.gate_foot,
+                          Vector3::Zero());
+      noise.update(sway.filter.foot_nis(), sway.filter.predicted_variance(), standing, kPeriod);
     }
   };
   run(2.0);
@@ -692,11 +698,11 @@ BOOST_AUTO_TEST_CASE(a_foots_noise_is_measured_by_its_innovations) {
   BOOST_TEST(noise.variance()[FR_] > 0.0004 * 0.0004);
 }
 
-BOOST_AUTO_TEST_CASE(a_resting_robot_is_at_rest_with_its_feet_at_height_zero) {
+BOOST_AUTO_TEST_CASE(resting_robot_has_zero_velocity_and_feet_at_height_zero) {
   const Robot robot = quadruped();
   StateEstimator estimator(robot);
   for (std::uint32_t tick = 0; tick < 1000; ++tick) {
-    BOOST_TEST((estimator.update(resting_report(robot, 2 * tick), kPeriod) == Status::kOk));
+    BOOST_TEST((estimator.update(resting_sample(robot, 2 * tick), kPeriod) == Status::kOk));
   }
   BOOST_TEST(estimator.state().v.norm() < 1e-3);
   for (const LegDynamics& leg : estimator.dynamics().legs()) {

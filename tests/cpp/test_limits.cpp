@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "random_demand.hpp"
+#include "random_reference.hpp"
 #include "surefoot/whole_body_controller.hpp"
-#include "wbc/limits.hpp"
+#include "tasks/foot_loads.hpp"
+#include "wbc/joint_limits.hpp"
 
 using namespace surefoot;
 
 namespace {
 
-struct Limited {
+struct LimitsFixture {
   Robot robot = quadruped();
   JointTable joints = make_joint_table(robot);
   Gains gains;
@@ -22,8 +23,8 @@ struct Limited {
 
 BOOST_AUTO_TEST_SUITE(limits_)
 
-BOOST_FIXTURE_TEST_CASE(lower_is_never_above_upper_in_random_and_absurd_states, Limited) {
-  RandomDemand random(1);
+BOOST_FIXTURE_TEST_CASE(lower_limits_never_exceed_upper_limits_in_any_state, LimitsFixture) {
+  RandomReference random(1);
   for (int k = 0; k < 20000; ++k) {
     const double size = std::pow(10.0, random.number(6.0));
     gains.joint_limit_rate = 100.0 + random.number(99.0);
@@ -39,7 +40,7 @@ BOOST_FIXTURE_TEST_CASE(lower_is_never_above_upper_in_random_and_absurd_states, 
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(torque_falls_with_speed_only_while_the_motor_drives, Limited) {
+BOOST_FIXTURE_TEST_CASE(torque_limit_falls_with_speed_only_while_the_motor_drives, LimitsFixture) {
   const RobotConfig& c = robot.config();
   for (const double dq : {-20.0, -5.0, 0.0, 5.0, 20.0}) {
     state.v.tail(kMotors).setConstant(dq);
@@ -51,7 +52,7 @@ BOOST_FIXTURE_TEST_CASE(torque_falls_with_speed_only_while_the_motor_drives, Lim
   }
 }
 
-BOOST_AUTO_TEST_CASE(hips_alone_end_where_their_thighs_meet_the_trunk_and_only_inward) {
+BOOST_AUTO_TEST_CASE(hip_inward_limits_only_hip_joints_and_only_inward) {
   RobotConfig config = quadruped_config();
   config.hip_inward = 0.3;
   const JointTable joints = make_joint_table(quadruped(config));
@@ -63,11 +64,11 @@ BOOST_AUTO_TEST_CASE(hips_alone_end_where_their_thighs_meet_the_trunk_and_only_i
 }
 
 // A joint that takes all the bounds allow: full speed ahead, and yet it stops before the end.
-BOOST_FIXTURE_TEST_CASE(a_joint_that_takes_all_it_may_stops_before_its_limit, Limited) {
+BOOST_FIXTURE_TEST_CASE(joint_at_maximum_acceleration_stops_before_its_limit, LimitsFixture) {
   const double dt = 0.002;
   for (const double direction : {1.0, -1.0}) {
     state = standing_state(robot);
-    double fastest = 0.0;
+    double max_joint_speed = 0.0;
     for (int k = 0; k < 1500; ++k) {
       update();
       for (int row = 0; row < kMotors; ++row) {
@@ -77,10 +78,10 @@ BOOST_FIXTURE_TEST_CASE(a_joint_that_takes_all_it_may_stops_before_its_limit, Li
         BOOST_REQUIRE(q <= joints[row].q_upper - gains.joint_limit_margin + 1e-9);
         BOOST_REQUIRE(q >= joints[row].q_lower + gains.joint_limit_margin - 1e-9);
       }
-      fastest = std::max(fastest, state.v.tail(kMotors).cwiseAbs().maxCoeff());
+      max_joint_speed = std::max(max_joint_speed, state.v.tail(kMotors).cwiseAbs().maxCoeff());
     }
-    BOOST_TEST(fastest <= robot.config().dq_max[0] + 1e-9);
-    BOOST_TEST(fastest > 8.0);
+    BOOST_TEST(max_joint_speed <= robot.config().dq_max[0] + 1e-9);
+    BOOST_TEST(max_joint_speed > 8.0);
     for (const JointRow& joint : joints) {
       const double end = direction > 0.0 ? joint.q_upper - gains.joint_limit_margin
                                          : joint.q_lower + gains.joint_limit_margin;
@@ -89,7 +90,7 @@ BOOST_FIXTURE_TEST_CASE(a_joint_that_takes_all_it_may_stops_before_its_limit, Li
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(a_joint_beyond_its_limit_or_its_speed_is_sent_back, Limited) {
+BOOST_FIXTURE_TEST_CASE(joint_beyond_its_position_or_speed_limit_is_driven_back, LimitsFixture) {
   state.q[joints[2].q] = joints[2].q_upper + 0.1;
   state.v[joints[5].v] = joints[5].dq_max + 5.0;
   update();
@@ -98,10 +99,10 @@ BOOST_FIXTURE_TEST_CASE(a_joint_beyond_its_limit_or_its_speed_is_sent_back, Limi
 }
 
 // The whole program on an ideal robot: asked down through the floor, its knees stop in time.
-BOOST_AUTO_TEST_CASE(a_body_asked_too_low_stops_with_every_joint_inside_its_limits) {
-  const Robot robot = narrow_quadruped(30.0, 0.35);
+BOOST_AUTO_TEST_CASE(body_requested_too_low_keeps_joints_inside_their_limits) {
+  const Robot robot = tight_limit_quadruped(30.0, 0.35);
   const RobotConfig& c = robot.config();
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     WholeBodyController controller(robot, Gains(), {form});
     RobotState state = standing_state(robot);
     Reference reference = controller.hold(state);
@@ -124,7 +125,7 @@ BOOST_AUTO_TEST_CASE(a_body_asked_too_low_stops_with_every_joint_inside_its_limi
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_foot_may_carry_by_belief_and_load_and_a_swing_foot_nothing) {
+BOOST_AUTO_TEST_CASE(foot_force_limit_follows_contact_confidence_and_load) {
   const Gains g;
   Reference reference;
   reference.feet[RR_].stance = false;

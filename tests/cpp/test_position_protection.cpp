@@ -36,7 +36,9 @@ struct Joints {
     for (int i = 0; i < kMotors; ++i) set(i, config.q_standing[i]);
   }
   void set(int motor, double q) { state.motorState[motor].q = static_cast<float>(q); }
-  int judge(double limit = 0.087) { return safety.position_protect(init_low_cmd(), state, limit); }
+  int check_positions(double limit = 0.087) {
+    return safety.position_protect(init_low_cmd(), state, limit);
+  }
   float limited(int motor, float q) const {
     LowCmd cmd = init_low_cmd();
     cmd.motorCmd[motor].q = q;
@@ -49,16 +51,16 @@ struct Joints {
 
 BOOST_AUTO_TEST_SUITE(position_protection)
 
-BOOST_AUTO_TEST_CASE(each_joint_is_kept_five_degrees_from_either_end_of_its_own_range) {
+BOOST_AUTO_TEST_CASE(each_joint_trips_within_5_degrees_of_either_limit) {
   for (int i = 0; i < kMotors; ++i) {
     for (const double side : {-1.0, 1.0}) {
       Joints joints;
       const double end = side < 0.0 ? joints.config.q_lower[i] : joints.config.q_upper[i];
       joints.set(i, end - side * 0.0872);
-      BOOST_TEST(joints.judge() == 1);
+      BOOST_TEST(joints.check_positions() == 1);
       BOOST_TEST(joints.safety.position_motor() == -1);
       joints.set(i, end - side * 0.0868);
-      BOOST_TEST(joints.judge() == -1);
+      BOOST_TEST(joints.check_positions() == -1);
       BOOST_TEST(joints.safety.position_motor() == i);
       BOOST_TEST(joints.safety.position_angle() ==
                  static_cast<double>(joints.state.motorState[i].q));
@@ -66,45 +68,45 @@ BOOST_AUTO_TEST_CASE(each_joint_is_kept_five_degrees_from_either_end_of_its_own_
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_edge_itself_is_inside) {
+BOOST_AUTO_TEST_CASE(angle_at_the_protection_limit_passes) {
   Joints joints;
   joints.config.q_lower[FL_2] = -2.5;
   joints.safety = Safety(quadruped(joints.config));
   joints.set(FL_2, -2.0);
-  BOOST_TEST(joints.judge(0.5) == 1);
+  BOOST_TEST(joints.check_positions(0.5) == 1);
 }
 
-BOOST_AUTO_TEST_CASE(it_trips_at_once_and_is_not_latched) {
+BOOST_AUTO_TEST_CASE(position_protection_trips_at_once_and_does_not_latch) {
   Joints joints;
   joints.set(RL_2, -2.69);
-  BOOST_TEST(joints.judge() == -1);
+  BOOST_TEST(joints.check_positions() == -1);
   joints.set(RL_2, -1.6);
-  BOOST_TEST(joints.judge() == 1);
+  BOOST_TEST(joints.check_positions() == 1);
   BOOST_TEST(joints.safety.position_motor() == -1);
   BOOST_TEST(joints.safety.position_angle() == 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(a_limit_that_leaves_no_window_trips_always_and_so_does_none) {
+BOOST_AUTO_TEST_CASE(margin_without_allowed_range_or_nan_margin_always_trips) {
   for (const double limit : {10.0, std::nan(""), HUGE_VAL}) {
     Joints joints;
-    BOOST_TEST(joints.judge(limit) == -1);
+    BOOST_TEST(joints.check_positions(limit) == -1);
     BOOST_TEST(joints.safety.position_motor() == 0);
   }
 }
 
-BOOST_AUTO_TEST_CASE(an_angle_that_is_no_number_is_outside) {
+BOOST_AUTO_TEST_CASE(non_finite_angle_trips) {
   for (const float bad : {kNan, kInf, -kInf}) {
     Joints joints;
     joints.state.motorState[RR_1].q = bad;
-    BOOST_TEST(joints.judge(0.0) == -1);
+    BOOST_TEST(joints.check_positions(0.0) == -1);
     BOOST_TEST(joints.safety.position_motor() == RR_1);
   }
   Joints joints;
   for (int slot = kMotors; slot < kMotorSlots; ++slot) joints.state.motorState[slot].q = kNan;
-  BOOST_TEST(joints.judge() == 1);
+  BOOST_TEST(joints.check_positions() == 1);
 }
 
-BOOST_AUTO_TEST_CASE(commands_are_clamped_to_each_joints_own_range) {
+BOOST_AUTO_TEST_CASE(position_commands_are_clamped_to_each_joints_range) {
   const Joints joints;
   for (int i = 0; i < kMotors; ++i) {
     const auto lower = static_cast<float>(joints.config.q_lower[i]);
@@ -118,7 +120,7 @@ BOOST_AUTO_TEST_CASE(commands_are_clamped_to_each_joints_own_range) {
   BOOST_TEST(joints.limited(FR_0, 2.0F) == 0.873F);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_position_is_left_alone) {
+BOOST_AUTO_TEST_CASE(stop_values_and_non_finite_positions_are_not_clamped) {
   const Joints joints;
   for (const float q : {static_cast<float>(PosStopF), 1e9F, -1e9F, kInf, -kInf}) {
     BOOST_TEST(joints.limited(FR_2, q) == q);
@@ -126,7 +128,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_position_is_left_alone) {
   BOOST_TEST(std::isnan(joints.limited(FR_2, kNan)));
 }
 
-BOOST_AUTO_TEST_CASE(nothing_but_the_positions_of_twelve_motors_is_touched) {
+BOOST_AUTO_TEST_CASE(only_positions_of_the_twelve_motors_are_clamped) {
   const Joints joints;
   LowCmd cmd = init_low_cmd();
   for (int i = 0; i < kMotorSlots; ++i) {

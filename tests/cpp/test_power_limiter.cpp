@@ -4,12 +4,12 @@
 #include <random>
 
 #include "dynamics/dynamics.hpp"
+#include "random_disturbances.hpp"
+#include "robot_states.hpp"
 #include "safety/holding_torques.hpp"
 #include "safety/power_limiter.hpp"
-#include "scenes.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
-#include "weather.hpp"
 
 using namespace surefoot;
 
@@ -39,20 +39,20 @@ struct Demand {
 
 BOOST_AUTO_TEST_SUITE(power_limiter)
 
-BOOST_AUTO_TEST_CASE(torques_within_the_limit_are_not_changed_by_a_bit) {
+BOOST_AUTO_TEST_CASE(torques_within_the_limit_are_unchanged) {
   for (int seed = 0; seed < 50; ++seed) {
     const Demand d(seed);
     for (const double limit : {kInf, d.power(1.0) * (1.0 + 1e-12)}) {
       const LimitedTorques out = limit_power(d.tau, d.hold, d.dq, limit);
-      BOOST_TEST((out.torques == d.tau && out.scale == 1.0 && !out.exceeds));
+      BOOST_TEST((out.torques == d.tau && out.scale == 1.0 && !out.limit_exceeded));
       BOOST_TEST(out.power == d.power(1.0), boost::test_tools::tolerance(1e-12));
     }
   }
 }
 
 // Against every point of a fine grid, with limits from far too little to nearly enough.
-BOOST_AUTO_TEST_CASE(the_scale_is_the_greatest_that_is_within_the_limit) {
-  int limited = 0, dipped = 0, exceeded = 0;
+BOOST_AUTO_TEST_CASE(scale_is_the_largest_within_the_limit) {
+  int limited = 0, exceeded_at_hold = 0, exceeded = 0;
   for (int seed = 0; seed < 200; ++seed) {
     const Demand d(seed);
     const double damping = seed % 2 ? 0.5 : 0.0, limit = d.power(1.0, damping) * (seed % 10) / 10.0;
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(the_scale_is_the_greatest_that_is_within_the_limit) {
     for (int k = 0; k <= 2000; ++k) {
       if (d.power(k / 2000.0, damping) <= limit) greatest = k / 2000.0;
     }
-    if (out.exceeds) {
+    if (out.limit_exceeded) {
       BOOST_TEST((greatest < 0.0 && out.scale == 0.0 && out.torques == d.hold));
       ++exceeded;
       continue;
@@ -72,20 +72,20 @@ BOOST_AUTO_TEST_CASE(the_scale_is_the_greatest_that_is_within_the_limit) {
     BOOST_TEST(out.power > limit * (1.0 - 1e-9));
     BOOST_TEST((out.torques - (d.hold + out.scale * (d.tau - d.hold))).norm() < 1e-12);
     ++limited;
-    dipped += d.power(0.0, damping) > limit;
+    exceeded_at_hold += d.power(0.0, damping) > limit;
   }
-  BOOST_TEST((limited > 50 && dipped > 5 && exceeded > 20));
+  BOOST_TEST((limited > 50 && exceeded_at_hold > 5 && exceeded > 20));
 }
 
-BOOST_AUTO_TEST_CASE(where_holding_alone_is_too_much_it_is_said) {
+BOOST_AUTO_TEST_CASE(holding_torques_above_the_limit_are_reported) {
   Demand d(1);
   d.tau = 2.0 * d.hold;
   const LimitedTorques out = limit_power(d.tau, d.hold, d.dq, 0.5 * d.power(0.0));
-  BOOST_TEST((out.exceeds && out.scale == 0.0 && out.torques == d.hold));
+  BOOST_TEST((out.limit_exceeded && out.scale == 0.0 && out.torques == d.hold));
   BOOST_TEST(out.power == d.power(0.0), boost::test_tools::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_number_ends_in_holding_and_never_goes_on) {
+BOOST_AUTO_TEST_CASE(non_finite_input_gives_finite_holding_torques) {
   for (const double bad : {std::nan(""), kInf, -kInf}) {
     for (int field = 0; field < 3; ++field) {
       Demand d(3);
@@ -93,18 +93,18 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_ends_in_holding_and_never_goes_on) {
       (field == 0 ? d.tau : field == 1 ? d.hold : d.dq)[7] = bad;
       for (const double limit : {50.0, kInf}) {
         const LimitedTorques out = limit_power(d.tau, d.hold, d.dq, limit);
-        BOOST_TEST((out.exceeds && out.scale == 0.0 && out.torques.allFinite()));
+        BOOST_TEST((out.limit_exceeded && out.scale == 0.0 && out.torques.allFinite()));
         BOOST_TEST(out.torques[7] == (field == 1 ? 0.0 : hold[7]));
         BOOST_TEST(out.torques.head<7>() == hold.head<7>());
       }
     }
   }
   const Demand d(3);
-  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, std::nan("")).exceeds);
-  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, -1.0).exceeds);
+  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, std::nan("")).limit_exceeded);
+  BOOST_TEST(limit_power(d.tau, d.hold, d.dq, -1.0).limit_exceeded);
 }
 
-BOOST_AUTO_TEST_CASE(holding_torques_carry_the_weight_and_nothing_else) {
+BOOST_AUTO_TEST_CASE(holding_torques_balance_gravity) {
   const Robot robot = quadruped();
   RobotState state = standing_state(robot);
   Dynamics dynamics(robot);
@@ -122,15 +122,15 @@ BOOST_AUTO_TEST_CASE(holding_torques_carry_the_weight_and_nothing_else) {
   BOOST_TEST(left.norm() < 1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(a_controllers_command_keeps_to_its_limit_or_says_so) {
+BOOST_AUTO_TEST_CASE(controller_command_keeps_the_power_limit_or_is_saturated) {
   const Robot robot = quadruped();
   StandOptions options;
   options.power_limit = kLimit;
   StandController free(robot), limited(robot, Gains(), options);
-  Weather weather(robot);
+  RandomDisturbances disturbances(robot);
   int scaled = 0, above = 0;
   for (std::uint32_t tick = 1; tick < 960; ++tick) {
-    const LowState report = weather.report(tick);
+    const LowState report = disturbances.report(tick);
     free.update(report);
     const LowCmd cmd = limited.update(report);
     BOOST_REQUIRE(is_usable(limited.status()));
@@ -138,17 +138,17 @@ BOOST_AUTO_TEST_CASE(a_controllers_command_keeps_to_its_limit_or_says_so) {
     for (int i = 0; i < kMotors; ++i) {
       power += std::abs(static_cast<double>(cmd.motorCmd[i].tau) * report.motorState[i].dq);
     }
-    BOOST_REQUIRE(std::abs(power - limited.power()) < 1e-3);
+    BOOST_REQUIRE(std::abs(power - limited.command_power()) < 1e-3);
     if (limited.power_scale() < 1.0) BOOST_REQUIRE((limited.status() == Status::kSaturated));
-    if (limited.power_scale() < 1.0) BOOST_REQUIRE(limited.power() <= kLimit);
+    if (limited.power_scale() < 1.0) BOOST_REQUIRE(limited.command_power() <= kLimit);
     scaled += limited.power_scale() < 1.0;
-    above += limited.power() > kLimit;
+    above += limited.command_power() > kLimit;
     BOOST_REQUIRE(free.power_scale() == 1.0);
   }
   BOOST_TEST(scaled > 10);
   BOOST_TEST(above < scaled);
   limited.reset();
-  BOOST_TEST((limited.power() == 0.0 && limited.power_scale() == 1.0));
+  BOOST_TEST((limited.command_power() == 0.0 && limited.power_scale() == 1.0));
   for (const double wrong : {0.0, -1.0, std::nan("")}) {
     options.power_limit = wrong;
     BOOST_CHECK_THROW(StandController(robot, Gains(), options), Error);

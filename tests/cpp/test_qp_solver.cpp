@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "kkt.hpp"
+#include "random_qp.hpp"
 #include "wbc/active_set.hpp"
 #include "wbc/qp_solver.hpp"
 
@@ -9,10 +9,10 @@ using namespace surefoot;
 
 namespace {
 
-constexpr int kUsual = 100;  // changes of the active rows; with none ProxQP has to solve
+constexpr int kDefaultChanges = 100;  // changes of the active rows; with none ProxQP has to solve
 
 /// Solves a random program; says whether more was needed than the rows that were active last.
-bool solve_and_judge(QpSolver& solver, const QpProblem& p, double tolerance) {
+bool solve_and_check(QpSolver& solver, const QpProblem& p, double tolerance) {
   const QpResult result = solver.solve(p);
   BOOST_TEST((result.status == Status::kOk));
   BOOST_TEST(kkt_residual(p, solver.x(), solver.y(), solver.z()) < 10.0 * tolerance);
@@ -21,7 +21,7 @@ bool solve_and_judge(QpSolver& solver, const QpProblem& p, double tolerance) {
 
 /// Rows through one vertex, rows twice, rows held between equal bounds: all satisfied by x = 0.
 QpProblem degenerate(int seed) {
-  QpProblem p = RandomProgram(seed).problem;
+  QpProblem p = RandomQp(seed).problem;
   p.u.tail(20).setZero();
   p.C.row(10) = p.C.row(11);
   p.u[10] = p.u[11];
@@ -31,7 +31,7 @@ QpProblem degenerate(int seed) {
 
 /// Pairs of rows that hardly differ.
 QpProblem near_parallel(int seed) {
-  QpProblem p = RandomProgram(seed).problem;
+  QpProblem p = RandomQp(seed).problem;
   for (int row = 0; row < 20; row += 2) {
     p.C.row(row + 1) = p.C.row(row) + 1e-4 * Eigen::RowVectorXd::Random(12);
     p.u[row + 1] = p.u[row];
@@ -43,48 +43,48 @@ QpProblem near_parallel(int seed) {
 
 BOOST_AUTO_TEST_SUITE(qp_solver)
 
-BOOST_AUTO_TEST_CASE(every_accepted_answer_satisfies_kkt_warm_or_cold_whoever_found_it) {
-  for (const int most_changes : {kUsual, 0}) {
-    QpSolver solver(12, 0, 72, 1e-6, most_changes);
+BOOST_AUTO_TEST_CASE(accepted_solutions_satisfy_kkt_for_both_methods_warm_and_cold) {
+  for (const int max_changes : {kDefaultChanges, 0}) {
+    QpSolver solver(12, 0, 72, 1e-6, max_changes);
     int more = 0;
     for (int seed = 0; seed < 300; ++seed) {
-      more += solve_and_judge(solver, RandomProgram(seed).problem, 1e-6);
+      more += solve_and_check(solver, RandomQp(seed).problem, 1e-6);
       if (seed % 10 == 0) solver.reset();
     }
     BOOST_TEST(more > 250);
   }
 }
 
-BOOST_AUTO_TEST_CASE(equalities_hold_and_their_multipliers_are_right_whoever_found_them) {
-  for (const int most_changes : {kUsual, 0}) {
-    QpSolver solver(30, 18, 88, 1e-6, most_changes);
+BOOST_AUTO_TEST_CASE(equality_constraints_satisfy_kkt_for_both_methods) {
+  for (const int max_changes : {kDefaultChanges, 0}) {
+    QpSolver solver(30, 18, 88, 1e-6, max_changes);
     int more = 0;
     for (int seed = 0; seed < 100; ++seed) {
-      more += solve_and_judge(solver, RandomProgram(seed, 30, 18, 88).problem, 1e-6);
+      more += solve_and_check(solver, RandomQp(seed, 30, 18, 88).problem, 1e-6);
     }
     BOOST_TEST(more > 80);
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_tight_tolerance_is_met_whoever_meets_it) {
-  for (const int most_changes : {kUsual, 0}) {
-    QpSolver solver(12, 0, 72, 1e-12, most_changes);
+BOOST_AUTO_TEST_CASE(both_methods_meet_a_tolerance_of_1e_minus_12) {
+  for (const int max_changes : {kDefaultChanges, 0}) {
+    QpSolver solver(12, 0, 72, 1e-12, max_changes);
     for (int seed = 0; seed < 100; ++seed) {
-      solve_and_judge(solver, RandomProgram(seed).problem, 1e-12);
+      solve_and_check(solver, RandomQp(seed).problem, 1e-12);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(degenerate_and_near_parallel_rows_are_no_trouble) {
+BOOST_AUTO_TEST_CASE(degenerate_and_near_parallel_constraints_are_solved) {
   QpSolver solver(12, 0, 72, 1e-6);
   for (int seed = 0; seed < 100; ++seed) {
-    solve_and_judge(solver, degenerate(seed), 1e-6);
-    solve_and_judge(solver, near_parallel(seed), 1e-6);
+    solve_and_check(solver, degenerate(seed), 1e-6);
+    solve_and_check(solver, near_parallel(seed), 1e-6);
   }
 }
 
 // Some of them are beyond ProxQP: those it has to refuse.
-BOOST_AUTO_TEST_CASE(proxqp_alone_solves_nearly_all_of_those_and_refuses_the_rest) {
+BOOST_AUTO_TEST_CASE(proxqp_alone_solves_97_percent_of_degenerate_qps) {
   QpSolver solver(12, 0, 72, 1e-6, 0);
   int refused = 0;
   for (int seed = 0; seed < 200; ++seed) {
@@ -98,19 +98,19 @@ BOOST_AUTO_TEST_CASE(proxqp_alone_solves_nearly_all_of_those_and_refuses_the_res
   BOOST_TEST(refused <= 6);
 }
 
-BOOST_AUTO_TEST_CASE(an_ill_conditioned_cost_is_no_trouble_to_either) {
-  for (const int most_changes : {kUsual, 0}) {
-    QpSolver solver(12, 0, 72, 1e-6, most_changes);
+BOOST_AUTO_TEST_CASE(both_methods_solve_an_ill_conditioned_cost) {
+  for (const int max_changes : {kDefaultChanges, 0}) {
+    QpSolver solver(12, 0, 72, 1e-6, max_changes);
     for (int seed = 0; seed < 100; ++seed) {
-      solve_and_judge(solver, ill_conditioned(seed, 1e-2), 1e-6);
+      solve_and_check(solver, ill_conditioned(seed, 1e-2), 1e-6);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_the_result_says_of_itself_is_so) {
+BOOST_AUTO_TEST_CASE(reported_residuals_match_recomputed_residuals) {
   QpSolver solver(12, 0, 72, 1e-6);
   for (int seed = 0; seed < 50; ++seed) {
-    const RandomProgram random(seed);
+    const RandomQp random(seed);
     const QpProblem& p = random.problem;
     const QpResult result = solver.solve(p);
     const Eigen::VectorXd Cx = p.C * solver.x();
@@ -121,25 +121,25 @@ BOOST_AUTO_TEST_CASE(what_the_result_says_of_itself_is_so) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_program_that_is_not_finite_is_refused_and_the_next_is_solved) {
+BOOST_AUTO_TEST_CASE(nan_qp_is_refused_and_the_next_qp_is_solved) {
   QpSolver solver(12, 0, 72, 1e-6);
   for (int field = 0; field < 5; ++field) {
-    RandomProgram random(field);
+    RandomQp random(field);
     Eigen::VectorXd* vectors[] = {&random.problem.g, &random.problem.l, &random.problem.u};
     if (field < 3) (*vectors[field])[3] = std::nan("");
     if (field == 3) random.problem.H(1, 2) = std::nan("");
     if (field == 4) random.problem.C(1, 2) = std::numeric_limits<double>::infinity();
     BOOST_TEST((solver.solve(random.problem).status == Status::kNonFinite));
-    BOOST_TEST((solver.solve(RandomProgram(field).problem).status == Status::kOk));
+    BOOST_TEST((solver.solve(RandomQp(field).problem).status == Status::kOk));
   }
 }
 
 // What nobody can solve uses all of ProxQP's budget, however long the other method tried before.
-BOOST_AUTO_TEST_CASE(changes_of_rows_are_no_part_of_the_budget) {
+BOOST_AUTO_TEST_CASE(active_set_changes_do_not_use_the_proxqp_iteration_budget) {
   QpSolver after_changes(12, 0, 72, 1e-6), at_once(12, 0, 72, 1e-6, 0);
   int changes = 0;
   for (int seed = 0; seed < 50; ++seed) {
-    QpProblem p = RandomProgram(seed).problem;
+    QpProblem p = RandomQp(seed).problem;
     p.C.row(70) = p.C.row(71);
     p.l[70] = p.u[71] + 1.0;
     p.u[70] = p.l[70] + 1.0;
@@ -156,24 +156,24 @@ BOOST_AUTO_TEST_CASE(changes_of_rows_are_no_part_of_the_budget) {
 }
 
 // Whoever starts from the answer takes every row that is not zero for active.
-BOOST_AUTO_TEST_CASE(rows_that_are_not_active_have_multipliers_of_zero) {
-  for (const int most_changes : {kUsual, 0}) {
-    QpSolver solver(12, 0, 72, 1e-9, most_changes);
+BOOST_AUTO_TEST_CASE(inactive_constraints_have_zero_multipliers) {
+  for (const int max_changes : {kDefaultChanges, 0}) {
+    QpSolver solver(12, 0, 72, 1e-9, max_changes);
     for (int seed = 0; seed < 100; ++seed) {
-      solve_and_judge(solver, RandomProgram(seed).problem, 1e-9);
+      solve_and_check(solver, RandomQp(seed).problem, 1e-9);
       BOOST_TEST((solver.z().array() != 0.0).count() <= 12);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(contradictory_rows_are_not_called_solved) {
+BOOST_AUTO_TEST_CASE(contradictory_constraints_are_not_reported_as_solved) {
   QpSolver solver(12, 0, 72, 1e-6);
-  RandomProgram random(3);
+  RandomQp random(3);
   random.problem.C.row(70) = random.problem.C.row(71);
   random.problem.l[70] = random.problem.u[71] + 1.0;
   random.problem.u[70] = random.problem.l[70] + 1.0;
   BOOST_TEST((solver.solve(random.problem).status != Status::kOk));
-  BOOST_TEST((solver.solve(RandomProgram(3).problem).status == Status::kOk));
+  BOOST_TEST((solver.solve(RandomQp(3).problem).status == Status::kOk));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "scenes.hpp"
+#include "robot_states.hpp"
 #include "surefoot/error.hpp"
 
 using namespace surefoot;
@@ -42,7 +42,7 @@ struct SavedRobot {
 
 BOOST_AUTO_TEST_SUITE(robot)
 
-BOOST_AUTO_TEST_CASE(a_missing_joint_is_named_with_the_joints_there_are) {
+BOOST_AUTO_TEST_CASE(missing_joint_error_lists_the_available_joints) {
   RobotConfig config = quadruped_config();
   config.joint_names[4] = "FL_tigh_joint";
   const std::string text = error_of([&] { Robot(quadruped().model(), config); });
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_foot_on_the_wrong_leg_is_refused) {
   BOOST_TEST(contains(error_of([&] { Robot(quadruped().model(), config); }), "FL_foot"));
 }
 
-BOOST_AUTO_TEST_CASE(every_gain_out_of_range_or_not_a_number_is_named) {
+BOOST_AUTO_TEST_CASE(error_names_each_out_of_range_or_nan_gain) {
   for (const GainInfo& info : gain_table()) {
     for (const double bad : {info.maximum * 2.0 + 1.0, -1.0, std::nan("")}) {
       Gains gains;
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(armature_of_the_configuration_is_in_the_model) {
   for (const int i : robot.motor_to_v()) BOOST_TEST(armature(robot)[i] == 0.005);
 }
 
-BOOST_AUTO_TEST_CASE(motor_torque_falls_with_speed_only_while_driving) {
+BOOST_AUTO_TEST_CASE(motor_torque_limit_falls_with_speed_only_while_driving) {
   const RobotConfig config = quadruped_config();
   BOOST_TEST(motor_torque_limit(config, 0, 10.0, 1.0) == 30.0);
   BOOST_TEST(motor_torque_limit(config, 0, 25.0, 1.0) == 0.0);
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(motor_torque_falls_with_speed_only_while_driving) {
   BOOST_TEST(motor_torque_limit(config, 0, 18.5, -1.0) == 30.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_robot_file_gives_the_same_robot_back, SavedRobot) {
+BOOST_FIXTURE_TEST_CASE(saved_robot_file_loads_the_same_robot, SavedRobot) {
   const Robot copy = Robot::load(path);
   BOOST_TEST(copy.serialized_model() == robot.serialized_model());
   BOOST_TEST((copy.config().gains == robot.config().gains));
@@ -99,7 +99,7 @@ BOOST_FIXTURE_TEST_CASE(a_robot_file_gives_the_same_robot_back, SavedRobot) {
   BOOST_TEST(copy.config().friction == robot.config().friction);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_robot_file_of_another_version_is_refused_with_both_versions, SavedRobot) {
+BOOST_FIXTURE_TEST_CASE(robot_file_version_error_names_both_versions, SavedRobot) {
   std::string content = read(path);
   content.replace(content.find(" 1\n"), 3, " 7\n");
   std::ofstream(path, std::ios::binary) << content;
@@ -108,7 +108,7 @@ BOOST_FIXTURE_TEST_CASE(a_robot_file_of_another_version_is_refused_with_both_ver
   BOOST_TEST(contains(text, "expected version 1"));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_damaged_or_cut_robot_file_is_refused, SavedRobot) {
+BOOST_FIXTURE_TEST_CASE(corrupt_or_truncated_robot_file_is_refused, SavedRobot) {
   const std::string content = read(path);
   std::string damaged = content;
   damaged[content.size() / 2] ^= 1;

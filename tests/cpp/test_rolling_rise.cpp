@@ -2,31 +2,31 @@
 // A lying body that rolls while a Supervisor gets it up.
 #include <boost/test/unit_test.hpp>
 
-#include "scenes.hpp"
-#include "supervisor/leg_springs.hpp"
-#include "supervisor/rise_plan.hpp"
+#include "robot_states.hpp"
+#include "supervisor/getting_up/joint_impedance.hpp"
+#include "supervisor/getting_up/rise_plan.hpp"
 #include "surefoot/supervisor.hpp"
 
 using namespace surefoot;
 
 namespace {
 
-constexpr double kTick = 0.002;     // [s]
-constexpr double kRubs = 0.5;       // [N.m.s/rad] of every joint
-constexpr float kRollSpeed = 1.2F;  // [rad/s]
+constexpr double kTick = 0.002;         // [s]
+constexpr double kJointFriction = 0.5;  // [N.m.s/rad] of every joint
+constexpr float kRollSpeed = 1.2F;      // [rad/s]
 constexpr float kG = static_cast<float>(kGravity);
 
 /// Left legs without inertia that hang free once it rises; the right ones are caught.
-struct Caught {
+struct CaughtLegs {
   Robot robot = quadruped();
   RisePlan plan = plan_rise(robot, 50.0);
-  LegSprings legs{robot, plan, 50.0};
+  JointImpedance legs{robot, plan, 50.0};
   Supervisor supervisor{robot, robot.config().gains};
-  LowState report = resting_report(robot, 0);
+  LowState report = resting_sample(robot, 0);
   LowCmd last = init_low_cmd();
-  float lean = 0.0F;  // [rad] right side down
+  float roll_angle = 0.0F;  // [rad] right side down
 
-  Caught() {
+  CaughtLegs() {
     for (int i = 0; i < kMotors; ++i) report.motorState[i].temperature = 30;
     for (int leg = 0; leg < kLegs; ++leg)
       report.motorState[3 * leg].q += leg % 2 == 0 ? -0.5F : 0.5F;
@@ -39,45 +39,46 @@ struct Caught {
   }
   void step(float turning = 0.0F) {
     report.tick += 2;
-    lean += static_cast<float>(kTick) * turning;
-    const float trembles = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
-    report.imu.gyroscope = {turning, 0.0F, trembles};
-    report.imu.quaternion = {std::cos(0.5F * lean), std::sin(0.5F * lean), 0.0F, 0.0F};
-    report.imu.accelerometer = {trembles, kG * std::sin(lean), kG * std::cos(lean)};
+    roll_angle += static_cast<float>(kTick) * turning;
+    const float noise = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
+    report.imu.gyroscope = {turning, 0.0F, noise};
+    report.imu.quaternion = {std::cos(0.5F * roll_angle), std::sin(0.5F * roll_angle), 0.0F, 0.0F};
+    report.imu.accelerometer = {noise, kG * std::sin(roll_angle), kG * std::cos(roll_angle)};
     legs.read(report);
-    const Vector12 weight = legs.in_air();
+    const Vector12 weight = legs.leg_gravity_torques();
     for (int i = 0; i < kMotors; ++i) {
-      const MotorCmd& told = last.motorCmd[i];
+      const MotorCmd& command = last.motorCmd[i];
       const bool free = supervisor.mode() == Mode::kRise && (i / kLegJoints) % 2 == FL_;
-      const double dq = free ? (told.tau - weight[i]) / (told.Kd + kRubs) : 1e2 * trembles;
+      const double dq =
+          free ? (command.tau - weight[i]) / (command.Kd + kJointFriction) : 1e2 * noise;
       report.motorState[i].dq = static_cast<float>(dq);
       report.motorState[i].q += free ? static_cast<float>(kTick * dq) : 0.0F;
-      report.motorState[i].tauEst = static_cast<float>(told.tau - told.Kd * dq);
+      report.motorState[i].tauEst = static_cast<float>(command.tau - command.Kd * dq);
     }
     last = supervisor.update(report);
   }
   void roll_to(float angle) {
-    while (lean < angle) step(kRollSpeed);
+    while (roll_angle < angle) step(kRollSpeed);
   }
   /// Does it weigh the left legs: folded, but for the hip, which goes outward?
-  bool weighs() const {
+  bool is_weighing() const {
     const double out =
-        std::copysign(report.motorState[FL_0].q - plan.folded[FL_0], plan.widest[FL_0]);
+        std::copysign(report.motorState[FL_0].q - plan.folded[FL_0], plan.hip_outward_max[FL_0]);
     return std::abs(report.motorState[FL_1].q - plan.folded[FL_1]) < 0.1 && std::abs(out) > 0.15 &&
            folded_once;
   }
   bool folded_once = false;
   /// Until they are weighed; at most 20 s.
   void fold() {
-    for (int k = 0; k < 10000 && !weighs(); ++k) {
+    for (int k = 0; k < 10000 && !is_weighing(); ++k) {
       step();
       folded_once = folded_once || std::abs(report.motorState[FL_0].q - plan.folded[FL_0]) < 0.05;
     }
-    BOOST_REQUIRE(weighs());
+    BOOST_REQUIRE(is_weighing());
   }
   /// Most that a caught leg is pulled with, beyond its weight [N.m].
   double pull() {
-    const Vector12 weight = legs.in_air();
+    const Vector12 weight = legs.leg_gravity_torques();
     double most = 0.0;
     for (int i = FR_0; i <= FR_2; ++i)
       most = std::max(most, std::abs(last.motorCmd[i].tau - weight[i]));
@@ -89,17 +90,17 @@ struct Caught {
 
 BOOST_AUTO_TEST_SUITE(rolling_rise)
 
-BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_while_legs_are_weighed_is_let_go_of, Caught) {
+BOOST_FIXTURE_TEST_CASE(legs_are_released_when_the_body_rolls_during_weighing, CaughtLegs) {
   fold();
-  const double taut = pull();
-  BOOST_TEST(taut > 5.0);
+  const double pull_before_roll = pull();
+  BOOST_TEST(pull_before_roll > 5.0);
   roll_to(0.5F);
   for (int k = 0; k < 100; ++k) step();
   BOOST_TEST((supervisor.mode() == Mode::kRise));
-  BOOST_TEST(pull() < 0.2 * taut);
+  BOOST_TEST(pull() < 0.2 * pull_before_roll);
   roll_to(0.76F);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
-  BOOST_TEST((supervisor.reason() == FaultId::kWiring));
+  BOOST_TEST((supervisor.damping_fault() == FaultId::kWiring));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

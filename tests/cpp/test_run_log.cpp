@@ -9,7 +9,7 @@ using namespace surefoot;
 namespace {
 
 /// A log of some ticks, the k-th at k seconds.
-RunLog filled(std::size_t capacity, int ticks) {
+RunLog log_of_ticks(std::size_t capacity, int ticks) {
   RunLog log(capacity);
   for (int k = 0; k < ticks; ++k) {
     RunTick tick;
@@ -24,9 +24,9 @@ RunLog filled(std::size_t capacity, int ticks) {
 
 BOOST_AUTO_TEST_SUITE(run_log)
 
-BOOST_AUTO_TEST_CASE(the_last_ticks_are_kept_the_oldest_first) {
+BOOST_AUTO_TEST_CASE(log_keeps_the_last_ticks_in_order) {
   for (const int ticks : {0, 1, 2, 3, 4, 5, 6, 7}) {
-    const RunLog log = filled(3, ticks);
+    const RunLog log = log_of_ticks(3, ticks);
     const std::size_t size = std::min(ticks, 3);
     BOOST_REQUIRE(log.size() == size);
     for (std::size_t k = 0; k < size; ++k) {
@@ -37,6 +37,8 @@ BOOST_AUTO_TEST_CASE(the_last_ticks_are_kept_the_oldest_first) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_log_of_nothing_stays_empty) { BOOST_TEST(filled(0, 5).size() == 0U); }
+BOOST_AUTO_TEST_CASE(log_of_zero_capacity_stays_empty) {
+  BOOST_TEST(log_of_ticks(0, 5).size() == 0U);
+}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,13 +2,13 @@
 #include <boost/test/unit_test.hpp>
 
 #include "dynamics/stance_kinematics.hpp"
-#include "scenes.hpp"
+#include "robot_states.hpp"
 
 using namespace surefoot;
 
 namespace {
 
-struct Legs {
+struct StanceKinematicsFixture {
   Robot robot = quadruped();
   RobotState state = standing_state(robot);
   FeetMatrix feet = contact_points(robot, state.q);
@@ -22,7 +22,7 @@ struct Legs {
 
 BOOST_AUTO_TEST_SUITE(stance_kinematics)
 
-BOOST_FIXTURE_TEST_CASE(its_joints_put_the_contact_points_where_they_are_wanted, Legs) {
+BOOST_FIXTURE_TEST_CASE(joint_angles_reach_the_desired_contact_points, StanceKinematicsFixture) {
   for (int k = 0; k < 1000; ++k) {
     const Vector3 phase(0.011 * k, 0.017 * k, 0.007 * k);
     const Vector3 by = 0.04 * phase.array().sin(), turn = 0.15 * (2.0 * phase).array().sin();
@@ -35,7 +35,8 @@ BOOST_FIXTURE_TEST_CASE(its_joints_put_the_contact_points_where_they_are_wanted,
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(a_normal_that_leans_puts_the_spheres_contact_there, Legs) {
+BOOST_FIXTURE_TEST_CASE(tilted_ground_normal_moves_the_contact_on_the_foot_sphere,
+                        StanceKinematicsFixture) {
   const Vector3 normal = Vector3(0.2, -0.1, 1.0).normalized();
   BOOST_REQUIRE(legs.solve(state.q.head<3>(), Quaternion::Identity(), feet, normal));
   const FeetMatrix centres =
@@ -44,7 +45,8 @@ BOOST_FIXTURE_TEST_CASE(a_normal_that_leans_puts_the_spheres_contact_there, Legs
   BOOST_TEST((touching - feet).colwise().norm().maxCoeff() < 2e-6);
 }
 
-BOOST_FIXTURE_TEST_CASE(out_of_reach_is_refused_and_the_last_good_answer_stays, Legs) {
+BOOST_FIXTURE_TEST_CASE(unreachable_pose_is_refused_and_the_last_solution_is_kept,
+                        StanceKinematicsFixture) {
   BOOST_REQUIRE(solve(Vector3(0.01, 0.0, 0.0)));
   const Eigen::VectorXd q = legs.q();
   const Vector3 p_com = legs.p_com();
@@ -56,7 +58,7 @@ BOOST_FIXTURE_TEST_CASE(out_of_reach_is_refused_and_the_last_good_answer_stays, 
   BOOST_TEST(solve(Vector3::Zero()));
 }
 
-BOOST_FIXTURE_TEST_CASE(knees_keep_their_side_while_the_body_moves, Legs) {
+BOOST_FIXTURE_TEST_CASE(knees_keep_their_bending_direction, StanceKinematicsFixture) {
   for (int k = 0; k < 400; ++k) {
     solve(Vector3(0.0, 0.0, 0.06 * std::sin(0.05 * k) - 0.05));
     for (int leg = 0; leg < kLegs; ++leg) {
@@ -65,13 +67,13 @@ BOOST_FIXTURE_TEST_CASE(knees_keep_their_side_while_the_body_moves, Legs) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(it_begins_from_the_joints_it_is_given, Legs) {
+BOOST_FIXTURE_TEST_CASE(solution_starts_from_the_given_joint_angles, StanceKinematicsFixture) {
   Eigen::VectorXd mirrored = state.q;  // knees the other way: as good an answer
   for (int leg = 0; leg < kLegs; ++leg) {
     mirrored[robot.motor_to_q()[3 * leg + 1]] *= -1.0;
     mirrored[robot.motor_to_q()[3 * leg + 2]] *= -1.0;
   }
-  legs.start_from(mirrored);
+  legs.set_initial_guess(mirrored);
   BOOST_REQUIRE(solve(Vector3(0.0, 0.0, -0.01)));
   BOOST_TEST(legs.q()[robot.motor_to_q()[FL_2]] > 1.0);
 }

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <random>
 
-#include "scenes.hpp"
+#include "robot_states.hpp"
 #include "surefoot/stand_controller.hpp"
 
 using namespace surefoot;
@@ -22,13 +22,13 @@ bool torque_mode(const LowCmd& command) {
   return good;
 }
 
-struct Running {
+struct RunningController {
   Robot robot = quadruped();
   StandController controller{robot};
   std::uint32_t tick = 0;
-  LowState report = resting_report(robot, 0);
+  LowState report = resting_sample(robot, 0);
   LowCmd last;
-  Running() {
+  RunningController() {
     for (int i = 0; i < 10; ++i) last = step();
   }
   LowCmd step() {
@@ -42,7 +42,7 @@ struct Running {
 
 BOOST_AUTO_TEST_SUITE(stand_controller)
 
-BOOST_FIXTURE_TEST_CASE(a_standing_robot_gets_the_torques_of_statics_in_torque_mode, Running) {
+BOOST_FIXTURE_TEST_CASE(standing_robot_gets_static_torques_in_torque_mode, RunningController) {
   BOOST_TEST((controller.status() == Status::kOk));
   BOOST_TEST(torque_mode(last));
   for (int i = 0; i < kMotors; ++i) {
@@ -51,8 +51,8 @@ BOOST_FIXTURE_TEST_CASE(a_standing_robot_gets_the_torques_of_statics_in_torque_m
   BOOST_TEST(std::abs(controller.solution().forces.row(2).sum() - robot.mass() * kGravity) < 2.0);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_bad_report_is_bridged_for_ten_milliseconds_then_damped_and_latched,
-                        Running) {
+BOOST_FIXTURE_TEST_CASE(bad_sample_holds_the_command_for_10_ms_then_latches_damping,
+                        RunningController) {
   report.imu.gyroscope[1] = std::nanf("");
   for (int i = 0; i < 5; ++i) {
     BOOST_TEST(same(step(), last));
@@ -67,7 +67,7 @@ BOOST_FIXTURE_TEST_CASE(a_bad_report_is_bridged_for_ten_milliseconds_then_damped
   BOOST_TEST(torque_mode(step()));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_tick_that_stands_still_is_stale, Running) {
+BOOST_FIXTURE_TEST_CASE(repeated_tick_is_stale, RunningController) {
   for (int i = 0; i < 5; ++i) {
     tick -= 2;
     report.tick = tick - 2;
@@ -81,7 +81,7 @@ BOOST_FIXTURE_TEST_CASE(a_tick_that_stands_still_is_stale, Running) {
 }
 
 // The robot has damped by itself meanwhile, and stands elsewhere or not at all.
-BOOST_FIXTURE_TEST_CASE(who_was_away_for_long_damps_and_latches, Running) {
+BOOST_FIXTURE_TEST_CASE(long_sample_gap_latches_damping, RunningController) {
   tick += 90;
   BOOST_TEST(torque_mode(step()));
   tick += 5000;
@@ -94,7 +94,7 @@ BOOST_FIXTURE_TEST_CASE(who_was_away_for_long_damps_and_latches, Running) {
 }
 
 // Torques of sensors that are dead are those that were planned, and no plan outlives a reset.
-BOOST_FIXTURE_TEST_CASE(a_reset_leaves_nothing_of_the_plan, Running) {
+BOOST_FIXTURE_TEST_CASE(reset_clears_the_planned_torques, RunningController) {
   for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = 0.0F;
   for (int i = 0; i < 50; ++i) step();
   controller.reset();
@@ -105,7 +105,7 @@ BOOST_FIXTURE_TEST_CASE(a_reset_leaves_nothing_of_the_plan, Running) {
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(gains_on_their_way_are_there_once_it_damps, Running) {
+BOOST_FIXTURE_TEST_CASE(pending_gains_apply_at_once_when_damping_starts, RunningController) {
   Gains gains = robot.config().gains;
   gains.damping_kd = 20.0;
   controller.set_gains(gains);
@@ -116,11 +116,11 @@ BOOST_FIXTURE_TEST_CASE(gains_on_their_way_are_there_once_it_damps, Running) {
   BOOST_TEST(last.motorCmd[0].Kd == 20.0F);
 }
 
-BOOST_FIXTURE_TEST_CASE(reports_that_come_twice_do_not_make_time_go_twice_as_fast, Running) {
+BOOST_FIXTURE_TEST_CASE(duplicate_samples_do_not_advance_time, RunningController) {
   const auto turned = [&](int copies) {
     StandController turning(robot);
     for (std::uint32_t k = 0; k <= 50; ++k) {
-      LowState now = resting_report(robot, 2 * k);
+      LowState now = resting_sample(robot, 2 * k);
       now.imu.gyroscope = {0.0F, 0.0F, 1.0F};
       for (int copy = 0; copy < copies; ++copy) turning.update(now);
     }
@@ -131,14 +131,14 @@ BOOST_FIXTURE_TEST_CASE(reports_that_come_twice_do_not_make_time_go_twice_as_fas
   BOOST_TEST(std::abs(turned(2) - turned(1)) < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_zero_quaternion_is_told_in_the_report_and_stops_nothing, Running) {
+BOOST_FIXTURE_TEST_CASE(zero_quaternion_is_reported_and_control_continues, RunningController) {
   report.imu.quaternion = {0.0F, 0.0F, 0.0F, 0.0F};
   BOOST_TEST(torque_mode(step()));
   BOOST_TEST(is_usable(controller.status()));
-  BOOST_TEST((controller.estimator_report().quaternion == Verdict::kZero));
+  BOOST_TEST((controller.estimator_report().quaternion == SensorVerdict::kZero));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_robot_on_its_back_is_fallen_and_damps, Running) {
+BOOST_FIXTURE_TEST_CASE(robot_on_its_back_is_fallen_and_damped, RunningController) {
   report.imu.quaternion = {0.0F, 1.0F, 0.0F, 0.0F};
   report.imu.accelerometer = {0.0F, 0.0F, static_cast<float>(-kGravity)};
   controller.reset();
@@ -146,17 +146,16 @@ BOOST_FIXTURE_TEST_CASE(a_robot_on_its_back_is_fallen_and_damps, Running) {
   BOOST_TEST((controller.fault() == Status::kFallen));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_rate_no_gyroscope_can_say_reaches_no_motor, Running) {
+BOOST_FIXTURE_TEST_CASE(implausible_gyroscope_rate_reaches_no_motor, RunningController) {
   report.imu.gyroscope = {0.0F, 3000.0F, 0.0F};
   BOOST_TEST(same(step(), last));
   BOOST_TEST((controller.status() == Status::kImplausible));
 }
 
-BOOST_FIXTURE_TEST_CASE(random_bytes_never_make_a_command_that_is_not_finite_and_inside_limits,
-                        Running) {
+BOOST_FIXTURE_TEST_CASE(random_bytes_never_give_an_invalid_command, RunningController) {
   std::mt19937 generator(7);
   for (int round = 0; round < 20000; ++round) {
-    LowState noise = resting_report(robot, tick += 2);
+    LowState noise = resting_sample(robot, tick += 2);
     auto* bytes = reinterpret_cast<unsigned char*>(&noise);
     for (int k = 0; k < 1 + round % 40; ++k) bytes[22 + generator() % 867] = generator() & 0xFF;
     const LowCmd command = controller.update(noise);

@@ -2,7 +2,7 @@
 // What a StandController can be told: options, body references.
 #include <boost/test/unit_test.hpp>
 
-#include "scenes.hpp"
+#include "robot_states.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/stand_controller.hpp"
 
@@ -11,8 +11,8 @@ using namespace surefoot;
 namespace {
 
 // A report of a robot that stands, shaken by a phase.
-LowState shaken(const Robot& robot, std::uint32_t tick) {
-  LowState report = resting_report(robot, tick);
+LowState disturbed_sample(const Robot& robot, std::uint32_t tick) {
+  LowState report = resting_sample(robot, tick);
   const float wave = std::sin(0.03F * static_cast<float>(tick));
   report.imu.gyroscope = {0.2F * wave, -0.1F * wave, 0.1F * wave};
   report.imu.accelerometer[1] = 0.5F * wave;
@@ -37,12 +37,12 @@ double largest_difference(const LowCmd& a, const LowCmd& b) {
 
 BOOST_AUTO_TEST_SUITE(stand_options)
 
-BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_asked_for) {
+BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_requested) {
   const Robot robot = quadruped();
   StandOptions options;
   options.motor_damping = 0.5;
   StandController controller(robot, Gains(), options);
-  const LowCmd command = controller.update(resting_report(robot, 0));
+  const LowCmd command = controller.update(resting_sample(robot, 0));
   BOOST_TEST(command.motorCmd[3].Kd == 0.5F);
   BOOST_TEST(command.motorCmd[3].dq == 0.0F);
   BOOST_TEST(command.motorCmd[3].Kp == 0.0F);
@@ -51,53 +51,54 @@ BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_asked_for) {
 }
 
 // The estimator hands over dynamics in a frame of its own: both forms have to know.
-BOOST_AUTO_TEST_CASE(either_form_sends_the_same_torques_to_a_robot_that_moves) {
+BOOST_AUTO_TEST_CASE(both_forms_send_the_same_torques_to_a_moving_robot) {
   const Robot robot = quadruped();
   StandOptions general;
-  general.form = Form::kGeneral;
+  general.form = QpForm::kGeneral;
   StandController a(robot), b(robot, Gains(), general);
   for (std::uint32_t tick = 2; tick < 2000; tick += 2) {
-    const LowState report = shaken(robot, tick);
+    const LowState report = disturbed_sample(robot, tick);
     const LowCmd& one = a.update(report);
     const LowCmd& other = b.update(report);
     BOOST_REQUIRE((is_usable(a.status()) && a.status() == b.status()));
-    BOOST_REQUIRE((a.solution().form == Form::kCondensed));
-    BOOST_REQUIRE((b.solution().form == Form::kGeneral));
+    BOOST_REQUIRE((a.solution().form == QpForm::kCondensed));
+    BOOST_REQUIRE((b.solution().form == QpForm::kGeneral));
     BOOST_REQUIRE(largest_difference(one, other) < 0.02);
   }
   BOOST_TEST(a.state().v.norm() > 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(a_delay_is_bridged_by_prediction_and_absurd_ones_are_refused) {
+BOOST_AUTO_TEST_CASE(delay_option_enables_prediction_and_is_range_checked) {
   const Robot robot = quadruped();
-  StandOptions late;
-  late.delay = 0.01;
-  StandController now(robot), then(robot, Gains(), late);
-  double apart = 0.0;
+  StandOptions delayed_options;
+  delayed_options.delay = 0.01;
+  StandController direct_controller(robot), delayed_controller(robot, Gains(), delayed_options);
+  double max_difference = 0.0;
   for (std::uint32_t tick = 2; tick < 400; tick += 2) {
-    const LowState report = shaken(robot, tick);
-    const LowCmd& one = now.update(report);
-    apart = std::max(apart, largest_difference(one, then.update(report)));
-    BOOST_REQUIRE(is_usable(then.status()));
+    const LowState report = disturbed_sample(robot, tick);
+    const LowCmd& one = direct_controller.update(report);
+    max_difference =
+        std::max(max_difference, largest_difference(one, delayed_controller.update(report)));
+    BOOST_REQUIRE(is_usable(delayed_controller.status()));
   }
-  BOOST_TEST(apart > 0.1);
-  StandController resting(robot, Gains(), late);
-  for (std::uint32_t tick = 2; tick < 400; tick += 2) resting.update(resting_report(robot, tick));
-  const LowState report = resting_report(robot, 400);
+  BOOST_TEST(max_difference > 0.1);
+  StandController resting(robot, Gains(), delayed_options);
+  for (std::uint32_t tick = 2; tick < 400; tick += 2) resting.update(resting_sample(robot, tick));
+  const LowState report = resting_sample(robot, 400);
   BOOST_TEST(largest_difference(resting.update(report), StandController(robot).update(report)) <
              0.3);
   for (const double delay : {-0.001, 0.051, std::nan("")}) {
-    late.delay = delay;
-    BOOST_CHECK_THROW(StandController(robot, Gains(), late), Error);
+    delayed_options.delay = delay;
+    BOOST_CHECK_THROW(StandController(robot, Gains(), delayed_options), Error);
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_body_reference_moves_what_is_asked_and_says_what_stops_it) {
+BOOST_AUTO_TEST_CASE(body_reference_moves_the_body_and_reports_its_limit) {
   const Robot robot = quadruped();
   StandController controller(robot);
   std::uint32_t tick = 0;
   const auto run = [&](int ticks) {
-    for (int k = 0; k < ticks; ++k) controller.update(resting_report(robot, tick += 2));
+    for (int k = 0; k < ticks; ++k) controller.update(resting_sample(robot, tick += 2));
   };
   run(10);
   const double height = controller.reference().p_com.z();

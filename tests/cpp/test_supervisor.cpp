@@ -2,11 +2,11 @@
 #include <boost/test/unit_test.hpp>
 #include <thread>
 
-#include "scenes.hpp"
-#include "supervisor/height_motion.hpp"
-#include "supervisor/leg_folding.hpp"
-#include "supervisor/published.hpp"
-#include "supervisor/rise_plan.hpp"
+#include "robot_states.hpp"
+#include "supervisor/common/seqlock.hpp"
+#include "supervisor/getting_up/folding/leg_folding.hpp"
+#include "supervisor/getting_up/rise_motion.hpp"
+#include "supervisor/getting_up/rise_plan.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/supervisor.hpp"
 #include "surefoot/wireless_remote.hpp"
@@ -17,13 +17,13 @@ namespace {
 
 /// A robot at rest, hips so far out that it does not stand, reports every 2 ms; nothing that it is
 /// told moves it.
-struct AtRest {
+struct RestingRobot {
   Robot robot = quadruped();
   Supervisor supervisor;
-  LowState report = resting_report(robot, 0);
+  LowState report = resting_sample(robot, 0);
   LowCmd last = init_low_cmd();
-  float sideways = 0.0F;  ///< [m/s^2] what y feels of gravity
-  explicit AtRest(const SupervisorOptions& options = {})
+  float lateral_gravity = 0.0F;  ///< [m/s^2] what y feels of gravity
+  explicit RestingRobot(const SupervisorOptions& options = {})
       : supervisor(robot, robot.config().gains, options) {
     for (int i = 0; i < kMotors; ++i) {
       report.motorState[i].mode = kModeServo;
@@ -45,13 +45,13 @@ struct AtRest {
   void step() {
     report.tick += 2;
     report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
-    report.imu.accelerometer[1] = sideways + report.imu.gyroscope[2];
+    report.imu.accelerometer[1] = lateral_gravity + report.imu.gyroscope[2];
     report.motorState[3].dq = report.tick % 4 == 0 ? 1e-3F : -1e-3F;
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);
   }
   /// FR's hip goes along with what it is told: a lying robot that nothing moves is another's.
-  void stir() {
+  void move_hip() {
     run(0.55);  // the legs are looked at first
     for (int i = 0; i < 250; ++i) {
       report.motorState[0].q += 0.002F;
@@ -67,7 +67,7 @@ struct AtRest {
     for (float turned = 0.0F; turned < angle; turned += kStep) {
       const float x = 2.0F * std::asin(report.imu.quaternion[1]) + kStep;
       report.imu.quaternion = {std::cos(0.5F * x), std::sin(0.5F * x), 0.0F, 0.0F};
-      sideways = kG * std::sin(x);
+      lateral_gravity = kG * std::sin(x);
       report.imu.accelerometer[2] = kG * std::cos(x);
       step();
     }
@@ -80,7 +80,7 @@ struct AtRest {
 
 BOOST_AUTO_TEST_SUITE(supervisor)
 
-BOOST_FIXTURE_TEST_CASE(all_checks_must_pass_for_a_second, AtRest) {
+BOOST_FIXTURE_TEST_CASE(arming_requires_all_checks_for_1_s, RestingRobot) {
   BOOST_TEST((supervisor.arm() == RequestStatus::kNoState));
   run(0.9);
   BOOST_TEST(failures() == "");
@@ -94,7 +94,7 @@ BOOST_FIXTURE_TEST_CASE(all_checks_must_pass_for_a_second, AtRest) {
 }
 
 // What ready says is what arm() answers, and nothing refuses without a word.
-BOOST_FIXTURE_TEST_CASE(a_fault_that_keeps_the_robot_down_is_named_among_the_checks, AtRest) {
+BOOST_FIXTURE_TEST_CASE(blocking_fault_is_listed_among_failed_arming_checks, RestingRobot) {
   run(1.2);
   const auto turning = report.imu.gyroscope;
   report.imu.gyroscope[0] = 3.0F;
@@ -112,7 +112,7 @@ BOOST_FIXTURE_TEST_CASE(a_fault_that_keeps_the_robot_down_is_named_among_the_che
   BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
 }
 
-BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
+BOOST_FIXTURE_TEST_CASE(failed_arming_checks_are_named, RestingRobot) {
   const LowState good = report;
   const auto expect = [&](const char* words, double rest = 1.3) {
     run(1.2);
@@ -163,10 +163,10 @@ BOOST_FIXTURE_TEST_CASE(what_fails_is_named, AtRest) {
   expect("tilt");
 }
 
-BOOST_AUTO_TEST_CASE(checks_that_need_not_last_must_pass_all_the_same) {
+BOOST_AUTO_TEST_CASE(zero_arming_time_still_requires_passed_checks) {
   SupervisorOptions options;
   options.arming_time = 0.0;
-  AtRest lies(options);
+  RestingRobot lies(options);
   lies.report.motorState[RR_2].temperature = 71;
   lies.run(0.1);
   BOOST_TEST(!lies.supervisor.arming().ready);
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(checks_that_need_not_last_must_pass_all_the_same) {
   BOOST_TEST((lies.supervisor.arm() == RequestStatus::kAccepted));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_clock_that_was_fast_does_not_bar_the_next_rise, AtRest) {
+BOOST_FIXTURE_TEST_CASE(fast_clock_fault_does_not_block_the_next_rise, RestingRobot) {
   run(0.1);
   const LowState rest = report;
   for (int k = 0; k <= 628; ++k) {  // legs that are turned by hand, while every 2 ms count for 4
@@ -197,10 +197,10 @@ BOOST_FIXTURE_TEST_CASE(a_clock_that_was_fast_does_not_bar_the_next_rise, AtRest
   run(0.01);
   BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
   run(0.1);
-  BOOST_TEST((supervisor.mode() == Mode::kRise), to_string(supervisor.reason()));
+  BOOST_TEST((supervisor.mode() == Mode::kRise), to_string(supervisor.damping_fault()));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_link_that_loses_reports_is_not_armed, AtRest) {
+BOOST_FIXTURE_TEST_CASE(link_with_sample_loss_is_not_armed, RestingRobot) {
   run(1.5);
   BOOST_TEST(supervisor.arming().ready);
   for (int i = 0; i < 20; ++i) {
@@ -211,7 +211,7 @@ BOOST_FIXTURE_TEST_CASE(a_link_that_loses_reports_is_not_armed, AtRest) {
   BOOST_TEST(failures().find("link") != std::string::npos);
 }
 
-BOOST_FIXTURE_TEST_CASE(no_number_in_a_report_spoils_the_next, AtRest) {
+BOOST_FIXTURE_TEST_CASE(nan_in_a_sample_does_not_affect_later_samples, RestingRobot) {
   run(1.2);
   report.imu.accelerometer = {NAN, 0.0F, 9.81F};
   run(0.1);
@@ -222,7 +222,7 @@ BOOST_FIXTURE_TEST_CASE(no_number_in_a_report_spoils_the_next, AtRest) {
   BOOST_TEST(supervisor.arming().ready);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_rise_that_no_leg_follows_is_another_robots, AtRest) {
+BOOST_FIXTURE_TEST_CASE(rise_without_leg_motion_is_reported_as_wrong_robot, RestingRobot) {
   run(1.1);
   supervisor.arm();
   run(0.002);
@@ -231,46 +231,46 @@ BOOST_FIXTURE_TEST_CASE(a_rise_that_no_leg_follows_is_another_robots, AtRest) {
   BOOST_TEST((supervisor.mode() == Mode::kRise));
   run(6.0);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
-  BOOST_TEST((supervisor.reason() == FaultId::kWrongRobot));
+  BOOST_TEST((supervisor.damping_fault() == FaultId::kWrongRobot));
   BOOST_TEST(motors_brake(last));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_rise_that_legs_do_not_follow_gives_up_and_damps, AtRest) {
+BOOST_FIXTURE_TEST_CASE(rise_with_stuck_legs_gives_up_and_damps, RestingRobot) {
   run(1.1);
   supervisor.arm();
   run(0.002);
   BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
-  stir();
+  move_hip();
   run(12.0);
   BOOST_TEST((supervisor.mode() == Mode::kRise));  // it tries again
   run(30.0);
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
-  BOOST_TEST(supervisor.stuck());
+  BOOST_TEST(supervisor.rise_failed());
   BOOST_TEST(motors_brake(last));
 }
 
-BOOST_FIXTURE_TEST_CASE(a_body_that_rolls_on_is_miswired, AtRest) {
+BOOST_FIXTURE_TEST_CASE(continued_rolling_is_reported_as_wiring_fault, RestingRobot) {
   run(1.1);
   supervisor.arm();
   step();
   BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
-  stir();
+  move_hip();
   roll(0.6F);
   run(0.1);
   BOOST_TEST((supervisor.mode() == Mode::kRise));  // let go of: it may fall back yet
   roll(0.17F);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
-  BOOST_TEST((supervisor.reason() == FaultId::kWiring));
+  BOOST_TEST((supervisor.damping_fault() == FaultId::kWiring));
   BOOST_TEST(motors_brake(last));
 }
 
 // The springs that a rise had pulled with fade out: what is wrong meanwhile damps at once.
-BOOST_FIXTURE_TEST_CASE(springs_that_fade_out_are_let_go_of_for_a_fault, AtRest) {
+BOOST_FIXTURE_TEST_CASE(fault_during_spring_fade_out_damps_at_once, RestingRobot) {
   run(1.1);
   supervisor.arm();
   step();
   supervisor.request(Mode::kRise);
-  stir();
+  move_hip();
   supervisor.request(Mode::kSit);
   step();
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
@@ -278,11 +278,11 @@ BOOST_FIXTURE_TEST_CASE(springs_that_fade_out_are_let_go_of_for_a_fault, AtRest)
   report.motorState[5].mode = 0;
   run(0.01);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
-  BOOST_TEST((supervisor.reason() == FaultId::kMotorMode));
+  BOOST_TEST((supervisor.damping_fault() == FaultId::kMotorMode));
   BOOST_TEST(motors_brake(last));
 }
 
-BOOST_FIXTURE_TEST_CASE(who_stands_does_not_fold, AtRest) {
+BOOST_FIXTURE_TEST_CASE(standing_robot_rises_without_folding, RestingRobot) {
   turn_hips(-0.5F);
   run(1.1);
   supervisor.arm();
@@ -290,12 +290,12 @@ BOOST_FIXTURE_TEST_CASE(who_stands_does_not_fold, AtRest) {
   BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
   step();
   BOOST_TEST((supervisor.mode() == Mode::kRise));
-  BOOST_TEST(supervisor.height() == 1.0);
+  BOOST_TEST(supervisor.rise_progress() == 1.0);
   run(1.1);
   BOOST_TEST((supervisor.mode() == Mode::kStand));
 }
 
-BOOST_FIXTURE_TEST_CASE(reports_that_stop_damp_within_twenty_milliseconds, AtRest) {
+BOOST_FIXTURE_TEST_CASE(repeated_samples_damp_within_20_ms, RestingRobot) {
   run(1.1);
   supervisor.arm();
   run(0.002);
@@ -305,11 +305,11 @@ BOOST_FIXTURE_TEST_CASE(reports_that_stop_damp_within_twenty_milliseconds, AtRes
   for (int i = 0; i < 10; ++i) last = supervisor.update(report);
   BOOST_TEST(motors_brake(last));
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
-  BOOST_TEST((supervisor.reason() == FaultId::kStaleTick));
+  BOOST_TEST((supervisor.damping_fault() == FaultId::kStaleTick));
 }
 
-BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRest) {
-  const auto expect = [&](FaultId id, auto&& spoil) {
+BOOST_FIXTURE_TEST_CASE(each_sample_fault_is_detected_within_its_time, RestingRobot) {
+  const auto expect = [&](FaultId id, auto&& inject_fault) {
     run(1.2);
     BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
     step();
@@ -323,13 +323,14 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
       report.imu.gyroscope[2] = -report.imu.gyroscope[2];
       report.motorState[3].dq = -report.motorState[3].dq;
       for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
-      spoil(report, good);
+      inject_fault(report, good);
       last = supervisor.update(report);
     }
     BOOST_TEST(motors_brake(last));
-    BOOST_TEST((supervisor.reason() == id), to_string(supervisor.reason())
-                                                << " for " << to_string(id));
-    BOOST_TEST(0.002 * ticks <= fault_info(id).detect + 1e-9, to_string(id) << ": " << ticks);
+    BOOST_TEST((supervisor.damping_fault() == id), to_string(supervisor.damping_fault())
+                                                       << " for " << to_string(id));
+    BOOST_TEST(0.002 * ticks <= fault_info(id).detection_time + 1e-9, to_string(id)
+                                                                          << ": " << ticks);
     const std::uint32_t tick = report.tick;
     report = good;
     report.tick = tick;
@@ -369,7 +370,7 @@ BOOST_FIXTURE_TEST_CASE(every_fault_of_a_report_has_its_name_and_its_time, AtRes
 }
 
 // Bad reports are bridged for 10 ms; joints go on meanwhile.
-BOOST_FIXTURE_TEST_CASE(a_joint_that_moved_while_reports_were_bad_has_not_jumped, AtRest) {
+BOOST_FIXTURE_TEST_CASE(joint_motion_during_bad_samples_is_not_a_joint_jump, RestingRobot) {
   run(0.1);
   const float speed = 18.0F;  // [rad/s]
   for (int k = 0; k < 20; ++k) {
@@ -383,15 +384,15 @@ BOOST_FIXTURE_TEST_CASE(a_joint_that_moved_while_reports_were_bad_has_not_jumped
   }
 }
 
-BOOST_FIXTURE_TEST_CASE(a_fault_that_asks_for_it_sits_the_robot_down_and_keeps_it_down, AtRest) {
-  const auto expect = [&](FaultId id, auto&& spoil) {
+BOOST_FIXTURE_TEST_CASE(temperature_and_battery_faults_sit_the_robot_down, RestingRobot) {
+  const auto expect = [&](FaultId id, auto&& inject_fault) {
     const LowState good = report;
     run(1.2);
     supervisor.arm();
     step();
     BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
-    stir();
-    spoil(report);
+    move_hip();
+    inject_fault(report);
     for (int i = 0; i < 1500 && supervisor.mode() == Mode::kRise; ++i) step();
     run(0.1);
     BOOST_TEST((supervisor.mode() == Mode::kSit || supervisor.mode() == Mode::kPassive));
@@ -413,7 +414,7 @@ BOOST_FIXTURE_TEST_CASE(a_fault_that_asks_for_it_sits_the_robot_down_and_keeps_i
 }
 
 // Two look at the IMU; what either finds begins once.
-BOOST_FIXTURE_TEST_CASE(a_fault_that_lasts_has_begun_once, AtRest) {
+BOOST_FIXTURE_TEST_CASE(lasting_fault_is_counted_once, RestingRobot) {
   run(1.2);
   const auto stuck = report.imu.gyroscope;
   for (int k = 0; k < 500; ++k) {
@@ -426,7 +427,7 @@ BOOST_FIXTURE_TEST_CASE(a_fault_that_lasts_has_begun_once, AtRest) {
   BOOST_TEST(supervisor.faults().count[static_cast<int>(FaultId::kGyroscope)] == 1);
 }
 
-BOOST_FIXTURE_TEST_CASE(sensors_that_stopped_are_named_while_it_lies, AtRest) {
+BOOST_FIXTURE_TEST_CASE(frozen_sensors_are_reported_while_lying, RestingRobot) {
   run(1.2);
   for (int k = 0; k < 20; ++k) {
     report.tick += 2;
@@ -440,7 +441,7 @@ BOOST_FIXTURE_TEST_CASE(sensors_that_stopped_are_named_while_it_lies, AtRest) {
   BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
 }
 
-BOOST_FIXTURE_TEST_CASE(no_arming_is_accepted_that_a_stop_would_void, AtRest) {
+BOOST_FIXTURE_TEST_CASE(arming_is_refused_while_a_stop_is_pending, RestingRobot) {
   run(1.2);
   supervisor.stop();
   BOOST_TEST((supervisor.arm() == RequestStatus::kBusy));
@@ -456,7 +457,7 @@ BOOST_FIXTURE_TEST_CASE(no_arming_is_accepted_that_a_stop_would_void, AtRest) {
   BOOST_TEST(failures() == "fault: button keeps the robot down, expected no fault that does");
 }
 
-BOOST_AUTO_TEST_CASE(a_plan_stays_within_its_power_and_goes_slower_for_less) {
+BOOST_AUTO_TEST_CASE(rise_plan_is_slower_at_lower_power) {
   const Robot robot = quadruped();
   const RisePlan fast = plan_rise(robot, 1000.0), slow = plan_rise(robot, 5.0);
   BOOST_TEST(slow.time > 2.0 * fast.time);
@@ -473,9 +474,9 @@ BOOST_AUTO_TEST_CASE(a_plan_stays_within_its_power_and_goes_slower_for_less) {
   for (int leg = 0; leg < kLegs; ++leg) BOOST_TEST(feet(2, leg) > -0.15);
 }
 
-BOOST_AUTO_TEST_CASE(a_motion_turned_round_on_the_way_does_not_jump) {
+BOOST_AUTO_TEST_CASE(reversed_height_motion_is_continuous) {
   const RisePlan plan = plan_rise(quadruped(), 50.0);
-  HeightMotion motion(plan);
+  RiseMotion motion(plan);
   motion.start(0.0, plan.folded);
   motion.go_to(1.0);
   JointReference before{plan.folded, Vector12::Zero()};
@@ -491,11 +492,11 @@ BOOST_AUTO_TEST_CASE(a_motion_turned_round_on_the_way_does_not_jump) {
   BOOST_TEST((before.q - plan.folded).norm() < 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_published_is_read_whole) {
+BOOST_AUTO_TEST_CASE(published_values_are_read_consistently) {
   struct Pair {
     std::array<long, 20> values{};
   };
-  Published<Pair> published;
+  Seqlock<Pair> published;
   constexpr int kReads = 20000;  // while it is being written
   std::atomic<int> reads{0};
   std::atomic<bool> over{false};
@@ -517,7 +518,7 @@ BOOST_AUTO_TEST_CASE(what_is_published_is_read_whole) {
   BOOST_TEST(whole);
 }
 
-BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused_by_name) {
+BOOST_AUTO_TEST_CASE(out_of_range_option_error_names_the_option) {
   SupervisorOptions options;
   options.power_level = 11;
   BOOST_CHECK_EXCEPTION(Supervisor(quadruped(), Gains{}, options), Error, [](const Error& e) {

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
-#include "motion.hpp"
+#include "pushed_robot.hpp"
 #include "tasks/base_orientation_task.hpp"
 #include "tasks/base_position_task.hpp"
 #include "tasks/com_task.hpp"
@@ -16,7 +16,7 @@ using namespace surefoot;
 namespace {
 
 // What the rows say happens, beyond what they ask for.
-Vector3 said(const BodyRows& rows, const Pushed& p) {
+Vector3 row_error(const BodyRows& rows, const PushedRobot& p) {
   return rows.A_base * p.a.head<6>() + rows.A_force * p.f - rows.b;
 }
 
@@ -24,26 +24,26 @@ Vector3 said(const BodyRows& rows, const Pushed& p) {
 
 BOOST_AUTO_TEST_SUITE(tasks)
 
-BOOST_FIXTURE_TEST_CASE(centre_of_mass_rows_give_the_acceleration_that_happens, Pushed) {
+BOOST_FIXTURE_TEST_CASE(com_rows_match_finite_differences, PushedRobot) {
   const Vector3 happens = rate([](const Dynamics& d) { return d.v_world_com(); });
-  const Vector3 asked(0.3, -0.2, 0.1);
-  const BodyRows rows = com_task(Gains(), asked, f_outside, robot.mass());
-  BOOST_TEST((said(rows, *this) - (happens - asked)).norm() < 1e-5);
+  const Vector3 desired(0.3, -0.2, 0.1);
+  const BodyRows rows = com_task(Gains(), desired, f_external, robot.mass());
+  BOOST_TEST((row_error(rows, *this) - (happens - desired)).norm() < 1e-5);
 }
 
-BOOST_FIXTURE_TEST_CASE(base_rows_give_the_acceleration_of_its_origin_that_happens, Pushed) {
+BOOST_FIXTURE_TEST_CASE(base_position_rows_match_finite_differences, PushedRobot) {
   const Vector3 happens = rate([](const Dynamics& d) { return d.v_world_base(); });
-  const Vector3 asked(0.3, -0.2, 0.1);
-  const BodyRows rows = base_position_task(Gains(), asked, now);
-  BOOST_TEST((said(rows, *this) - (happens - asked)).norm() < 1e-5);
+  const Vector3 desired(0.3, -0.2, 0.1);
+  const BodyRows rows = base_position_task(Gains(), desired, dynamics);
+  BOOST_TEST((row_error(rows, *this) - (happens - desired)).norm() < 1e-5);
 }
 
-BOOST_FIXTURE_TEST_CASE(base_rows_say_the_same_in_a_frame_that_was_shifted, Pushed) {
+BOOST_FIXTURE_TEST_CASE(base_position_rows_match_in_a_shifted_frame, PushedRobot) {
   RobotState resting = state;
   resting.q.head<3>().setZero();
   resting.v.head<3>().setZero();
   Dynamics shifted = dynamics_at(robot, resting);
-  shifted.shift(state.q.head<3>(), now.v_world_base());
+  shifted.shift(state.q.head<3>(), dynamics.v_world_base());
   // The frame's own base acceleration lacks what shift() says.
   Vector6 a_base = a.head<6>();
   a_base.head<3>() -= shifted.a_base_shift();
@@ -53,40 +53,41 @@ BOOST_FIXTURE_TEST_CASE(base_rows_say_the_same_in_a_frame_that_was_shifted, Push
   BOOST_TEST((rows.A_base * a_base - rows.b - happens).norm() < 1e-5);
 }
 
-BOOST_FIXTURE_TEST_CASE(orientation_rows_give_the_angular_acceleration_that_happens, Pushed) {
+BOOST_FIXTURE_TEST_CASE(orientation_rows_match_finite_differences, PushedRobot) {
   const Vector3 happens = rate([](const Dynamics& d) { return d.w_world_base(); });
-  const Vector3 asked(1.0, 2.0, -1.0);
-  const BodyRows rows = base_orientation_task(Gains(), asked, now);
-  BOOST_TEST((said(rows, *this) - (happens - asked)).norm() < 1e-5);
+  const Vector3 desired(1.0, 2.0, -1.0);
+  const BodyRows rows = base_orientation_task(Gains(), desired, dynamics);
+  BOOST_TEST((row_error(rows, *this) - (happens - desired)).norm() < 1e-5);
 }
 
-BOOST_FIXTURE_TEST_CASE(momentum_rows_give_the_change_of_momentum_that_happens, Pushed) {
+BOOST_FIXTURE_TEST_CASE(momentum_rows_match_finite_differences, PushedRobot) {
   const Vector3 happens = rate([](const Dynamics& d) { return d.L_world_com(); });
   Reference reference;
   reference.Ldot_com = Vector3(0.2, -0.1, 0.3);
   reference.L_com = Vector3(0.05, 0.02, -0.04);
-  const Vector3 asked =
-      reference.Ldot_com + Gains().momentum_kd * (reference.L_com - now.L_world_com());
-  BOOST_TEST((said(momentum_task(Gains(), reference, now), *this) - (happens - asked)).norm() <
-             1e-5);
+  const Vector3 desired =
+      reference.Ldot_com + Gains().momentum_kd * (reference.L_com - dynamics.L_world_com());
+  BOOST_TEST(
+      (row_error(momentum_task(Gains(), reference, dynamics), *this) - (happens - desired)).norm() <
+      1e-5);
 }
 
-BOOST_FIXTURE_TEST_CASE(tasks_ask_for_nothing_at_their_target, Pushed) {
+BOOST_FIXTURE_TEST_CASE(tasks_request_zero_acceleration_at_their_target, PushedRobot) {
   const Reference reference = reference_at(robot, state);
-  BOOST_TEST(com_acceleration(Gains(), reference, now).norm() < 1e-9);
-  BOOST_TEST(base_acceleration(Gains(), reference, now).norm() < 1e-9);
-  BOOST_TEST(base_angular_acceleration(Gains(), reference, now).norm() < 1e-9);
+  BOOST_TEST(com_acceleration(Gains(), reference, dynamics).norm() < 1e-9);
+  BOOST_TEST(base_acceleration(Gains(), reference, dynamics).norm() < 1e-9);
+  BOOST_TEST(base_angular_acceleration(Gains(), reference, dynamics).norm() < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(orientation_error_pulls_back_along_the_axis_it_was_turned_about, Pushed) {
+BOOST_FIXTURE_TEST_CASE(orientation_feedback_acts_about_the_error_axis, PushedRobot) {
   Reference reference = reference_at(robot, state);
   const Vector3 axis(0.3, -0.2, 0.0);  // world, radians
   reference.R_world_base = exp_so3(axis) * reference.R_world_base;
-  const Vector3 alpha = base_angular_acceleration(Gains(), reference, now);
+  const Vector3 alpha = base_angular_acceleration(Gains(), reference, dynamics);
   BOOST_TEST((alpha - Gains().base_kp_tilt * axis).norm() < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_base_off_its_place_is_pulled_back_and_damped_axis_by_axis, Pushed) {
+BOOST_FIXTURE_TEST_CASE(base_position_feedback_uses_kp_and_kd_of_each_axis, PushedRobot) {
   Reference reference = reference_at(robot, state);
   reference.p_base += Vector3(0.01, -0.02, 0.03);
   reference.v_base += Vector3(0.1, 0.2, -0.1);
@@ -95,39 +96,37 @@ BOOST_FIXTURE_TEST_CASE(a_base_off_its_place_is_pulled_back_and_damped_axis_by_a
   const Vector3 expected(1.0 + g.com_kp_horizontal * 0.01 + g.com_kd_horizontal * 0.1,
                          2.0 - g.com_kp_horizontal * 0.02 + g.com_kd_horizontal * 0.2,
                          3.0 + g.com_kp_vertical * 0.03 - g.com_kd_vertical * 0.1);
-  BOOST_TEST((base_acceleration(g, reference, now) - expected).norm() < 1e-9);
+  BOOST_TEST((base_acceleration(g, reference, dynamics) - expected).norm() < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_foot_off_its_anchor_is_pulled_back_and_damped, Pushed) {
+BOOST_FIXTURE_TEST_CASE(foot_feedback_uses_foot_kp_and_foot_kd, PushedRobot) {
   Reference reference = reference_at(robot, state);
   const Vector3 offset(0.01, -0.02, 0.005);
   reference.feet[RR_].p_world += offset;
-  const FeetMatrix wanted = feet_accelerations(Gains(), reference, now);
+  const FeetMatrix wanted = feet_accelerations(Gains(), reference, dynamics);
   const Vector3 expected =
-      Gains().foot_kp * offset - Gains().foot_kd * now.legs()[RR_].v_world_contact;
+      Gains().foot_kp * offset - Gains().foot_kd * dynamics.legs()[RR_].v_world_contact;
   BOOST_TEST((wanted.col(RR_) - expected).norm() < 1e-9);
 }
 
-BOOST_FIXTURE_TEST_CASE(a_foot_far_off_its_anchor_is_pulled_back_at_foot_speed_and_no_faster,
-                        Pushed) {
+BOOST_FIXTURE_TEST_CASE(foot_feedback_is_limited_to_foot_speed, PushedRobot) {
   Reference reference = reference_at(robot, state);
   const Vector3 offset(0.1, -0.2, 0.2);
   reference.feet[RR_].p_world += offset;
   Gains gains;
   gains.foot_speed = 1.0;
   const Vector3 expected =
-      gains.foot_kd * (offset / offset.norm() - now.legs()[RR_].v_world_contact);
-  BOOST_TEST((feet_accelerations(gains, reference, now).col(RR_) - expected).norm() < 1e-9);
+      gains.foot_kd * (offset / offset.norm() - dynamics.legs()[RR_].v_world_contact);
+  BOOST_TEST((feet_accelerations(gains, reference, dynamics).col(RR_) - expected).norm() < 1e-9);
   for (const double kd : {0.0, 0.01}) {
     gains.foot_kd = kd;
-    const Vector3 pull = offset / offset.norm() - kd * now.legs()[RR_].v_world_contact;
-    BOOST_TEST((feet_accelerations(gains, reference, now).col(RR_) - pull).norm() < 1e-9);
+    const Vector3 pull = offset / offset.norm() - kd * dynamics.legs()[RR_].v_world_contact;
+    BOOST_TEST((feet_accelerations(gains, reference, dynamics).col(RR_) - pull).norm() < 1e-9);
   }
 }
 
 // Order is what can go wrong here: q, v, posture and the table each have their own.
-BOOST_FIXTURE_TEST_CASE(joints_that_obey_the_posture_task_end_at_the_posture_each_at_its_own,
-                        Pushed) {
+BOOST_FIXTURE_TEST_CASE(posture_task_drives_each_joint_to_its_own_target, PushedRobot) {
   const JointTable joints = make_joint_table(robot);
   Eigen::VectorXd posture = Eigen::VectorXd::LinSpaced(kMotors, -0.5, 0.6);
   Eigen::VectorXd wanted(joints.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <boost/test/unit_test.hpp>
 
-#include "motion.hpp"
+#include "pushed_robot.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/whole_body_controller.hpp"
 #include "wbc/friction_cone.hpp"
@@ -10,7 +10,7 @@ using namespace surefoot;
 
 BOOST_AUTO_TEST_SUITE(wbc)
 
-BOOST_AUTO_TEST_CASE(the_pyramid_is_inside_the_cone_and_loses_at_most_three_percent) {
+BOOST_AUTO_TEST_CASE(friction_pyramid_covers_at_least_97_percent_of_the_cone) {
   const Vector3 normal = Vector3(0.2, -0.1, 1.0).normalized();
   const ConeRows rows = friction_cone(normal, 0.6);
   const Vector3 x = normal.cross(Vector3::UnitY()).normalized(), y = normal.cross(x);
@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(the_pyramid_is_inside_the_cone_and_loses_at_most_three_perc
   }
 }
 
-BOOST_AUTO_TEST_CASE(torques_stay_inside_the_motors_whatever_is_asked) {
+BOOST_AUTO_TEST_CASE(torques_stay_within_motor_limits_for_any_reference) {
   const Robot robot = quadruped();
   WholeBodyController controller(robot);
   for (int seed = 0; seed < 100; ++seed) {
@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(torques_stay_inside_the_motors_whatever_is_asked) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_same_inputs_give_the_same_bits) {
+BOOST_AUTO_TEST_CASE(identical_inputs_give_identical_torques) {
   const Robot robot = quadruped();
   WholeBodyController a(robot), b(robot);
   for (int seed = 0; seed < 20; ++seed) {
@@ -50,14 +50,15 @@ BOOST_AUTO_TEST_CASE(the_same_inputs_give_the_same_bits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(smoothness_keeps_the_forces_nearer_to_those_of_the_tick_before) {
+BOOST_AUTO_TEST_CASE(weight_smooth_reduces_force_changes_between_ticks) {
   const Robot robot = quadruped();
   Gains plain;
   plain.weight_force = 0.02;
   Gains smooth = plain;
   smooth.weight_smooth = 0.2;
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
-    WholeBodyController rough(robot, plain, {form, 1e-9}), calm(robot, smooth, {form, 1e-9});
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
+    WholeBodyController unsmoothed(robot, plain, {form, 1e-9}),
+        smoothed(robot, smooth, {form, 1e-9});
     const RobotState state = standing_state(robot);
     Reference reference = reference_at(robot, state);
     reference.use_forces = true;
@@ -67,46 +68,46 @@ BOOST_AUTO_TEST_CASE(smoothness_keeps_the_forces_nearer_to_those_of_the_tick_bef
       }
     };
     pull(5.0);
-    for (int k = 0; k < 100; ++k) calm.update(state, reference);
-    const FeetMatrix before = rough.update(state, reference).forces;
-    BOOST_TEST((calm.solution().forces - before).norm() < 0.01);
+    for (int k = 0; k < 100; ++k) smoothed.update(state, reference);
+    const FeetMatrix before = unsmoothed.update(state, reference).forces;
+    BOOST_TEST((smoothed.solution().forces - before).norm() < 0.01);
     pull(-5.0);
-    const double jump = (rough.update(state, reference).forces - before).norm();
-    const double step = (calm.update(state, reference).forces - before).norm();
+    const double jump = (unsmoothed.update(state, reference).forces - before).norm();
+    const double step = (smoothed.update(state, reference).forces - before).norm();
     BOOST_TEST(jump > 5.0);
     BOOST_TEST(step < 0.2 * jump);
-    for (int k = 0; k < 100; ++k) calm.update(state, reference);
-    BOOST_TEST((calm.solution().forces - rough.solution().forces).norm() < 0.01);
+    for (int k = 0; k < 100; ++k) smoothed.update(state, reference);
+    BOOST_TEST((smoothed.solution().forces - unsmoothed.solution().forces).norm() < 0.01);
   }
 }
 
 // The equations of motion and the feet's accelerations, with Pinocchio's own functions.
 BOOST_AUTO_TEST_CASE(a_solution_satisfies_the_full_equations_of_motion_in_either_form) {
   const Robot robot = quadruped();
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     WholeBodyController controller(robot, Gains(), {form, 1e-10});
     for (int seed = 0; seed < 20; ++seed) {
       const RobotState state = random_state(robot, seed, 1.0);
       const Solution& solution = controller.update(state, reference_at(robot, state));
       BOOST_REQUIRE((solution.status == Status::kOk));
       BOOST_TEST((solution.form == form));
-      Eigen::VectorXd left = inverse_dynamics(robot, state, solution.accelerations);
-      left.tail(kMotors) -= solution.torques;
+      Eigen::VectorXd residual = inverse_dynamics(robot, state, solution.accelerations);
+      residual.tail(kMotors) -= solution.torques;
       const Dynamics dynamics = dynamics_at(robot, state);
       for (int leg = 0; leg < kLegs; ++leg) {
         const LegDynamics& L = dynamics.legs()[leg];
         const int first = robot.motor_to_v()[3 * leg];
-        left.head<6>() -= L.J_base.transpose() * solution.forces.col(leg);
-        left.segment<3>(first) -= L.J_leg.transpose() * solution.forces.col(leg);
+        residual.head<6>() -= L.J_base.transpose() * solution.forces.col(leg);
+        residual.segment<3>(first) -= L.J_leg.transpose() * solution.forces.col(leg);
       }
-      BOOST_TEST(left.cwiseAbs().maxCoeff() < 1e-6);
+      BOOST_TEST(residual.cwiseAbs().maxCoeff() < 1e-6);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(dynamics_that_were_shifted_give_the_same_solution) {
+BOOST_AUTO_TEST_CASE(shifted_dynamics_give_the_same_solution) {
   const Robot robot = quadruped();
-  for (const Form form : {Form::kCondensed, Form::kGeneral}) {
+  for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     for (const BodyPoint point : {BodyPoint::kCenterOfMass, BodyPoint::kBase}) {
       WholeBodyController direct(robot, Gains(), {form, 1e-12}),
           moved(robot, Gains(), {form, 1e-12});
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(dynamics_that_were_shifted_give_the_same_solution) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_controller_that_was_reset_answers_as_a_new_one) {
+BOOST_AUTO_TEST_CASE(reset_controller_gives_the_torques_of_a_new_one) {
   const Robot robot = quadruped();
   WholeBodyController used(robot), fresh(robot);
   for (int seed = 0; seed < 20; ++seed) {

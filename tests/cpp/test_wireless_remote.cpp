@@ -9,7 +9,7 @@ using namespace surefoot;
 
 BOOST_AUTO_TEST_SUITE(wireless_remote)
 
-BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
+BOOST_AUTO_TEST_CASE(encoded_remote_decodes_to_the_same_values) {
   WirelessRemote remote;
   remote.buttons = static_cast<std::uint16_t>(Button::kB);
   remote.lx = -1.0F;
@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_broken_stick_centres_all_and_leaves_the_buttons) {
+BOOST_AUTO_TEST_CASE(invalid_stick_value_centres_all_sticks_and_keeps_buttons) {
   for (const float broken : {NAN, INFINITY, 1.2F, -3.0F}) {
     WirelessRemote remote;
     remote.buttons = static_cast<std::uint16_t>(Button::kB);

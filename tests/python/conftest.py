@@ -70,7 +70,7 @@ class Body:
             rows.append(J[:3] + roll @ J[3:])
         return np.vstack(rows)
 
-    def resting_report(self, tick: int, R_world_base=LEVEL, loads=(0.25,) * 4):
+    def resting_sample(self, tick: int, R_world_base=LEVEL, loads=(0.25,) * 4):
         """What the sensors say of the standing pose at rest; loads are shares of the weight."""
         config, q = self.robot.config, self.robot.q_standing()
         q[3:7] = pin.Quaternion(R_world_base).coeffs()

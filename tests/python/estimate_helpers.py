@@ -11,10 +11,10 @@ from dataclasses import replace
 import numpy as np
 import surefoot
 from surefoot.estimate import SensorLog
-from surefoot.estimate.clock import read_clock
+from surefoot.sensor_log.clock import read_clock
 from surefoot.stand import SensorRecorder, StandSettings, parse_reference, run_stand
 
-DEGREES = 180.0 / np.pi
+DEG_PER_RAD = 180.0 / np.pi
 
 
 @functools.cache
@@ -25,22 +25,22 @@ def robot() -> surefoot.Robot:
 @functools.cache
 def moving_log() -> SensorLog:
     """A go1 that turns and leans on its feet for 1.6 s."""
-    asked = (parse_reference("yaw=8,roll=6,pitch=-4@0.3"), parse_reference("yaw=-6,roll=0@0.9"))
+    requests = (parse_reference("yaw=8,roll=6,pitch=-4@0.3"), parse_reference("yaw=-6,roll=0@0.9"))
     recorder = SensorRecorder()
-    run_stand(StandSettings(duration=1.6, references=asked), sensors=recorder)
+    run_stand(StandSettings(duration=1.6, references=requests), sensors=recorder)
     return recorder.log("stand")
 
 
-def changed(log: SensorLog | None = None, **columns) -> SensorLog:
+def with_columns(log: SensorLog | None = None, **columns) -> SensorLog:
     """The log with columns in place of its own; None takes one away."""
     log = log or moving_log()
     rows = {**log.columns, **columns}
     rows = {name: values for name, values in rows.items() if values is not None}
-    clock, time = read_clock("changed", rows)
+    clock, time = read_clock("with_columns", rows)
     return replace(log, columns=rows, time=time, clock=clock)
 
 
-def legs(order, values):
+def reorder_legs(order, values):
     """Columns (n, 12) with legs in another order."""
     return values.reshape(-1, 4, 3)[:, order].reshape(-1, 12)
 

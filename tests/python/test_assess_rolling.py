@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
-from surefoot.assess.rolling import without_rolling
+from surefoot.assess.foot_rolling import remove_rolling
 
 RADIUS, UP, N = 0.03, np.array([0.0, 0.0, 1.0]), 400
 
@@ -23,29 +23,29 @@ def rolling(
     return centre[:, None], turns[:, None], np.full((N, 1), bearing)
 
 
-def test_rolling_without_slip_is_no_way() -> None:
+def test_rolling_without_slip_is_no_displacement() -> None:
     for angle in (-0.4, 0.4, 2.0):
         feet, turns, bearing = rolling(angle)
         # Both signs of a quaternion are the same attitude.
         turns[N // 2 :] *= -1.0
-        left = without_rolling(feet, turns, bearing, RADIUS, UP)
+        left = remove_rolling(feet, turns, bearing, RADIUS, UP)
         assert np.abs(feet).max() > 0.01
         assert np.abs(left).max() < 1e-6
 
 
-def test_it_rolls_along_a_slope() -> None:
+def test_rolling_on_a_slope_is_no_displacement() -> None:
     normal = np.array([np.sin(0.3), 0.0, np.cos(0.3)])
     feet, turns, bearing = rolling(0.5, normal=normal)
-    assert np.abs(without_rolling(feet, turns, bearing, RADIUS, normal)).max() < 1e-6
+    assert np.abs(remove_rolling(feet, turns, bearing, RADIUS, normal)).max() < 1e-6
 
 
-def test_what_slides_or_lifts_stays() -> None:
+def test_sliding_and_lifting_are_displacement() -> None:
     feet, turns, bearing = rolling(0.4)
     slide = np.linspace(0.0, 1.0, N)[:, None, None] * np.array([0.004, -0.02, 0.01])
-    left = without_rolling(feet + slide, turns, bearing, RADIUS, UP)
+    left = remove_rolling(feet + slide, turns, bearing, RADIUS, UP)
     np.testing.assert_allclose(left, slide, atol=1e-6)
 
 
-def test_in_the_air_nothing_rolls() -> None:
+def test_rolling_is_not_subtracted_in_the_air() -> None:
     feet, turns, bearing = rolling(0.4, bearing=False)
-    np.testing.assert_allclose(without_rolling(feet, turns, bearing, RADIUS, UP), feet)
+    np.testing.assert_allclose(remove_rolling(feet, turns, bearing, RADIUS, UP), feet)

@@ -11,8 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import surefoot
-from surefoot.bench import BenchSettings, figures, machine, native, record
+from surefoot.bench import BenchSettings, record, tick_program, timing_statistics
 from surefoot.cli import main
+from surefoot.system import machine
 
 NUMBERS = ["n", "min", "p50", "p90", "p99", "p99.9", "max"]
 WHOLE = ["tick", "state_to_torque", "null"]
@@ -28,7 +29,7 @@ def result(tmp_path_factory):
     return json.loads(path.read_text())
 
 
-def test_a_bench_says_how_long_every_part_took_and_of_what(result):
+def test_bench_reports_time_statistics_of_every_part(result):
     assert (result["robot"], result["form"]) == ("go1", "condensed")
     scenario = result["scenarios"]["push80"]
     assert scenario["reports"] == 3500 and not scenario["fell"]
@@ -44,7 +45,7 @@ def test_a_bench_says_how_long_every_part_took_and_of_what(result):
     assert scenario["state_to_torque"]["wall_us"]["min"] < scenario["tick"]["wall_us"]["min"]
 
 
-def test_ticks_cost_no_heap_no_page_no_failure_and_hardly_an_iteration(result):
+def test_ticks_have_no_allocations_page_faults_or_failures(result):
     tick = result["scenarios"]["push80"]["tick"]
     assert (tick["allocations"], tick["page_faults"], tick["failures"]) == (0, 0, 0)
     counts = {int(k): n for k, n in tick["iterations"].items()}
@@ -54,19 +55,19 @@ def test_ticks_cost_no_heap_no_page_no_failure_and_hardly_an_iteration(result):
     assert tick["first_pass"]["allocations"] == 0
 
 
-def test_ticks_are_timed_at_the_pace_of_the_reports_too(result):
+def test_ticks_are_also_timed_at_the_sample_rate(result):
     paced = result["scenarios"]["push80"]["paced"]
     assert (paced["wall_us"]["n"], paced["allocations"], paced["failures"]) == (500, 0, 0)
 
 
-def test_a_bench_says_on_what_machine_and_with_what_flags_it_ran(result):
+def test_bench_reports_machine_and_compiler_flags(result):
     told = result["machine"]
     assert told["cpu"] and told["cores"] >= 1 and "governor" in told
     assert "-O3" in told["build"]
     assert set(told["versions"]) >= {"surefoot", "pin", "mujoco"}
 
 
-def test_ratios_over_peers_are_null_with_a_reason_without_them(result):
+def test_peer_ratios_are_null_with_a_reason_without_peers(result):
     names = ["state_to_torque_over_tsid", "tick_over_tsid", "state_to_torque_over_placo"]
     assert [result[f"ratio_{name}"] for name in names] == [None] * 3
     assert "--peers" in result["ratio_reason"]
@@ -85,7 +86,7 @@ def test_a_bench_prints_a_table_and_writes_a_report(capsys, tmp_path):
     assert "quiet.png" in (tmp_path / "index.html").read_text()
 
 
-def test_what_is_replayed_is_a_standing_robot_and_then_a_pushed_one():
+def test_recording_contains_standing_and_then_a_push():
     recording = record(BenchSettings(), "push50")
     ticks = [report.tick for report in recording.reports]
     assert len(ticks) == 3500 and {b - a for a, b in itertools.pairwise(ticks)} == {2}
@@ -93,44 +94,44 @@ def test_what_is_replayed_is_a_standing_robot_and_then_a_pushed_one():
     assert max(turns[500:600]) > 3.0 * max(turns[:500])
 
 
-def test_a_body_that_was_asked_to_move_is_asked_again_in_the_replay():
+def test_recorded_body_references_are_replayed():
     reference = {}
     for scenario in ("quiet", "motion"):
         recording = record(BenchSettings(), scenario)
-        series, _ = native.run_native(recording, surefoot.Form.AUTO, 100)
+        series, _ = tick_program.run_tick_program(recording, surefoot.QpForm.AUTO, 100)
         reference[scenario] = np.median(series["reference"].wall)
     assert len(recording.references) == len(recording.reports)
     assert reference["motion"] > 3.0 * reference["quiet"]  # how far it may go takes its time
     short = replace(recording, references=recording.references[1:])
     with pytest.raises(surefoot.Error, match="references: got 4999, expected one a report: 5000"):
-        native.run_native(short, surefoot.Form.AUTO, 100)
+        tick_program.run_tick_program(short, surefoot.QpForm.AUTO, 100)
 
 
-def test_percentiles_are_those_of_all_calls():
-    times = figures.distribution(np.arange(1.0, 1002.0))
+def test_percentiles_use_all_calls():
+    times = timing_statistics.distribution(np.arange(1.0, 1002.0))
     assert times == {
         **{"n": 1001, "min": 1.0, "p50": 501.0, "p90": 901.0},
         **{"p99": 991.0, "p99.9": 1000.0, "max": 1001.0},
     }
-    assert figures.histogram([0.2, 1.7, 1.1, 9e9])[:2] == [1, 2]
-    assert len(figures.histogram([9e9])) == figures.LONGEST_BIN + 1
+    assert timing_statistics.histogram([0.2, 1.7, 1.1, 9e9])[:2] == [1, 2]
+    assert len(timing_statistics.histogram([9e9])) == timing_statistics.HISTOGRAM_END + 1
 
 
-def test_a_machine_that_says_nothing_of_itself_is_no_error(monkeypatch, tmp_path):
+def test_missing_machine_information_is_none(monkeypatch, tmp_path):
     monkeypatch.setattr(machine, "_GOVERNOR", tmp_path / "none")
     assert machine.describe_machine()["governor"] is None
 
 
 @pytest.mark.parametrize("ticks", [0, -5, 99, 10**9])
-def test_a_bench_too_short_or_long_is_refused(ticks):
+def test_tick_count_out_of_range_is_refused(ticks):
     with pytest.raises(surefoot.Error, match=f"ticks: got {ticks}, expected 100 to"):
         BenchSettings(ticks=ticks)
 
 
-def test_what_cannot_be_timed_is_one_clear_line(capsys, monkeypatch, tmp_path):
+def test_invalid_bench_gives_one_error_line(capsys, monkeypatch, tmp_path):
     assert main(["bench", "--scenario", "dance"]) == 2
     assert "got 'dance', expected one of quiet" in capsys.readouterr().err
-    monkeypatch.setattr(native, "PROGRAM", tmp_path / "gone")
+    monkeypatch.setattr(tick_program, "PROGRAM", tmp_path / "gone")
     assert main(SHORT) == 2
     error = capsys.readouterr().err
     assert "gone" in error and "Traceback" not in error
@@ -156,12 +157,12 @@ def test_what_cannot_be_timed_is_one_clear_line(capsys, monkeypatch, tmp_path):
         (["--qpbenchmark"], "--qpbenchmark: has no effect with bench alone"),
     ],
 )
-def test_an_option_that_would_have_no_effect_is_refused(capsys, words, said):
+def test_option_without_effect_is_refused(capsys, words, said):
     assert main(["bench", *words]) == 2
     assert said in capsys.readouterr().err
 
 
-def test_the_table_of_growth_has_an_arm_and_a_humanoid_and_no_failure():
+def test_growth_table_includes_arm_and_humanoid_without_failures():
     script = Path(__file__).parents[2] / "benchmarks" / "growth.py"
     words = [sys.executable, str(script), "--ticks", "20"]
     out = subprocess.run(words, capture_output=True, text=True, check=True).stdout

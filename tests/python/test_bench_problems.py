@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
-from surefoot import Form
+from surefoot import QpForm
 from surefoot.bench.problems import load_sequence, record_problems
 from surefoot.cli import main
 
@@ -14,10 +14,10 @@ from surefoot.cli import main
 @pytest.fixture(scope="module")
 def pushed():
     # Some of the programs of an a1 so pushed are elastic.
-    return record_problems("a1", "push80", Form.CONDENSED)
+    return record_problems("a1", "push80", QpForm.CONDENSED)
 
 
-def test_programs_are_grouped_by_size_and_know_their_ticks(pushed):
+def test_qps_are_grouped_by_size_with_their_ticks(pushed):
     hard, elastic = pushed
     assert (hard.name, elastic.name) == (
         "a1-push80-condensed",
@@ -28,7 +28,7 @@ def test_programs_are_grouped_by_size_and_know_their_ticks(pushed):
     assert hard.meta["elastic"] is False and hard.meta["rate"] == 500.0
 
 
-def test_programs_are_scaled_convex_and_bounded_in_order(pushed):
+def test_qps_are_scaled_convex_and_have_ordered_bounds(pushed):
     for s in pushed:
         np.testing.assert_allclose(s.H, s.H.transpose(0, 2, 1), atol=1e-12)
         assert np.linalg.eigvalsh(s.H).min() > 1e-6
@@ -37,27 +37,27 @@ def test_programs_are_scaled_convex_and_bounded_in_order(pushed):
     np.testing.assert_allclose(np.trace(pushed[0].H, axis1=1, axis2=2), 12.0)
 
 
-def test_the_same_seed_records_the_same_programs(pushed):
-    again = record_problems("a1", "push80", Form.CONDENSED)
+def test_equal_seeds_record_equal_qps(pushed):
+    again = record_problems("a1", "push80", QpForm.CONDENSED)
     for a, b in zip(pushed, again, strict=True):
         for name in ("H", "g", "C", "l", "u"):
             np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
 
 
 def test_the_general_form_has_equalities():
-    (s,) = record_problems("a1", "quiet", Form.GENERAL)
+    (s,) = record_problems("a1", "quiet", QpForm.GENERAL)
     assert s.A.shape[1:] == (18, 30) and s.b.shape[1:] == (18,)
 
 
-def test_a_limping_robot_takes_all_load_off_a_foot():
-    (s,) = record_problems("a1", "limp", Form.CONDENSED)
+def test_three_legged_stance_unloads_one_foot():
+    (s,) = record_problems("a1", "limp", QpForm.CONDENSED)
     assert len(s) == 3000
     # In the air the foot's forces are held between zero and zero.
     fixed = (s.l == s.u).sum(axis=1)
     assert fixed[0] == 0 and fixed[1100] > 0 and fixed[-1] == 0
 
 
-def test_a_file_gives_back_what_was_saved(pushed, tmp_path):
+def test_saved_qp_sequence_loads_unchanged(pushed, tmp_path):
     path = pushed[0].save(tmp_path)
     read = load_sequence(path)
     assert path.name == "a1-push80-condensed.npz" and read.meta == pushed[0].meta
@@ -67,7 +67,7 @@ def test_a_file_gives_back_what_was_saved(pushed, tmp_path):
         load_sequence(tmp_path / "other.npz")
 
 
-def test_the_command_exports_sequences_and_a_sample_for_qpbenchmark(tmp_path, capsys):
+def test_bench_command_exports_sequences_and_a_qpbenchmark_set(tmp_path, capsys):
     words = ["bench", "--robot", "a1", "--scenario", "quiet", "--export"]
     assert main([*words, str(tmp_path / "all")]) == 0
     assert sorted(p.name for p in (tmp_path / "all").iterdir()) == [
@@ -86,6 +86,6 @@ def test_the_command_exports_sequences_and_a_sample_for_qpbenchmark(tmp_path, ca
         _ = first["lb"]  # none: what qpsolvers takes for absent
 
 
-def test_an_unknown_scenario_is_refused_by_name():
+def test_unknown_scenario_is_refused():
     with pytest.raises(surefoot.Error, match="got 'dance', expected one of quiet"):
-        record_problems("go1", "dance", Form.CONDENSED)
+        record_problems("go1", "dance", QpForm.CONDENSED)

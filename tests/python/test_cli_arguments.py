@@ -100,7 +100,7 @@ def call(*words):
     return subprocess.run(line, capture_output=True, text=True, timeout=60)
 
 
-def assert_one_line_of_complaint(status, out, err):
+def assert_one_error_line(status, out, err):
     assert status == 2
     assert out == ""
     assert err.count("\n") == 1 and err.startswith("surefoot")
@@ -108,25 +108,25 @@ def assert_one_line_of_complaint(status, out, err):
 
 
 @pytest.mark.parametrize("words", BAD.values(), ids=BAD.keys())
-def test_a_wrong_argument_costs_one_line_and_status_2(words, capsys):
+def test_invalid_argument_gives_one_error_line_and_status_2(words, capsys):
     status = main(words)
-    assert_one_line_of_complaint(status, *capsys.readouterr())
+    assert_one_error_line(status, *capsys.readouterr())
 
 
 @pytest.mark.parametrize("text", BAD_GAINS.values(), ids=BAD_GAINS.keys())
-def test_a_wrong_gain_costs_one_line_and_status_2(text, capsys, tmp_path):
+def test_invalid_gain_gives_one_error_line_and_status_2(text, capsys, tmp_path):
     (tmp_path / "gains.toml").write_text(text)
     status = main(["stand", "--gains", "gains.toml"])
-    assert_one_line_of_complaint(status, *capsys.readouterr())
+    assert_one_error_line(status, *capsys.readouterr())
 
 
 @pytest.mark.parametrize("words", [["stand", "--robot", "go7"], ["stand", "--push", "hard"], []])
-def test_a_process_with_a_wrong_argument_ends_with_status_2(words):
+def test_process_with_an_invalid_argument_exits_with_status_2(words):
     done = call(*words)
-    assert_one_line_of_complaint(done.returncode, done.stdout, done.stderr)
+    assert_one_error_line(done.returncode, done.stdout, done.stderr)
 
 
-def test_a_robot_of_unknown_name_is_answered_with_the_known_ones(capsys):
+def test_unknown_robot_error_lists_the_known_robots(capsys):
     main(["stand", "--robot", "go7"])
     complaint = capsys.readouterr().err
     assert all(name in complaint for name in surefoot.available_robots())
@@ -139,7 +139,7 @@ def test_json_on_stdout_is_exactly_one_object_and_nothing_else():
     assert (summary["robot"], summary["ticks"], summary["fell"]) == ("go1", 50, False)
 
 
-def test_json_in_a_file_leaves_stdout_to_the_readable_summary(capsys, tmp_path):
+def test_json_file_keeps_the_text_summary_on_stdout(capsys, tmp_path):
     (tmp_path / "gains.toml").write_text("[gains]\nfoot_kp = 90.0\n")
     words = "stand --robot a1 --duration 0.1 --rate 250 --slope -5:90 --payload 1:0:0:0.1 --seed 3"
     assert main([*words.split(), "--gains", "gains.toml", "--json", "out.json"]) == 0
@@ -152,7 +152,7 @@ def test_json_in_a_file_leaves_stdout_to_the_readable_summary(capsys, tmp_path):
     assert out.startswith("a1 stood 0.1 s") and err == ""
 
 
-def test_flaws_of_motors_and_ground_reach_the_plant_in_its_units():
+def test_motor_and_ground_options_reach_the_plant_in_si_units():
     words = "stand --delay-ms 3 --motor-lag-ms 5 --armature-scale 1.5 --joint-friction-scale 0.5"
     words += " --backlash-deg 0.8 --soft-ground 0.01"
     plant = read_settings(arguments.parse_arguments(words.split())).plant
@@ -161,12 +161,12 @@ def test_flaws_of_motors_and_ground_reach_the_plant_in_its_units():
     assert (plant.backlash_deg, plant.soft_ground_sink) == (0.8, 0.01)
 
 
-def test_a_plant_that_nobody_changed_is_the_plain_one():
+def test_stand_without_options_uses_default_plant_settings():
     plant = read_settings(arguments.parse_arguments(["stand"])).plant
     assert plant == PlantSettings(seed=1)
 
 
-def test_a_summary_says_under_which_flaws_a_robot_stood(capsys, tmp_path):
+def test_summary_reports_motor_and_ground_options(capsys, tmp_path):
     words = (
         "stand --duration 0.1 --delay-ms 1 --motor-lag-ms 3 --armature-scale 1.2 --json out.json"
     )
@@ -190,12 +190,12 @@ def test_references_form_and_prediction_reach_the_settings_in_si_units():
         "roll=10.0@4.0",
         "height=-0.02@5.0",
     ]
-    assert (settings.form, settings.predict) == (surefoot.Form.CONDENSED, 0.004)
+    assert (settings.form, settings.predicted_delay) == (surefoot.QpForm.CONDENSED, 0.004)
     plain = read_settings(arguments.parse_arguments(["stand"]))
-    assert (plain.references, plain.form, plain.predict) == ((), surefoot.Form.AUTO, 0.0)
+    assert (plain.references, plain.form, plain.predicted_delay) == ((), surefoot.QpForm.AUTO, 0.0)
 
 
-def test_a_summary_says_what_the_controller_was_asked_to_be_and_to_do(capsys, tmp_path):
+def test_summary_reports_form_prediction_and_references(capsys, tmp_path):
     words = "stand --duration 0.2 --form condensed --predict-ms 4 --reference yaw=1,x=0.01@0.1"
     assert main([*words.split(), "--json", "out.json"]) == 0
     s = json.loads((tmp_path / "out.json").read_text())
@@ -206,7 +206,7 @@ def test_a_summary_says_what_the_controller_was_asked_to_be_and_to_do(capsys, tm
     assert "x +0.01 m, yaw +1 deg at 0.1 s" in out
 
 
-def test_a_gains_file_changes_the_robots_own_gains_and_no_others(monkeypatch, tmp_path):
+def test_gains_option_changes_only_the_gains_in_the_file(monkeypatch, tmp_path):
     own = surefoot.Gains()
     own.foot_kd = 33.0
     robot = SimpleNamespace(config=SimpleNamespace(gains=own))
@@ -217,7 +217,7 @@ def test_a_gains_file_changes_the_robots_own_gains_and_no_others(monkeypatch, tm
     assert own.foot_kp == surefoot.Gains().foot_kp
 
 
-def test_a_robot_that_falls_is_a_result_with_status_3(capsys):
+def test_fall_exits_with_status_3_and_a_summary(capsys):
     words = "stand --duration 2 --sensors ideal --push lateral:1000%:0.1@0.1 --json -"
     assert main(words.split()) == 3
     summary = json.loads(capsys.readouterr().out)
@@ -225,7 +225,7 @@ def test_a_robot_that_falls_is_a_result_with_status_3(capsys):
     assert summary["fall_time_s"] == summary["duration"] < 2.0
 
 
-def test_an_exported_robot_is_read_back_without_robot_data(capsys, tmp_path):
+def test_exported_robot_file_loads_the_same_robot(capsys, tmp_path):
     assert main(["export", "go1", "dog.robot"]) == 0
     loaded, source = surefoot.Robot.load(str(tmp_path / "dog.robot")), surefoot.load_robot("go1")
     assert (loaded.name, loaded.nv) == ("go1", source.nv)
@@ -234,10 +234,10 @@ def test_an_exported_robot_is_read_back_without_robot_data(capsys, tmp_path):
 
 
 @pytest.fixture
-def own_files(tmp_path):
+def user_robot_files(tmp_path):
     """A robot of one's own: a1's URDF with a TOML of another name and other gains."""
-    known = surefoot.robots.describe_robot("a1")
-    config = surefoot.robot_files._models_folder() / "a1.toml"
+    known = surefoot.robot.description.describe_robot("a1")
+    config = surefoot.robot.description._models_folder() / "a1.toml"
     text = (
         config.read_text().replace('srdf = "', '# srdf = "').replace('name = "a1"', 'name = "my"')
     )
@@ -246,31 +246,31 @@ def own_files(tmp_path):
     return ["--urdf", str(known.urdf), "--config", "own.toml"]
 
 
-def test_a_robot_of_ones_own_is_exported_from_its_files(own_files, tmp_path):
-    assert main(["export", *own_files, "mine.robot"]) == 0
+def test_user_robot_is_exported_from_its_files(user_robot_files, tmp_path):
+    assert main(["export", *user_robot_files, "mine.robot"]) == 0
     assert surefoot.Robot.load(str(tmp_path / "mine.robot")).name == "my"
 
 
-def test_a_robot_of_ones_own_stands_from_its_files(own_files, capsys):
-    assert main(["stand", *own_files, "--duration", "0.3", "--json", "-"]) == 0
+def test_user_robot_stands_from_its_files(user_robot_files, capsys):
+    assert main(["stand", *user_robot_files, "--duration", "0.3", "--json", "-"]) == 0
     summary = json.loads(capsys.readouterr().out)
     assert (summary["robot"], summary["ticks"], summary["gains_changed"]) == ("my", 150, {})
 
 
-def test_the_gains_of_a_robot_of_ones_own_are_listed_from_its_files(own_files, capsys):
-    assert main(["gains", *own_files]) == 0
+def test_gains_of_a_user_robot_are_listed_from_its_files(user_robot_files, capsys):
+    assert main(["gains", *user_robot_files]) == 0
     rows = {line.split()[0]: line.split()[1] for line in capsys.readouterr().out.splitlines()}
     assert rows["foot_kp"] == "77"
 
 
-def test_every_robot_has_a_row(capsys):
+def test_robots_command_lists_every_robot(capsys):
     assert main(["robots"]) == 0
     rows = [line.split()[0] for line in capsys.readouterr().out.splitlines() if line]
     assert set(surefoot.available_robots()) <= set(rows)
 
 
 @pytest.mark.parametrize("words", [["gains"], ["gains", "--robot", "b1"]])
-def test_every_gain_has_a_row_with_its_value(words, capsys):
+def test_gains_command_lists_every_gain_with_its_value(words, capsys):
     assert main(words) == 0
     rows = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
     gains = surefoot.load_robot("b1").config.gains if len(words) > 1 else surefoot.Gains()
@@ -279,7 +279,7 @@ def test_every_gain_has_a_row_with_its_value(words, capsys):
         assert row.meaning in rows[row.name]
 
 
-def test_version_and_help_end_well(capsys):
+def test_version_and_help_exit_with_status_0(capsys):
     assert main(["--version"]) == 0
     assert capsys.readouterr().out.startswith("surefoot ")
     assert main(["stand", "--help"]) == 0
@@ -287,7 +287,7 @@ def test_version_and_help_end_well(capsys):
     assert "--push" in text and "exit status: 0 the robot stood, 3 it fell" in text
 
 
-def test_the_package_is_the_command():
+def test_package_runs_as_a_module():
     command = [sys.executable, "-m", "surefoot", "--version"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout.startswith("surefoot ")
@@ -302,7 +302,7 @@ def test_an_interrupted_run_ends_with_status_130(monkeypatch, capsys):
     assert capsys.readouterr().err.count("\n") == 1
 
 
-def test_a_reader_that_leaves_early_sees_no_traceback():
+def test_closed_stdout_causes_no_traceback():
     line = [sys.executable, "-m", "surefoot.cli", "gains"]
     process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     process.stdout.close()
@@ -312,7 +312,7 @@ def test_a_reader_that_leaves_early_sees_no_traceback():
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems draw without a display server")
-def test_without_a_screen_mujoco_is_told_how_to_draw(monkeypatch):
+def test_mujoco_gl_is_set_without_a_display(monkeypatch):
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_GL"):
         monkeypatch.delenv(name, raising=False)
     choose_graphics()

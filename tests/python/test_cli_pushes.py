@@ -41,36 +41,36 @@ BAD = [
 class PlantWithLimit:
     """Stands in for a plant: the limit depends on direction and duration."""
 
-    def lip_limit(self, direction, duration):
+    def lip_push_limit(self, direction, duration):
         return {"lateral": 12.0, "forward": 20.0}[direction] * (1.0 + duration)
 
 
 @pytest.mark.parametrize("text", READ)
-def test_a_push_is_read_as_it_was_meant(text):
+def test_push_text_is_parsed(text):
     assert parse_push(text) == READ[text]
 
 
 @pytest.mark.parametrize("text", READ)
-def test_a_push_written_out_reads_the_same_again(text):
+def test_push_text_round_trips(text):
     push = parse_push(text)
     assert parse_push(str(push)) == push
 
 
 @pytest.mark.parametrize("text", BAD)
-def test_a_push_of_another_form_is_refused_in_one_line(text):
+def test_invalid_push_text_is_refused_in_one_line(text):
     with pytest.raises(Error, match="expected") as problem:
         parse_push(text)
     assert "\n" not in str(problem.value)
 
 
-def test_percent_of_the_limit_becomes_newton_seconds_on_the_plant():
+def test_push_percentage_resolves_to_newton_seconds():
     push = parse_push("forward:25%:0.5@1").resolve(PlantWithLimit())
     assert push.impulse == pytest.approx(0.25 * 20.0 * 1.5)
     assert (push.direction, push.duration, push.time) == ("forward", 0.5, 1.0)
 
 
 @pytest.mark.parametrize(("text", "height"), [("8:0.1:0.1", 0.1), ("50%:0.1:-0.05", -0.05)])
-def test_a_push_acts_at_the_height_asked_for_and_at_the_centre_of_mass_else(text, height):
+def test_push_height_defaults_to_the_centre_of_mass(text, height):
     assert parse_push(f"lateral:{text}@1").resolve(PlantWithLimit()).height == height
     assert parse_push("lateral:8:0.1@1").resolve(PlantWithLimit()).height == 0.0
 

@@ -3,7 +3,7 @@ import math
 import pytest
 from surefoot import Error
 from surefoot.stand import ReferenceRequest, StandSettings, parse_reference
-from surefoot.stand.references import AXES, body_references
+from surefoot.stand.reference_request import AXES, body_references
 
 READ = {
     "roll=10@4.0": ReferenceRequest({"roll": 10.0}, 4.0),
@@ -36,24 +36,24 @@ BAD = [
 
 
 @pytest.mark.parametrize("text", READ)
-def test_a_reference_is_read_as_it_was_meant(text):
+def test_reference_text_is_parsed(text):
     assert parse_reference(text) == READ[text]
 
 
 @pytest.mark.parametrize("text", READ)
-def test_a_reference_written_out_reads_the_same_again(text):
+def test_reference_text_round_trips(text):
     request = parse_reference(text)
     assert parse_reference(str(request)) == request
 
 
 @pytest.mark.parametrize("text", BAD)
-def test_a_reference_of_another_form_is_refused_in_one_line(text):
+def test_invalid_reference_text_is_refused_in_one_line(text):
     with pytest.raises(Error, match="expected") as problem:
         parse_reference(text)
     assert "\n" not in str(problem.value)
 
 
-def test_an_unknown_axis_is_answered_with_the_nearest_and_all_valid_ones():
+def test_unknown_axis_error_suggests_the_nearest_and_lists_all():
     with pytest.raises(Error, match=r"'rol' \(did you mean 'roll'\?\)") as problem:
         parse_reference("rol=10@4")
     assert all(axis in str(problem.value) for axis in AXES)
@@ -66,13 +66,13 @@ def test_a_reference_after_the_end_of_the_run_is_refused():
         StandSettings(duration=3.0, references=(parse_reference("roll=10@4"),))
 
 
-def test_degrees_become_radians_and_metres_stay():
+def test_reference_angles_convert_to_radians():
     reference = body_references([parse_reference("roll=180,yaw=-90,x=0.5@0")], 500.0)[0]
     assert (reference.roll, reference.yaw) == pytest.approx((math.pi, -math.pi / 2))
     assert (reference.x, reference.y, reference.height, reference.pitch) == (0.5, 0.0, 0.0, 0.0)
 
 
-def test_a_later_reference_keeps_the_other_axes_of_earlier_ones_and_replaces_its_own():
+def test_later_reference_replaces_only_its_own_axes():
     texts = ["height=-0.02@3", "roll=10,x=0.01@1", "roll=5@4"]
     steps = body_references([parse_reference(text) for text in texts], 100.0)
     seen = {k: (math.degrees(r.roll), r.x, r.height) for k, r in steps.items()}
@@ -82,12 +82,12 @@ def test_a_later_reference_keeps_the_other_axes_of_earlier_ones_and_replaces_its
     assert seen[400] == pytest.approx((5.0, 0.01, -0.02))
 
 
-def test_references_of_the_same_time_are_asked_for_together():
+def test_references_of_the_same_time_are_merged():
     steps = body_references([parse_reference("roll=1@1"), parse_reference("yaw=1@1")], 500.0)
     assert list(steps) == [500]
     assert steps[500].roll == steps[500].yaw == pytest.approx(math.radians(1.0))
 
 
 @pytest.mark.parametrize(("time", "tick"), [(0.0, 0), (0.3, 150), (0.301, 151), (0.7, 350)])
-def test_a_reference_comes_with_the_first_tick_at_or_after_its_time(time, tick):
+def test_reference_starts_at_the_first_tick_at_or_after_its_time(time, tick):
     assert list(body_references([ReferenceRequest({"x": 0.0}, time)], 500.0)) == [tick]

@@ -12,34 +12,34 @@ from surefoot.stand import StandSettings, film, parse_push, parse_reference, run
 from surefoot.stand.report import write_report
 
 PUSH = parse_push("lateral:20%:0.06@0.1")
-ASKED = parse_reference("x=0.001@0.2")
+REFERENCE = parse_reference("x=0.001@0.2")
 
 
 @pytest.fixture(scope="module")
 def log():
-    return run_stand(StandSettings(duration=0.3, pushes=(PUSH,), references=(ASKED,)))
+    return run_stand(StandSettings(duration=0.3, pushes=(PUSH,), references=(REFERENCE,)))
 
 
-def test_a_replay_is_the_run_again(log):
-    for k, plant in film.replay(log):
+def test_film_replay_matches_the_run(log):
+    for k, plant in film.replay_run(log):
         np.testing.assert_array_equal(plant.truth.q, log.q_true[k])
         np.testing.assert_array_equal(plant.truth.tau, log.tau[k])
 
 
-def test_pictures_are_closer_while_a_push_acts(log):
-    times = np.array(film.picture_ticks(log)) / log.rate
+def test_film_frames_are_denser_during_a_push(log):
+    times = np.array(film.frame_ticks(log)) / log.rate
     pushed = (times >= PUSH.time) & (times < PUSH.time + PUSH.duration)
     assert times[0] == 0.0 and pushed.sum() >= 2
     assert np.diff(times).max() <= film.PERIOD_S + 1e-9
 
 
-def test_a_long_run_gets_no_more_pictures_than_can_be_drawn(log):
+def test_film_of_a_long_run_has_a_frame_limit(log):
     rows = np.zeros((100_000, 1))
     long = dataclasses.replace(log, time=rows[:, 0])
-    assert len(film.picture_ticks(long)) <= film.MOST_PICTURES + 10
+    assert len(film.frame_ticks(long)) <= film.MOST_PICTURES + 10
 
 
-def test_a_report_holds_all_that_its_page_shows(log, tmp_path, monkeypatch):
+def test_stand_report_folder_contains_all_files_of_its_page(log, tmp_path, monkeypatch):
     # The picture itself is not the question here; drawing it takes a graphics library.
     monkeypatch.setattr(film, "_pictures", lambda log, wanted: (blank() for _ in wanted))
     summary = summarise(log)
@@ -54,7 +54,7 @@ def test_a_report_holds_all_that_its_page_shows(log, tmp_path, monkeypatch):
     assert written == summary
 
 
-def test_a_film_that_cannot_be_made_leaves_the_rest_of_the_report(log, tmp_path, monkeypatch):
+def test_film_failure_keeps_the_rest_of_the_report(log, tmp_path, monkeypatch):
     def fail(*_):
         raise RuntimeError("no <graphics> here")
 
@@ -65,7 +65,7 @@ def test_a_film_that_cannot_be_made_leaves_the_rest_of_the_report(log, tmp_path,
 
 
 @pytest.mark.skipif(not ctypes.util.find_library("EGL"), reason="no library to draw with")
-def test_the_command_makes_a_film_that_plays_in_real_time(log, tmp_path):
+def test_stand_command_makes_a_real_time_film(log, tmp_path):
     # A process of its own chooses its graphics before MuJoCo is imported.
     line = [sys.executable, "-m", "surefoot.cli", "stand", "--duration", "0.3"]
     words = ["--push", str(PUSH), "--report", str(tmp_path)]
@@ -73,7 +73,7 @@ def test_the_command_makes_a_film_that_plays_in_real_time(log, tmp_path):
     assert (done.returncode, done.stderr) == (0, "")
     assert str(tmp_path / "index.html") in done.stdout
     with Image.open(tmp_path / "film.webp") as picture:
-        assert picture.n_frames == len(film.picture_ticks(log))
+        assert picture.n_frames == len(film.frame_ticks(log))
         assert picture.size == (film.WIDTH, film.HEIGHT)
         shown = 0
         for k in range(picture.n_frames):

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from estimate_helpers import DEGREES, changed, legs, moving_log, robot, small_csv
+from estimate_helpers import DEG_PER_RAD, moving_log, reorder_legs, robot, small_csv, with_columns
 from surefoot import Error, Gains, LowState, StateEstimator, Status
 from surefoot.cli import main
 from surefoot.estimate import (
@@ -23,8 +23,8 @@ from surefoot.estimate import (
     write_trajectory,
 )
 from surefoot.estimate.checks import check_log
-from surefoot.estimate.derive import CUTOFF, HOLD, derive_velocities
-from surefoot.estimate.frames import frames
+from surefoot.estimate.joint_velocities import CUTOFF_HZ, HOLD_TIME, derive_velocities
+from surefoot.estimate.low_states import low_state_blocks
 from surefoot.stand import SensorRecorder, StandSettings, run_stand
 
 
@@ -33,10 +33,10 @@ def estimate():
     return run_estimator(robot(), moving_log())
 
 
-def test_the_estimator_gets_each_row_as_the_lowstate_it_was(estimate) -> None:
+def test_estimator_receives_each_log_row_as_a_low_state(estimate) -> None:
     log = moving_log()
     alone, steps = StateEstimator(robot()), np.diff(log.time, prepend=-0.002)
-    for k, row in enumerate(np.concatenate(list(frames(log, log.sensor("dq"))))):
+    for k, row in enumerate(np.concatenate(list(low_state_blocks(log, log.sensor("dq"))))):
         assert alone.update(LowState.from_bytes(row.tobytes()), steps[k]) == Status.OK
         for name in ("q", "v", "contact"):
             one = getattr(alone.state, name)
@@ -47,7 +47,7 @@ def test_the_estimator_gets_each_row_as_the_lowstate_it_was(estimate) -> None:
 def test_truth_never_reaches_the_estimator(estimate) -> None:
     names = [name for name in moving_log().columns if name.startswith("truth_")]
     assert len(names) == 6
-    blind = run_estimator(robot(), changed(**dict.fromkeys(names)))
+    blind = run_estimator(robot(), with_columns(**dict.fromkeys(names)))
     np.testing.assert_array_equal(blind.q, estimate.q)
     summary = summarise(blind)
     assert summary["velocity_rmse"] is summary["contact_delays"] is None
@@ -71,12 +71,12 @@ def test_a_summary_has_every_field_and_is_near_the_truth(estimate) -> None:
         assert sum(verdict["share"].values()) == pytest.approx(1.0, abs=1e-4)
 
 
-def test_contact_transitions_are_told_and_compared_with_true_ones(estimate) -> None:
+def test_contact_transitions_are_reported_and_compared_with_truth(estimate) -> None:
     contact, truth = np.ones_like(estimate.contact), np.ones((moving_log().rows, 4))
     truth[100:200, 1] = 0.0
     contact[105:203, 1] = 0.0
     contact[400:, 2] = 0.2
-    made = replace(estimate, log=changed(truth_contact=truth), contact=contact)
+    made = replace(estimate, log=with_columns(truth_contact=truth), contact=contact)
     summary = summarise(made)
     assert summary["contact_transitions"] == [
         {"time": 0.21, "foot": "FL", "contact": False},
@@ -91,7 +91,7 @@ def test_contact_transitions_are_told_and_compared_with_true_ones(estimate) -> N
     assert summary["contact_delays"]["RR"]["false"] == 1
 
 
-def test_slips_are_told_from_their_beginning_to_their_end(estimate) -> None:
+def test_slip_events_have_start_and_duration(estimate) -> None:
     slip = np.zeros_like(estimate.slip)
     slip[50:150, 3] = 0.9
     slip[700:, 0] = 0.9
@@ -101,11 +101,11 @@ def test_slips_are_told_from_their_beginning_to_their_end(estimate) -> None:
     ]
 
 
-def test_rows_that_are_not_finite_are_refused_and_their_time_is_not_lost(estimate) -> None:
+def test_non_finite_rows_are_refused_and_their_time_is_kept(estimate) -> None:
     gyroscope, force = (moving_log().sensor(n).copy() for n in ("gyroscope", "footForce"))
     gyroscope[300:303, 1] = math.nan
     force[500, 0] = math.inf
-    made = run_estimator(robot(), changed(gyroscope=gyroscope, footForce=force))
+    made = run_estimator(robot(), with_columns(gyroscope=gyroscope, footForce=force))
     summary = summarise(made)
     assert summary["non_finite_rows"] == {"gyroscope": 3, "footForce": 1}
     assert summary["statuses"] == {"OK": moving_log().rows - 4, "NON_FINITE": 4}
@@ -113,21 +113,21 @@ def test_rows_that_are_not_finite_are_refused_and_their_time_is_not_lost(estimat
     np.testing.assert_allclose(made.q[-1], estimate.q[-1], atol=2e-3)
 
 
-def test_repeated_rows_are_skipped_and_gaps_are_told_shortened(estimate) -> None:
+def test_repeated_rows_are_skipped_and_gaps_are_reported(estimate) -> None:
     columns = {name: np.repeat(v, 2, axis=0) for name, v in moving_log().columns.items()}
-    twice = run_estimator(robot(), changed(**columns))
+    twice = run_estimator(robot(), with_columns(**columns))
     np.testing.assert_array_equal(twice.q, estimate.q)
     assert summarise(twice)["duplicate_rows"] == moving_log().rows
     tick = moving_log().columns["tick"].copy()
     tick[600:] += 500.0
-    summary = summarise(run_estimator(robot(), changed(tick=tick)))
+    summary = summarise(run_estimator(robot(), with_columns(tick=tick)))
     assert (summary["gaps"], summary["longest_gap_s"]) == (1, pytest.approx(0.502))
     assert summary["statuses"] == {"OK": moving_log().rows}
 
 
-def test_what_a_log_has_not_is_zeros_and_is_named() -> None:
-    log = changed(quaternion=None, tauEst=None, footForce=None, footForceEst=None)
-    frame = next(frames(log, log.sensor("dq")))[7]
+def test_missing_columns_are_zero_and_named() -> None:
+    log = with_columns(quaternion=None, tauEst=None, footForce=None, footForceEst=None)
+    frame = next(low_state_blocks(log, log.sensor("dq")))[7]
     state = LowState.from_bytes(frame.tobytes())
     assert not np.any(state.imu.quaternion) and not np.any(state.footForceEst)
     assert state.motorState[3].q == np.float32(log.columns["q"][7, 3])
@@ -136,47 +136,47 @@ def test_what_a_log_has_not_is_zeros_and_is_named() -> None:
     assert set(summary["statuses"]) <= {"OK", "BAD_QUATERNION"}
 
 
-def test_missing_velocities_are_made_from_angles_and_said_so(estimate) -> None:
-    made = run_estimator(robot(), changed(dq=None))
-    assert f"{CUTOFF:g} Hz" in summarise(made)["columns_derived"]["dq"]
+def test_missing_velocities_are_derived_and_reported(estimate) -> None:
+    made = run_estimator(robot(), with_columns(dq=None))
+    assert f"{CUTOFF_HZ:g} Hz" in summarise(made)["columns_derived"]["dq"]
     assert np.sqrt(np.mean((made.v[:, 6:] - estimate.v[:, 6:]) ** 2)) < 0.1
     assert summarise(made)["velocity_rmse"] < 0.05
 
 
-def test_derived_velocities_are_causal_and_of_the_right_size() -> None:
+def test_derived_velocities_are_causal_and_accurate() -> None:
     rng = np.random.default_rng(3)
     time = np.cumsum(rng.uniform(0.001, 0.003, 1000))
     q = np.repeat(np.sin(6.0 * time)[:, None], 12, axis=1)
     dq = derive_velocities(time, q)
-    late = 6.0 * np.cos(6.0 * (time - 1.0 / (2.0 * math.pi * CUTOFF)))
+    late = 6.0 * np.cos(6.0 * (time - 1.0 / (2.0 * math.pi * CUTOFF_HZ)))
     assert np.abs(dq[100:, 0] - late[100:]).max() < 0.15
     spoiled = q.copy()
     spoiled[500:] = 7.0
     np.testing.assert_array_equal(derive_velocities(time, spoiled)[:500], dq[:500])
 
 
-def test_derived_velocities_take_repeated_angles_for_old_samples_then_for_standstill() -> None:
+def test_repeated_angles_hold_the_derived_velocity_then_decay_to_zero() -> None:
     time = 0.001 * np.arange(400)
     angle = 2.0 * np.floor(time / 0.004) * 0.004  # encoders four times slower than the log
     angle[200:] = angle[200]
     angle[50] = math.nan
     dq = derive_velocities(time, np.repeat(angle[:, None], 12, axis=1))[:, 0]
     np.testing.assert_allclose(dq[100:200], 2.0, rtol=1e-3)
-    assert dq[200 + round(1000 * HOLD) - 4] > 1.9 and abs(dq[-1]) < 0.01
+    assert dq[200 + round(1000 * HOLD_TIME) - 4] > 1.9 and abs(dq[-1]) < 0.01
     assert np.isfinite(dq).all()
 
 
 S = np.tile([-1.0, 1.0, 1.0], 4)
 CONTRADICTIONS = {
-    "angles in degrees": (lambda c: {"q": c["q"] * DEGREES}, "'q'", "in degrees"),
-    "velocities in degrees": (lambda c: {"dq": c["dq"] * DEGREES}, "'dq'", "deg/s"),
+    "angles in degrees": (lambda c: {"q": c["q"] * DEG_PER_RAD}, "'q'", "in degrees"),
+    "velocities in degrees": (lambda c: {"dq": c["dq"] * DEG_PER_RAD}, "'dq'", "deg/s"),
     "velocities of the other sign": (lambda c: {"dq": -c["dq"]}, "'dq'", "expected its sign"),
     "gyroscope in degrees": (
-        lambda c: {"gyroscope": c["gyroscope"] * DEGREES},
+        lambda c: {"gyroscope": c["gyroscope"] * DEG_PER_RAD},
         *("'gyroscope'", "deg/s"),
     ),
     "gyroscope in degrees, no quaternion": (
-        lambda c: {"gyroscope": c["gyroscope"] * DEGREES, "quaternion": None},
+        lambda c: {"gyroscope": c["gyroscope"] * DEG_PER_RAD, "quaternion": None},
         *("'gyroscope'", "deg/s"),
     ),
     "accelerometer in g": (
@@ -192,11 +192,11 @@ CONTRADICTIONS = {
         *("'quaternion'", "world to IMU"),
     ),
     "left and right exchanged": (
-        lambda c: {n: legs([1, 0, 3, 2], c[n]) for n in ("q", "dq")},
+        lambda c: {n: reorder_legs([1, 0, 3, 2], c[n]) for n in ("q", "dq")},
         *("'q'", "FL FR RL RR"),
     ),
     "front and rear exchanged": (
-        lambda c: {n: legs([2, 3, 0, 1], c[n]) for n in ("q", "dq")},
+        lambda c: {n: reorder_legs([2, 3, 0, 1], c[n]) for n in ("q", "dq")},
         *("'q'", "RR RL FR FL"),
     ),
     "hips mirrored": (lambda c: {"q": S * c["q"], "dq": S * c["dq"]}, "'q'", "all hips mirrored"),
@@ -209,7 +209,7 @@ CONTRADICTIONS = {
         *("'q_", "order FR FL RR RL"),
     ),
     "velocities of exchanged legs": (
-        lambda c: {"dq": legs([1, 0, 2, 3], c["dq"])},
+        lambda c: {"dq": reorder_legs([1, 0, 2, 3], c["dq"])},
         *("'dq'", "FL FR RR RL"),
     ),
     "accelerometer of the other sign": (
@@ -226,39 +226,39 @@ CONTRADICTIONS = {
 @pytest.mark.parametrize(
     ("change", "column", "word"), CONTRADICTIONS.values(), ids=CONTRADICTIONS.keys()
 )
-def test_a_log_that_contradicts_itself_is_refused(change, column, word) -> None:
+def test_inconsistent_log_is_refused(change, column, word) -> None:
     with pytest.raises(Error) as refused:
-        run_estimator(robot(), changed(**change(moving_log().columns)))
+        run_estimator(robot(), with_columns(**change(moving_log().columns)))
     for text in (column, word, "got", "expected"):
         assert text in str(refused.value)
 
 
-def test_a_good_log_raises_no_doubts(estimate) -> None:
+def test_valid_log_has_no_warnings(estimate) -> None:
     assert estimate.warnings == ()
 
 
-def test_a_tilted_robot_shows_the_order_of_its_quaternion_at_rest() -> None:
+def test_tilted_rest_reveals_the_quaternion_order() -> None:
     rows, half = 600, math.radians(15.0)
     tilted = np.tile([math.cos(half), math.sin(half), 0.0, 0.0], (rows, 1))
     felt = np.tile(9.81 * np.array([0.0, math.sin(2 * half), math.cos(2 * half)]), (rows, 1))
     still = {n: np.tile(v[0], (rows, 1)) for n, v in moving_log().columns.items() if n != "tick"}
     still |= {"tick": 2.0 * np.arange(rows)[:, None], "gyroscope": np.zeros((rows, 3))}
-    log = changed(**{**still, "accelerometer": felt, "quaternion": tilted, "dq": None})
+    log = with_columns(**{**still, "accelerometer": felt, "quaternion": tilted, "dq": None})
     assert check_log(robot(), log) == []
     with pytest.raises(Error, match=r"vertical 30 deg.*x y z w"):
-        check_log(robot(), changed(log, quaternion=np.roll(tilted, -1, axis=1)))
+        check_log(robot(), with_columns(log, quaternion=np.roll(tilted, -1, axis=1)))
 
 
-def test_what_cannot_be_told_is_a_warning() -> None:
+def test_ambiguous_inconsistencies_are_warnings() -> None:
     columns = moving_log().columns
     torques = columns["tauEst"] * np.where(np.arange(12) == 5, -1.0, 1.0)
-    assert "tauEst of FL" in check_log(robot(), changed(tauEst=torques))[0]
-    heavy = check_log(robot(), changed(accelerometer=2.0 * columns["accelerometer"]))
+    assert "tauEst of FL" in check_log(robot(), with_columns(tauEst=torques))[0]
+    heavy = check_log(robot(), with_columns(accelerometer=2.0 * columns["accelerometer"]))
     assert "median size of 19.6" in heavy[0]
-    down = changed(accelerometer=-columns["accelerometer"], quaternion=None)
+    down = with_columns(accelerometer=-columns["accelerometer"], quaternion=None)
     assert "lies on its back" in check_log(robot(), down)[0]
-    lone = legs([1, 0, 3, 2], columns["q"])
-    doubts = check_log(robot(), changed(q=lone, dq=None, tauEst=None))
+    lone = reorder_legs([1, 0, 3, 2], columns["q"])
+    doubts = check_log(robot(), with_columns(q=lone, dq=None, tauEst=None))
     assert "or do they hang?" in doubts[0]
 
 
@@ -270,7 +270,7 @@ def test_gains_reach_the_estimator() -> None:
 
 
 @pytest.mark.parametrize("suffix", ["csv", "npz"])
-def test_a_trajectory_can_be_written(estimate, tmp_path, suffix) -> None:
+def test_trajectory_is_written_as_csv_and_npz(estimate, tmp_path, suffix) -> None:
     path = tmp_path / f"way.{suffix}"
     write_trajectory(path, estimate)
     if suffix == "npz":
@@ -283,7 +283,7 @@ def test_a_trajectory_can_be_written(estimate, tmp_path, suffix) -> None:
         np.testing.assert_array_equal(way["contact_3"], estimate.contact[:, 3])
 
 
-def test_a_report_holds_all_that_its_page_shows(estimate, tmp_path) -> None:
+def test_estimate_report_folder_contains_all_files_of_its_page(estimate, tmp_path) -> None:
     summary = summarise(estimate)
     page = write_report(estimate, summary, tmp_path / "new", ["surefoot", "estimate", "a b.csv"])
     text = page.read_text()
@@ -294,20 +294,20 @@ def test_a_report_holds_all_that_its_page_shows(estimate, tmp_path) -> None:
     assert json.loads((page.parent / "summary.json").read_text()) == summary
 
 
-def test_a_report_of_rows_that_were_all_refused_can_be_drawn(tmp_path) -> None:
+def test_report_is_written_when_all_rows_are_refused(tmp_path) -> None:
     gyroscope = moving_log().sensor("gyroscope").copy()
     gyroscope[:, 0] = 1e5 * np.sign(gyroscope[:, 0])
-    log = changed(gyroscope=gyroscope)
+    log = with_columns(gyroscope=gyroscope)
     with pytest.raises(Error, match="deg/s"):
         run_estimator(robot(), log)
-    spoiled = changed(tauEst=np.where(np.arange(12) == 4, 1e5, moving_log().sensor("tauEst")))
+    spoiled = with_columns(tauEst=np.where(np.arange(12) == 4, 1e5, moving_log().sensor("tauEst")))
     made = run_estimator(robot(), spoiled)
     summary = summarise(made)
     assert summary["position"] == [None] * 3 and "no row was taken" in summary["warnings"][-1]
     assert write_report(made, summary, tmp_path).exists()
 
 
-def test_the_command_writes_what_it_was_asked_for(tmp_path, capsys, monkeypatch) -> None:
+def test_estimate_command_writes_json_trajectory_and_report(tmp_path, capsys, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     write_log("log.csv", moving_log())
     words = "estimate log.csv --robot go1 --json out.json --trajectory way.npz --report page"
@@ -336,7 +336,9 @@ BAD = {
 
 
 @pytest.mark.parametrize("words", BAD.values(), ids=BAD.keys())
-def test_a_wrong_argument_costs_one_line_and_status_2(words, tmp_path, capsys, monkeypatch) -> None:
+def test_invalid_estimate_argument_gives_one_error_line_and_status_2(
+    words, tmp_path, capsys, monkeypatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     small_csv(tmp_path / "small.csv")
     assert main(words.split()) == 2
@@ -344,7 +346,7 @@ def test_a_wrong_argument_costs_one_line_and_status_2(words, tmp_path, capsys, m
     assert out == "" and err.count("\n") == 1 and err.startswith("surefoot")
 
 
-def test_a_file_that_cannot_be_written_costs_status_1(tmp_path, capsys) -> None:
+def test_write_failure_exits_with_status_1(tmp_path, capsys) -> None:
     write_log(tmp_path / "log.npz", moving_log())
     (tmp_path / "page").mkdir()
     (tmp_path / "page" / "summary.json").mkdir()
@@ -360,10 +362,10 @@ def test_help_names_every_column_and_the_exit_status(capsys) -> None:
         assert word in text
 
 
-def test_velocities_in_degrees_of_a_robot_that_stands_still_are_doubted() -> None:
+def test_velocities_in_degrees_at_standstill_cause_a_warning() -> None:
     recorder = SensorRecorder()
     run_stand(StandSettings(duration=1.5), sensors=recorder)
     still = recorder.log("still")
     assert not [doubt for doubt in check_log(robot(), still) if doubt.startswith("dq")]
-    doubts = check_log(robot(), changed(still, dq=DEGREES * still.columns["dq"]))
+    doubts = check_log(robot(), with_columns(still, dq=DEG_PER_RAD * still.columns["dq"]))
     assert [doubt for doubt in doubts if doubt.startswith("dq moves joints") and "deg/s" in doubt]

@@ -31,14 +31,14 @@ def values(gains: Gains) -> list[float]:
     return [getattr(gains, name) for name in NAMES]
 
 
-def test_the_table_lists_every_gain_there_is() -> None:
+def test_gain_table_lists_every_gain() -> None:
     attributes = [name for name in vars(Gains) if isinstance(vars(Gains)[name], property)]
     assert attributes == NAMES
     assert len(set(NAMES)) == len(NAMES)
 
 
 @pytest.mark.parametrize("info", TABLE, ids=NAMES)
-def test_a_default_is_the_libraries_and_inside_its_range(info) -> None:
+def test_default_gain_matches_the_library_and_is_in_range(info) -> None:
     assert info.default == getattr(Gains(), info.name)
     assert info.minimum <= info.default <= info.maximum
     assert info.minimum >= 0.0
@@ -51,7 +51,7 @@ def test_the_gains_of_every_robot_are_valid(body) -> None:
 
 
 @pytest.mark.parametrize("info", TABLE, ids=NAMES)
-def test_a_gain_is_found_by_its_name(info) -> None:
+def test_gain_is_set_and_read_by_name(info) -> None:
     gains = Gains()
     before = values(gains)
     value = 0.5 * (info.default + info.maximum)
@@ -63,7 +63,7 @@ def test_a_gain_is_found_by_its_name(info) -> None:
 
 @pytest.mark.parametrize("info", TABLE, ids=NAMES)
 @pytest.mark.parametrize("wrong", ["nan", "inf", "negative", "below", "above"])
-def test_a_gain_that_is_not_in_its_range_is_named_and_not_written(info, wrong: str) -> None:
+def test_out_of_range_gain_is_named_and_not_set(info, wrong: str) -> None:
     value = {
         "nan": math.nan,
         "inf": math.inf,
@@ -81,27 +81,27 @@ def test_a_gain_that_is_not_in_its_range_is_named_and_not_written(info, wrong: s
 
 
 @pytest.mark.parametrize("info", TABLE, ids=NAMES)
-def test_the_ends_of_a_range_belong_to_it(info) -> None:
+def test_gain_range_includes_its_ends(info) -> None:
     for value in (info.minimum, info.maximum):
         surefoot.set_gain(Gains(), info.name, value)
 
 
 @pytest.mark.parametrize("call", [surefoot.get_gain, lambda g, n: surefoot.set_gain(g, n, 1.0)])
-def test_an_unknown_gain_is_named_with_the_nearest_and_all_valid_ones(call) -> None:
+def test_unknown_gain_error_suggests_the_nearest_and_lists_all(call) -> None:
     with pytest.raises(Error) as caught:
         call(Gains(), "com_kp_verticle")
     assert "got 'com_kp_verticle' (did you mean 'com_kp_vertical'?)" in str(caught.value)
     assert [name for name in NAMES if name not in str(caught.value)] == []
 
 
-def test_contacts_must_end_at_less_load_than_they_begin() -> None:
+def test_contact_force_off_must_be_below_contact_force_on() -> None:
     gains = Gains()
     gains.contact_force_off = gains.contact_force_on
     with pytest.raises(Error, match=r"'contact_force_off' must be below 'contact_force_on'"):
         gains.validate()
 
 
-def test_a_copy_is_equal_until_either_changes() -> None:
+def test_copied_gains_are_independent() -> None:
     gains = Gains()
     twin = copy.copy(gains)
     assert twin == gains
@@ -113,7 +113,7 @@ def test_a_copy_is_equal_until_either_changes() -> None:
 @pytest.mark.parametrize(
     "text", ["[gains]\nfoot_kp = 77\nfoot_kd = 5.5\n", "foot_kp = 77\nfoot_kd = 5.5\n"]
 )
-def test_a_file_changes_the_gains_it_names_and_no_others(load, text: str) -> None:
+def test_gain_file_changes_only_the_gains_it_names(load, text: str) -> None:
     start = Gains()
     start.com_kp_vertical = 99.0
     expected = copy.copy(start)
@@ -143,7 +143,7 @@ def test_a_file_changes_the_gains_it_names_and_no_others(load, text: str) -> Non
         ("gains = [1, 2]", "gains"),
     ],
 )
-def test_a_bad_gain_file_is_refused_by_what_is_wrong(load, text: str, words: str) -> None:
+def test_invalid_gain_file_is_refused(load, text: str, words: str) -> None:
     with pytest.raises(Error) as caught:
         load(text)
     assert words in str(caught.value)
@@ -158,7 +158,7 @@ CONTROLLERS = [surefoot.StandController, surefoot.WholeBodyController]
 
 
 @pytest.mark.parametrize("controller", CONTROLLERS)
-def test_a_controller_starts_with_its_robots_gains_or_the_ones_given(go1, controller) -> None:
+def test_controller_starts_with_given_or_robot_gains(go1, controller) -> None:
     assert controller(go1.robot).gains == go1.robot.config.gains
     gains = Gains()
     gains.foot_kp = 33.0
@@ -166,7 +166,7 @@ def test_a_controller_starts_with_its_robots_gains_or_the_ones_given(go1, contro
 
 
 @pytest.mark.parametrize("controller", CONTROLLERS)
-def test_a_controller_refuses_bad_gains_and_keeps_its_own(go1, controller) -> None:
+def test_controller_refuses_invalid_gains_and_keeps_its_own(go1, controller) -> None:
     bad = Gains()
     bad.base_kd_yaw = -3.0
     with pytest.raises(Error, match="'base_kd_yaw' out of range: got -3"):
@@ -198,7 +198,7 @@ def test_gains_given_to_a_controller_are_copied(go1) -> None:
     assert controller.gains == Gains()
 
 
-def belief_lost(go1, first: float, later: float) -> float:
+def confidence_lost(go1, first: float, later: float) -> float:
     """In a foot whose force has vanished, with the dwell time of a start and of later [s]."""
     gains = go1.robot.config.gains
     gains.contact_dwell = first
@@ -207,7 +207,7 @@ def belief_lost(go1, first: float, later: float) -> float:
     for tick in range(140):
         lifted = tick >= 120
         loads = (0.0, 0.3, 0.35, 0.35) if lifted else (0.25,) * 4
-        report = go1.resting_report(2 * tick, loads=loads)
+        report = go1.resting_sample(2 * tick, loads=loads)
         report.footForceEst[:] = 40
         report.footForceEst[0] = 0 if lifted else 40
         controller.update(report)
@@ -217,14 +217,14 @@ def belief_lost(go1, first: float, later: float) -> float:
 
 
 def test_gains_reach_the_estimator_from_the_start_and_between_ticks(go1) -> None:
-    fast, slow = belief_lost(go1, 0.1, 0.1), belief_lost(go1, 0.4, 0.4)
+    fast, slow = confidence_lost(go1, 0.1, 0.1), confidence_lost(go1, 0.4, 0.4)
     assert 0.2 < fast < 0.4  # of 40 ms, less what a filter's lag leaves undecided
     assert fast == pytest.approx(4.0 * slow)
-    assert belief_lost(go1, 0.1, 0.4) == pytest.approx(slow)
+    assert confidence_lost(go1, 0.1, 0.4) == pytest.approx(slow)
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_a_saved_file_loads_to_the_same_gains_to_the_last_digit(tmp_path, seed: int) -> None:
+def test_saved_gain_file_loads_exactly(tmp_path, seed: int) -> None:
     rng = np.random.default_rng(seed)
     gains = Gains()
     for info in TABLE:
@@ -248,12 +248,12 @@ def test_gains_out_of_range_are_not_saved(tmp_path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_place_that_cannot_be_written_is_named() -> None:
+def test_unwritable_path_is_named() -> None:
     with pytest.raises(OSError, match=r"/no/such"):
         surefoot.save_gains("/no/such/gains.toml", Gains())
 
 
-def test_a_unit_beside_a_value_is_checked(load) -> None:
+def test_gain_unit_in_a_file_is_checked(load) -> None:
     gains = load('foot_kp = { value = 77, unit = "1/s^2" }')
     assert gains.foot_kp == 77.0
     for text, words in (
@@ -270,7 +270,7 @@ def pushed_torques(go1, change: Callable[[Gains], None]) -> np.ndarray:
     plant = Plant("go1", PlantSettings(sensors="ideal"))
     controller = surefoot.StandController(plant.robot)
     state = plant.reset()
-    plant.add_push(Push("lateral", 0.3 * plant.lip_limit("lateral"), time=0.2))
+    plant.add_push(Push("lateral", 0.3 * plant.lip_push_limit("lateral"), time=0.2))
     rows = []
     for k in range(250):
         if k == 180:
@@ -284,7 +284,7 @@ def pushed_torques(go1, change: Callable[[Gains], None]) -> np.ndarray:
     return np.array(rows)
 
 
-def test_gains_that_change_while_a_push_is_worked_off_do_not_make_torques_jump(go1) -> None:
+def test_gain_change_during_a_push_causes_no_torque_jump(go1) -> None:
     def stiffer(gains: Gains) -> None:
         for name in ("com_kp_horizontal", "com_kd_horizontal", "base_kp_tilt", "base_kd_tilt"):
             setattr(gains, name, 2.0 * getattr(gains, name))
@@ -296,55 +296,55 @@ def test_gains_that_change_while_a_push_is_worked_off_do_not_make_torques_jump(g
     assert np.abs(np.diff(changed[179:], axis=0)).max() < 1.2 * before
 
 
-def test_gains_are_in_force_at_once_before_the_first_report_and_after_a_reset(go1) -> None:
+def test_gains_apply_at_once_before_the_first_sample_and_after_reset(go1) -> None:
     controller = surefoot.StandController(go1.robot)
     gains = controller.gains
     gains.foot_kp = 77.0
     controller.set_gains(gains)
-    assert controller.gains_in_force == gains
+    assert controller.active_gains == gains
     for tick in range(10):
-        controller.update(go1.resting_report(2 * tick))
+        controller.update(go1.resting_sample(2 * tick))
     gains.foot_kp = 99.0
     controller.set_gains(gains)
     assert controller.gains == gains
-    assert controller.gains_in_force.foot_kp == 77.0
-    controller.update(go1.resting_report(20))
-    assert 77.0 < controller.gains_in_force.foot_kp < 79.0
+    assert controller.active_gains.foot_kp == 77.0
+    controller.update(go1.resting_sample(20))
+    assert 77.0 < controller.active_gains.foot_kp < 79.0
     controller.reset()
-    assert controller.gains_in_force == gains
+    assert controller.active_gains == gains
 
 
-def test_gains_that_are_asked_for_every_tick_or_one_after_the_other_arrive(go1) -> None:
+def test_gains_set_every_tick_are_reached(go1) -> None:
     controller = surefoot.StandController(go1.robot)
     for tick in range(10):
-        controller.update(go1.resting_report(2 * tick))
+        controller.update(go1.resting_sample(2 * tick))
     for tick in range(10, 70):
         gains = controller.gains
         gains.foot_kp = 99.0
         if tick > 12:
             gains.foot_kd = 11.0
         controller.set_gains(gains)
-        controller.update(go1.resting_report(2 * tick))
-    assert controller.gains_in_force == controller.gains
+        controller.update(go1.resting_sample(2 * tick))
+    assert controller.active_gains == controller.gains
     assert (controller.gains.foot_kp, controller.gains.foot_kd) == (99.0, 11.0)
 
 
-def test_gains_that_change_while_the_motors_damp_are_in_force_at_once(go1) -> None:
+def test_gain_change_during_damping_applies_at_once(go1) -> None:
     controller = surefoot.StandController(go1.robot)
     for tick in range(10):
-        controller.update(go1.resting_report(2 * tick))
+        controller.update(go1.resting_sample(2 * tick))
     for _ in range(20):
-        command = controller.update(go1.resting_report(20))
+        command = controller.update(go1.resting_sample(20))
     assert controller.status == surefoot.Status.DAMPING
     gains = controller.gains
     gains.damping_kd = 6.0
     controller.set_gains(gains)
-    command = controller.update(go1.resting_report(22))
+    command = controller.update(go1.resting_sample(22))
     assert command.motorCmd[0].Kd == 6.0
 
 
 @pytest.mark.parametrize("robot", surefoot.available_robots())
-def test_the_units_that_a_robots_file_says_are_the_gains(robot: str) -> None:
+def test_units_in_robot_files_match_the_gain_table(robot: str) -> None:
     file = Path(surefoot.__file__).parent / "models" / f"{robot}.toml"
     said = re.findall(r"^(\w+) = \S+ +# \[(.+?)\]", file.read_text(), re.MULTILINE)
     units = {info.name: info.unit for info in surefoot.gain_table()}

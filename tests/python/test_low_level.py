@@ -187,7 +187,7 @@ def test_motor_numbers_run_fr_fl_rr_rl_by_hip_thigh_calf() -> None:
     assert [getattr(surefoot, name) for name in names] == list(range(12))
 
 
-def test_the_stop_values_are_the_sdks() -> None:
+def test_stop_values_match_the_sdk() -> None:
     assert surefoot.PosStopF == 2.146e9
     assert surefoot.VelStopF == 16000.0
     assert surefoot.LOWLEVEL == 0xFF
@@ -201,11 +201,11 @@ def packed_motor(dq: float = 16000.0, kd: float = 0.0) -> bytes:
     return struct.pack("<B5f3I", 0x0A, 2.146e9, dq, 0.0, 0.0, kd, 0, 0, 0)
 
 
-def test_a_default_low_cmd_is_what_init_cmd_data_makes() -> None:
+def test_default_low_cmd_equals_the_sdk_init_cmd_data() -> None:
     assert LowCmd().to_bytes() == packed_command([packed_motor()] * 20)
 
 
-def test_a_damping_command_brakes_the_twelve_motors_alone() -> None:
+def test_damping_command_brakes_only_the_twelve_motors() -> None:
     expected = packed_command([packed_motor(dq=0.0, kd=2.5)] * 12 + [packed_motor()] * 8)
     assert surefoot.damping_low_cmd(2.5).to_bytes() == expected
 
@@ -223,7 +223,7 @@ for owner_name, owner in list(DOCUMENTED.items()):
                 DOCUMENTED[f"{owner_name}.{name}"] = inspect.getattr_static(owner, name)
 
 
-def said(name: str) -> str:
+def docstring_of(name: str) -> str:
     """A docstring without the signature line that a compiled function's begins with."""
     text = inspect.getdoc(DOCUMENTED[name]) or ""
     head, _, tail = text.partition("\n")
@@ -231,8 +231,8 @@ def said(name: str) -> str:
 
 
 @pytest.mark.parametrize("name", DOCUMENTED)
-def test_every_public_name_says_what_it_is(name: str) -> None:
-    assert len(said(name).strip()) >= 4
+def test_every_public_name_has_a_docstring(name: str) -> None:
+    assert len(docstring_of(name).strip()) >= 4
 
 
 def test_every_name_of_the_core_is_exported() -> None:
@@ -244,12 +244,12 @@ def test_every_name_of_the_core_is_exported() -> None:
 USED = [f"MotorState.{name}" for name in ("q", "dq", "tauEst")]
 USED += [f"IMU.{name}" for name in ("quaternion", "gyroscope", "accelerometer")]
 USED += ["LowState.footForceEst", "LowState.tick"]
-CARRIED = [f"MotorState.{name}" for name in ("ddq", "q_raw", "dq_raw", "ddq_raw", "temperature")]
-CARRIED += ["IMU.rpy", "IMU.temperature"]
+UNUSED = [f"MotorState.{name}" for name in ("ddq", "q_raw", "dq_raw", "ddq_raw", "temperature")]
+UNUSED += ["IMU.rpy", "IMU.temperature"]
 
 
-def test_docstrings_tell_used_fields_from_carried_ones() -> None:
-    assert [name for name in USED if "Used." not in said(name)] == []
-    assert [name for name in CARRIED if "not used" not in said(name)] == []
-    assert "joint-side" in said("MotorState")
-    assert "joint-side" in said("MotorCmd")
+def test_docstrings_mark_used_and_unused_fields() -> None:
+    assert [name for name in USED if "Used." not in docstring_of(name)] == []
+    assert [name for name in UNUSED if "not used" not in docstring_of(name)] == []
+    assert "joint-side" in docstring_of("MotorState")
+    assert "joint-side" in docstring_of("MotorCmd")

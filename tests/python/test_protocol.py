@@ -10,7 +10,7 @@ from surefoot import Error, protocol
 
 
 @pytest.mark.parametrize("generation", protocol.GENERATIONS)
-def test_a_received_struct_goes_back_onto_the_wire_with_its_extras(generation: str) -> None:
+def test_decoded_frame_encodes_back_with_its_extras(generation: str) -> None:
     extras = protocol.FrameExtras()
     extras.robotID, extras.commVersion = 7, 9
     extras.led[:] = np.arange(12).reshape(4, 3)
@@ -32,7 +32,7 @@ def test_a_received_struct_goes_back_onto_the_wire_with_its_extras(generation: s
     )
 
 
-def test_saturation_is_told_and_never_wraps() -> None:
+def test_saturation_is_reported_and_never_wraps() -> None:
     cmd = surefoot.LowCmd()
     assert protocol.encode_low_cmd(cmd).saturated == ""
     cmd.motorCmd[4].tau = 128.0
@@ -42,18 +42,18 @@ def test_saturation_is_told_and_never_wraps() -> None:
 
 
 @pytest.mark.parametrize("bad", [None, "text", 5, [1, 2], np.zeros(614, np.uint8)])
-def test_what_is_no_bytes_is_refused_by_its_type(bad: object) -> None:
+def test_non_bytes_input_error_names_its_type(bad: object) -> None:
     with pytest.raises(Error, match=type(bad).__name__):
         protocol.decode_low_cmd(bad)  # type: ignore[arg-type]
 
 
-def test_a_frame_of_another_generation_names_both() -> None:
+def test_frame_generation_mismatch_names_both_generations() -> None:
     frame = protocol.encode_low_state(surefoot.LowState(), "go1-v3.4")
     with pytest.raises(Error, match=r"go1-v3\.4.*go1-v3\.8"):
         protocol.decode_low_state(frame, "go1-v3.8")
 
 
-def test_the_remote_is_read_and_written() -> None:
+def test_remote_round_trips_through_bytes() -> None:
     remote = protocol.WirelessRemote()
     remote.press(protocol.Button.B)
     remote.lx, remote.ry = -0.5, 1.0
@@ -67,7 +67,7 @@ def test_the_remote_is_read_and_written() -> None:
     assert len(remote.to_bytes()) == 40
 
 
-def test_robots_without_udp_frames_of_their_own_say_so() -> None:
+def test_default_generation_of_go2_raises_an_error() -> None:
     assert protocol.default_generation("b1") == "b1-v3.8"
     with pytest.raises(Error, match="name a generation"):
         protocol.default_generation("go2")

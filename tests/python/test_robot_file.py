@@ -14,7 +14,7 @@ from surefoot import Error, Robot
 
 CONFIG = [name for name in vars(surefoot.RobotConfig) if not name.startswith("_")]
 CONFIG = [name for name in CONFIG if name not in ("validate", "gains")]
-SHIP = """
+LOAD_WITHOUT_DEPENDENCIES = """
 import sys, importlib.metadata
 class Absent:
     def find_spec(self, name, path=None, target=None):
@@ -37,13 +37,13 @@ def path(go1, tmp_path) -> Path:
     return path
 
 
-def sealed(content: bytes) -> bytes:
+def with_checksum(content: bytes) -> bytes:
     """Put the checksum that belongs to the content behind it."""
     body = content[: content.rindex(b"\nchecksum ")]
     return body + b"\nchecksum %d\n" % zlib.crc32(body)
 
 
-def test_a_saved_robot_comes_back_the_same(body, tmp_path) -> None:
+def test_saved_robot_loads_unchanged(body, tmp_path) -> None:
     path = str(tmp_path / "any name.robot")
     body.robot.save(path)
     twin = Robot.load(path)
@@ -56,7 +56,7 @@ def test_a_saved_robot_comes_back_the_same(body, tmp_path) -> None:
     assert list(twin.foot_frame_ids) == list(body.robot.foot_frame_ids)
 
 
-def test_what_was_changed_is_what_is_saved(go1, tmp_path) -> None:
+def test_changed_configuration_is_saved(go1, tmp_path) -> None:
     gains = surefoot.Gains()
     for k, info in enumerate(surefoot.gain_table()):
         share = (100 - k) / 100.0  # falling, as contact_force_off has to stay below the one before
@@ -72,7 +72,7 @@ def test_what_was_changed_is_what_is_saved(go1, tmp_path) -> None:
         np.testing.assert_array_equal(getattr(twin, field), value)
 
 
-def test_a_loaded_robot_moves_as_the_one_saved(body, tmp_path) -> None:
+def test_loaded_robot_gives_the_same_torques(body, tmp_path) -> None:
     path = str(tmp_path / "x.robot")
     body.robot.save(path)
     state = body.random_state(seed=5)
@@ -91,14 +91,14 @@ def test_saving_twice_gives_the_same_file(go1, path: Path, tmp_path) -> None:
 
 
 @pytest.mark.parametrize("version", [0, 2, 10, -1])
-def test_a_file_of_another_version_is_refused_with_both(path: Path, version: int) -> None:
+def test_robot_file_version_error_names_both_versions(path: Path, version: int) -> None:
     content = path.read_bytes().replace(b"surefoot-robot 1\n", b"surefoot-robot %d\n" % version, 1)
-    path.write_bytes(sealed(content))
+    path.write_bytes(with_checksum(content))
     with pytest.raises(Error, match=rf"go1.robot': got version {version}, expected version 1"):
         Robot.load(str(path))
 
 
-def test_a_damaged_byte_anywhere_is_noticed(path: Path) -> None:
+def test_corrupt_byte_is_detected(path: Path) -> None:
     good = path.read_bytes()
     rng = np.random.default_rng(11)
     places = [*rng.integers(0, len(good), 60), 3, 15, 16, len(good) - 4, len(good) - 1]
@@ -111,7 +111,7 @@ def test_a_damaged_byte_anywhere_is_noticed(path: Path) -> None:
 
 
 @pytest.mark.parametrize("share", [0.0, 0.0005, 0.01, 0.5, 0.999, 0.9999])
-def test_a_file_cut_short_is_refused(path: Path, share: float) -> None:
+def test_truncated_robot_file_is_refused(path: Path, share: float) -> None:
     good = path.read_bytes()
     path.write_bytes(good[: int(share * len(good))])
     with pytest.raises(Error, match=r"go1\.robot': (not a robot file|the end is|the checksum)"):
@@ -119,7 +119,7 @@ def test_a_file_cut_short_is_refused(path: Path, share: float) -> None:
 
 
 @pytest.mark.parametrize("content", [b"", b"<robot name='go1'/>", b"\x7fELF" + bytes(500)])
-def test_a_file_of_another_kind_is_refused_as_such(path: Path, content: bytes) -> None:
+def test_file_of_another_kind_is_refused(path: Path, content: bytes) -> None:
     path.write_bytes(content)
     with pytest.raises(Error, match=r"not a robot file; expected .*'surefoot export'"):
         Robot.load(str(path))
@@ -136,16 +136,16 @@ def test_a_file_of_another_kind_is_refused_as_such(path: Path, content: bytes) -
         (b"serialization::archive", b"serialisation::archive", "same Pinocchio version"),
     ],
 )
-def test_a_well_sealed_file_is_checked_all_the_same(path: Path, old, new, words) -> None:
+def test_robot_file_with_valid_checksum_is_still_validated(path: Path, old, new, words) -> None:
     good = path.read_bytes()
     assert old in good
-    path.write_bytes(sealed(good.replace(old, new, 1)))
+    path.write_bytes(with_checksum(good.replace(old, new, 1)))
     with pytest.raises(Error) as caught:
         Robot.load(str(path))
     assert words in str(caught.value)
 
 
-def test_a_file_that_cannot_be_opened_or_written_is_named(go1, tmp_path) -> None:
+def test_unreadable_or_unwritable_file_is_named(go1, tmp_path) -> None:
     with pytest.raises(Error, match=r"'/no/such.robot': cannot be opened"):
         Robot.load("/no/such.robot")
     with pytest.raises(Error, match=r"'/no/such/go1.robot': cannot be written"):
@@ -154,15 +154,18 @@ def test_a_file_that_cannot_be_opened_or_written_is_named(go1, tmp_path) -> None
         Robot.load(str(tmp_path))
 
 
-def test_a_robot_computer_needs_no_parser_no_simulator_and_no_robot_data(path: Path) -> None:
+def test_robot_file_loads_without_pinocchio_mujoco_or_robot_data(path: Path) -> None:
     run = subprocess.run(
-        [sys.executable, "-c", SHIP, str(path)], capture_output=True, text=True, check=False
+        [sys.executable, "-c", LOAD_WITHOUT_DEPENDENCIES, str(path)],
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert run.stderr == ""
     assert run.returncode == 0
 
 
-def test_the_model_in_the_file_is_the_one_with_the_rotors(path: Path) -> None:
+def test_saved_model_includes_rotor_armature(path: Path) -> None:
     robot, model = Robot.load(str(path)), pin.Model()
     model.loadFromString(robot.serialized_model())
     np.testing.assert_array_equal(model.armature[list(robot.motor_to_v)], robot.config.armature)

@@ -7,7 +7,7 @@ import pinocchio as pin
 import pytest
 import surefoot
 from surefoot import Error
-from surefoot.robots import describe_robot, load_pinocchio_model
+from surefoot.robot.loading import describe_robot, load_pinocchio_model
 
 MODELS = Path(surefoot.__file__).parent / "models"
 
@@ -31,7 +31,7 @@ def config(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["a1", "go1", "go2", "b1"])
-def test_a_robot_from_a_model_is_the_one_from_its_urdf(name):
+def test_robot_from_a_model_equals_the_robot_from_its_urdf(name):
     model = load_pinocchio_model(describe_robot(name))
     ours = surefoot.load_robot(model=model, config=str(MODELS / f"{name}.toml"))
     theirs = surefoot.load_robot(name)
@@ -49,14 +49,14 @@ def test_a_robot_from_a_model_is_the_one_from_its_urdf(name):
         np.testing.assert_array_equal(getattr(ours.config, field), getattr(theirs.config, field))
 
 
-def test_a_model_changed_in_python_is_the_one_that_is_controlled(model, config):
+def test_modified_pinocchio_model_is_used(model, config):
     model.inertias[1].mass += 2.0
     robot = surefoot.load_robot(model=model, config=config())
     assert robot.mass == pytest.approx(surefoot.load_robot("go1").mass + 2.0)
     surefoot.StandController(robot).update(surefoot.LowState())
 
 
-def test_the_model_that_was_given_stays_as_it_was(model, config):
+def test_given_model_is_not_modified(model, config):
     before = model.saveToString()
     surefoot.load_robot(model=model, config=config())
     assert model.saveToString() == before
@@ -71,13 +71,13 @@ def test_the_model_that_was_given_stays_as_it_was(model, config):
         ("friction = 0.65 ", "frction = 0.65 ", ["robot.frction", "mean 'friction'", "valid keys"]),
     ],
 )
-def test_a_name_that_model_or_toml_does_not_have_is_named(model, config, old, new, words):
+def test_unknown_name_in_model_or_toml_is_named(model, config, old, new, words):
     with pytest.raises(Error) as caught:
         surefoot.load_robot(model=model, config=config(old, new))
     assert [word for word in words if word not in str(caught.value)] == []
 
 
-def test_a_model_without_a_free_base_is_refused_with_what_it_has(config):
+def test_model_without_a_free_base_is_refused(config):
     fixed = pin.buildModelFromUrdf(str(describe_robot("go1").urdf))
     with pytest.raises(Error, match=r"got '\w+' \(JointModelR\w+\), expected a free-flyer"):
         surefoot.load_robot(model=fixed, config=config())
@@ -86,7 +86,7 @@ def test_a_model_without_a_free_base_is_refused_with_what_it_has(config):
 
 
 @pytest.mark.parametrize("model", ["go1.urdf", 3, pin.GeometryModel()])
-def test_a_model_that_is_none_is_refused_by_its_type(model, config):
+def test_non_model_input_error_names_its_type(model, config):
     with pytest.raises(Error, match=f"got {type(model).__name__}, expected a pinocchio.Model"):
         surefoot.load_robot(model=model, config=config())
 
@@ -104,12 +104,12 @@ def test_a_model_that_is_none_is_refused_by_its_type(model, config):
         ({"config": "b"}, "got config=,"),
     ],
 )
-def test_two_sources_or_half_a_one_are_refused_and_not_ignored(given, words):
+def test_conflicting_or_incomplete_sources_are_refused(given, words):
     with pytest.raises(Error, match="expected a name, or urdf= and config=, or model=") as caught:
         surefoot.load_robot(**given)
     assert words in str(caught.value)
 
 
-def test_a_description_is_not_made_of_a_name_and_files():
+def test_description_from_name_and_files_is_refused():
     with pytest.raises(Error, match="got name 'go1' and files"):
         describe_robot("go1", config="b.toml")

@@ -8,7 +8,7 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import surefoot
-from surefoot.robots import describe_robot, load_pinocchio_model
+from surefoot.robot.loading import describe_robot, load_pinocchio_model
 
 ROBOTS = ["a1", "go1", "go2", "b1"]
 LEGS = ("FR", "FL", "RR", "RL")
@@ -69,13 +69,13 @@ def test_the_four_robots_are_known_by_name() -> None:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_a_robot_loaded_by_name_is_the_urdfs(name: str) -> None:
+def test_robot_loaded_by_name_has_the_urdf_mass(name: str) -> None:
     robot = surefoot.load_robot(name)
     assert (robot.name, robot.nq, robot.nv) == (name, 19, 18)
     assert robot.mass == pytest.approx(MASS[name], abs=1e-3)
 
 
-def test_every_motor_goes_to_the_joint_of_its_name(body) -> None:
+def test_every_motor_maps_to_the_joint_of_its_name(body) -> None:
     names = [f"{leg}_{kind}_joint" for leg in LEGS for kind in ("hip", "thigh", "calf")]
     joints = [body.model.joints[body.model.getJointId(name)] for name in names]
     assert list(body.robot.config.joint_names) == names
@@ -83,7 +83,7 @@ def test_every_motor_goes_to_the_joint_of_its_name(body) -> None:
     assert list(body.robot.motor_to_q) == [joint.idx_q for joint in joints]
 
 
-def test_every_foot_goes_to_the_frame_of_its_name(body) -> None:
+def test_every_foot_maps_to_the_frame_of_its_name(body) -> None:
     frames = [body.model.frames[i].name for i in body.robot.foot_frame_ids]
     assert frames == [f"{leg}_foot" for leg in LEGS]
 
@@ -96,7 +96,7 @@ def test_position_limits_are_the_narrower_of_sdk_and_urdf(name: str) -> None:
     np.testing.assert_allclose(config.q_upper[:3], upper, atol=1e-4)
 
 
-def test_position_limits_never_leave_the_urdfs_and_hold_the_pose(body) -> None:
+def test_position_limits_are_within_the_urdf_and_contain_the_pose(body) -> None:
     config, model = body.robot.config, body.model
     q = np.array(body.robot.motor_to_q)
     assert (config.q_lower >= model.lowerPositionLimit[q]).all()
@@ -105,7 +105,7 @@ def test_position_limits_never_leave_the_urdfs_and_hold_the_pose(body) -> None:
     assert (config.q_standing < config.q_upper).all()
 
 
-def test_the_program_takes_hips_no_further_inward_than_hip_inward(go1) -> None:
+def test_motion_range_is_limited_by_hip_inward(go1) -> None:
     config = go1.robot.config
     config.hip_inward = 0.4
     lower, upper = config.q_lower, config.q_upper
@@ -132,7 +132,7 @@ def test_the_standing_pose_is_level_with_bent_knees(body) -> None:
     assert np.ptp(heights) < 1e-3
 
 
-def test_motors_have_the_urdfs_torque_and_speed(body) -> None:
+def test_motor_torque_and_speed_match_the_urdf(body) -> None:
     config, model = body.robot.config, body.model
     v = np.array(body.robot.motor_to_v)
     np.testing.assert_array_equal(config.tau_max, model.effortLimit[v])
@@ -154,7 +154,7 @@ def test_armature_adds_to_the_diagonal_of_the_mass_matrix(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ROBOTS)
-def test_the_imu_sits_where_the_urdf_mounts_it(name: str) -> None:
+def test_imu_mount_matches_the_urdf(name: str) -> None:
     config = surefoot.load_robot(name).config
     np.testing.assert_allclose(config.p_base_imu, IMU_MOUNT[name], atol=1e-6)
     np.testing.assert_allclose(config.quat_base_imu, [1.0, 0.0, 0.0, 0.0], atol=1e-6)
@@ -178,7 +178,7 @@ def with_gain(toml: str, line: str) -> str:
     return "\n".join([*rest, line, ""])
 
 
-def test_a_robot_of_ones_own_is_loaded_from_urdf_and_toml(load, toml: str) -> None:
+def test_user_robot_is_loaded_from_urdf_and_toml(load, toml: str) -> None:
     text = changed(toml, 'name = "go1"', 'name = "rex"')
     text = changed(text, 'frame = "imu_link"', "position = [0.1, 0, 0]\nquaternion = [0, 0, 0, 1]")
     text = changed(text, "friction = 0.65 ", "friction = 0.4 ")
@@ -190,14 +190,14 @@ def test_a_robot_of_ones_own_is_loaded_from_urdf_and_toml(load, toml: str) -> No
     assert robot.mass == surefoot.load_robot("go1").mass
 
 
-def test_twelve_values_are_taken_motor_by_motor(load, toml: str) -> None:
+def test_twelve_standing_angles_are_read_per_motor(load, toml: str) -> None:
     values = [0.01 * (k - 6) for k in range(12)]
     values[1::3], values[2::3] = [0.7] * 4, [-1.5, -1.4, -1.3, -1.2]
     robot = load(changed(toml, "standing = [0.0, 0.8, -1.6]", f"standing = {values}"))
     np.testing.assert_array_equal(robot.config.q_standing, values)
 
 
-def test_a_configuration_handed_out_is_a_copy(go1) -> None:
+def test_robot_config_is_returned_as_a_copy(go1) -> None:
     config = go1.robot.config
     config.friction = 1.1
     config.gains.foot_kp = 1.0
@@ -213,7 +213,7 @@ def test_an_unknown_robot_is_refused_with_the_valid_names() -> None:
 @pytest.mark.parametrize(
     "arguments", [{}, {"urdf": "a.urdf"}, {"config": "a.toml"}], ids=["none", "urdf", "config"]
 )
-def test_half_a_description_is_refused(arguments) -> None:
+def test_incomplete_description_is_refused(arguments) -> None:
     with pytest.raises(surefoot.Error, match="urdf= and config="):
         surefoot.load_robot(**arguments)
 
@@ -249,14 +249,16 @@ def test_half_a_description_is_refused(arguments) -> None:
         ("corner_fraction = 0.5", "corner_fraction = nan", ["corner_speed", "got nan"]),
     ],
 )
-def test_what_does_not_fit_is_named_with_what_is_expected(load, toml, old, new, words) -> None:
+def test_invalid_configuration_error_names_value_and_expectation(
+    load, toml, old, new, words
+) -> None:
     with pytest.raises(surefoot.Error) as caught:
         load(changed(toml, old, new))
     assert [word for word in words if word not in str(caught.value)] == []
 
 
 @pytest.mark.parametrize("key", ["name", "joints", "standing", "frames", "radius", "armature"])
-def test_a_key_left_out_is_named(load, toml: str, key: str) -> None:
+def test_missing_key_is_named(load, toml: str, key: str) -> None:
     with pytest.raises(surefoot.Error, match=rf"missing key '\w+\.{key}'"):
         load(without(toml, key))
 
@@ -300,14 +302,14 @@ def test_a_bad_gain_in_the_toml_is_named(load, toml: str, line: str, words: str)
         ("motors", "corner_fraction", '"half"'),
     ],
 )
-def test_a_value_of_the_wrong_type_is_refused_by_its_key(load, toml, section, key, value) -> None:
+def test_value_of_the_wrong_type_error_names_its_key(load, toml, section, key, value) -> None:
     text = changed(without(toml, key), f"[{section}]", f"[{section}]\n{key} = {value}")
     with pytest.raises(surefoot.Error, match=key):
         load(text)
 
 
 @pytest.mark.parametrize("section", ["robot", "feet", "imu", "limits", "motors", "gains"])
-def test_a_section_that_is_no_table_is_refused_by_its_name(load, toml: str, section: str) -> None:
+def test_section_that_is_no_table_is_named(load, toml: str, section: str) -> None:
     table = re.compile(rf"^\[{section}\].*?(?=^\[|\Z)", re.MULTILINE | re.DOTALL)
     with pytest.raises(surefoot.Error, match=section):
         load(f"{section} = 3\n" + table.sub("", toml))
@@ -340,7 +342,7 @@ def test_a_model_fixed_to_the_world_is_refused(go1) -> None:
 
 
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.5])
-def test_a_model_text_cut_short_is_refused(go1, share: float) -> None:
+def test_truncated_model_text_is_refused(go1, share: float) -> None:
     text = go1.robot.serialized_model()
     with pytest.raises(surefoot.Error, match="serialised model cannot be read"):
         surefoot.Robot.from_serialized_model(text[: int(share * len(text))], go1.robot.config)

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 import surefoot
 from surefoot import Mode
-from surefoot.cli.run_operator import Readiness
+from surefoot.cli.run_operator import ArmingMonitor
 
 
 def snapshot(phase: str, mode: Mode, ready: bool, armed: bool) -> SimpleNamespace:
@@ -17,13 +17,13 @@ def snapshot(phase: str, mode: Mode, ready: bool, armed: bool) -> SimpleNamespac
 
 
 @pytest.mark.parametrize("mode", [Mode.STAND, Mode.PASSIVE])
-def test_a_robot_that_has_just_fallen_silent_is_not_said_to_be_ready(mode: Mode) -> None:
+def test_silent_robot_is_not_reported_as_ready(mode: Mode) -> None:
     said: list[str] = []
-    readiness = Readiness(surefoot.load_robot("go1"), said.append)
-    readiness.look(snapshot("standing", Mode.STAND, ready=True, armed=True), False)
+    readiness = ArmingMonitor(surefoot.load_robot("go1"), said.append)
+    readiness.update(snapshot("standing", Mode.STAND, ready=True, armed=True), False)
     # Braked, not yet latched: its clock may have stood still.
-    readiness.look(snapshot("damping", mode, ready=True, armed=True), False)
-    readiness.look(snapshot("damping", Mode.DAMPING, ready=False, armed=False), False)
+    readiness.update(snapshot("damping", mode, ready=True, armed=True), False)
+    readiness.update(snapshot("damping", Mode.DAMPING, ready=False, armed=False), False)
     assert said == []
-    readiness.look(snapshot("damping", Mode.DAMPING, ready=True, armed=False), False)
+    readiness.update(snapshot("damping", Mode.DAMPING, ready=True, armed=False), False)
     assert said == ["   1.00 s ready"]

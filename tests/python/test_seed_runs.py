@@ -13,26 +13,26 @@ import surefoot
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
-from seed_runs import Job, Outcome, add_seed_options, run_seeds, seeds_of
+from seed_runs import Job, RunOutcome, add_seed_options, run_seeds, seeds_of
 
 
-def play(job: Job) -> Outcome:
+def play(job: Job) -> RunOutcome:
     """Odd seeds fail."""
     ok = int(job[-1]) % 2 == 0
-    return Outcome(ok, "" if ok else f"odd on {job[0]}")
+    return RunOutcome(ok, "" if ok else f"odd on {job[0]}")
 
 
-def refuse(job: Job) -> Outcome:
+def refuse(job: Job) -> RunOutcome:
     """Nobody is to be run again."""
     raise AssertionError(f"{job} was run")
 
 
-def stall(job: Job) -> Outcome:
+def stall(job: Job) -> RunOutcome:
     """The first one ends badly, the others not soon."""
     if job[-1] == 0:
         raise ValueError("broken")
     time.sleep(60.0)
-    return Outcome(True, "")
+    return RunOutcome(True, "")
 
 
 def options_of(*words: str) -> argparse.Namespace:
@@ -45,50 +45,50 @@ def jobs_of(options: argparse.Namespace) -> list[Job]:
     return [("go1", seed) for seed in seeds_of(options)]
 
 
-def test_results_come_in_their_order_and_are_kept(
+def test_results_keep_seed_order_and_are_stored(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     options = options_of("--jobs", "2", "--first", "3", "--store", str(tmp_path / "store"))
-    first = run_seeds(play, Outcome, jobs_of(options), options)
+    first = run_seeds(play, RunOutcome, jobs_of(options), options)
     assert [outcome.ok for outcome in first] == [False, True, False, True]
     said = capsys.readouterr().out
     assert sorted(said.splitlines()) == ["go1 seed 3: odd on go1", "go1 seed 5: odd on go1"]
-    again = run_seeds(refuse, Outcome, jobs_of(options), options)
+    again = run_seeds(refuse, RunOutcome, jobs_of(options), options)
     assert again == first
     assert sorted(capsys.readouterr().out.splitlines()) == sorted(said.splitlines())
 
 
-def test_an_error_ends_all_of_it_at_once() -> None:
+def test_exception_ends_the_run_at_once() -> None:
     options, begin = options_of("--jobs", "2"), time.monotonic()
     with pytest.raises(ValueError, match="broken"):
-        run_seeds(stall, Outcome, jobs_of(options), options)
+        run_seeds(stall, RunOutcome, jobs_of(options), options)
     assert time.monotonic() - begin < 50.0
 
 
 @pytest.mark.parametrize(
     "words", [("--count", "0"), ("--first", "-1"), ("--jobs", "x"), ("--jobs", "0")]
 )
-def test_numbers_that_cannot_be_are_refused(words: tuple[str, str]) -> None:
+def test_invalid_seed_options_are_refused(words: tuple[str, str]) -> None:
     with pytest.raises(SystemExit) as ended:
         options_of(*words)
     assert ended.value.code == 2
 
 
 @pytest.mark.parametrize("option", ["--store", "--json"])
-def test_a_file_that_cannot_be_is_refused_before_anything_runs(
+def test_unwritable_output_is_refused_before_the_run(
     option: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     options = options_of(option, str(tmp_path / "none" / "file"))
     with pytest.raises(SystemExit) as ended:
-        run_seeds(refuse, Outcome, jobs_of(options), options)
+        run_seeds(refuse, RunOutcome, jobs_of(options), options)
     assert ended.value.code == 2
     assert f"{option}: got" in capsys.readouterr().err
 
 
-def test_the_build_tells_installed_code_apart() -> None:
-    from surefoot.robots import build, describe_robot, identity
+def test_identity_contains_the_build_and_differs_by_robot() -> None:
+    from surefoot.robot.loading import describe_robot, package_digest, robot_identity
 
     robot = surefoot.load_robot("go1")
-    named = identity(describe_robot("go1"), robot)
-    assert named["build"] == build() and len(build()) == 16
-    assert named != identity(describe_robot("a1"), surefoot.load_robot("a1"))
+    named = robot_identity(describe_robot("go1"), robot)
+    assert named["build"] == package_digest() and len(package_digest()) == 16
+    assert named != robot_identity(describe_robot("a1"), surefoot.load_robot("a1"))

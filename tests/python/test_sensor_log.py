@@ -6,10 +6,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import surefoot
-from estimate_helpers import changed, moving_log, small_csv, small_table, write_rows
+from estimate_helpers import moving_log, small_csv, small_table, with_columns, write_rows
 from surefoot import Error
 from surefoot.estimate import COLUMNS, read_log, write_log
-from surefoot.estimate.column_names import find_column
+from surefoot.sensor_log.column_names import find_column
 
 NAMES = {
     "accelerometer_0": ("accelerometer", 0),
@@ -34,22 +34,31 @@ NAMES = {
     "Timestamp": ("time", None),
     "q": ("q", None),
 }
-NO_NAMES = ["qx", "quality", "q_12", "q_FR", "gyro_w", "motorState[12].q", "motorState[0].ddq", ""]
+UNKNOWN_NAMES = [
+    "qx",
+    "quality",
+    "q_12",
+    "q_FR",
+    "gyro_w",
+    "motorState[12].q",
+    "motorState[0].ddq",
+    "",
+]
 
 
 @pytest.mark.parametrize(("name", "meant"), NAMES.items())
-def test_a_name_may_be_written_in_many_ways(name, meant) -> None:
+def test_column_name_variants_are_recognised(name, meant) -> None:
     column, index = find_column(name)
     assert (column.name, index) == meant
 
 
-@pytest.mark.parametrize("name", NO_NAMES)
-def test_a_name_that_means_nothing_is_not_guessed(name) -> None:
+@pytest.mark.parametrize("name", UNKNOWN_NAMES)
+def test_unknown_column_name_is_not_guessed(name) -> None:
     assert find_column(name) is None
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".npz", ".NPZ"])
-def test_a_written_log_is_read_as_it_was(tmp_path, suffix) -> None:
+def test_written_log_reads_back_unchanged(tmp_path, suffix) -> None:
     log, path = moving_log(), tmp_path / f"log{suffix}"
     write_log(path, log)
     again = read_log(path)
@@ -61,7 +70,7 @@ def test_a_written_log_is_read_as_it_was(tmp_path, suffix) -> None:
     assert (again.ignored, again.warnings, again.clock) == ((), (), "tick")
 
 
-def test_the_least_that_suffices_is_a_clock_gyroscope_accelerometer_and_angles(tmp_path) -> None:
+def test_minimal_log_needs_clock_gyroscope_accelerometer_and_angles(tmp_path) -> None:
     log = read_log(small_csv(tmp_path / "a.csv"))
     assert set(log.columns) == {"time", "gyroscope", "accelerometer", "q"}
     assert log.period == pytest.approx(0.002)
@@ -69,7 +78,9 @@ def test_the_least_that_suffices_is_a_clock_gyroscope_accelerometer_and_angles(t
 
 
 @pytest.mark.parametrize("delimiter", [";", "\t"])
-def test_cells_may_be_quoted_empty_or_otherwise_separated(tmp_path, delimiter) -> None:
+def test_csv_cells_may_be_quoted_empty_or_separated_by_tab_or_semicolon(
+    tmp_path, delimiter
+) -> None:
     text = small_csv(tmp_path / "a.csv").read_text().replace(",", delimiter).splitlines()
     text[2] = text[2].replace(f"9.81{delimiter}", f'"9.81"{delimiter}', 1)
     text[3] = text[3].replace(f"9.81{delimiter}", delimiter, 1)
@@ -78,14 +89,14 @@ def test_cells_may_be_quoted_empty_or_otherwise_separated(tmp_path, delimiter) -
     np.testing.assert_array_equal(up, [9.81, 9.81, np.nan, 9.81, 9.81])
 
 
-def test_unknown_columns_are_named_and_may_hold_words(tmp_path) -> None:
+def test_unknown_columns_are_ignored_and_named(tmp_path) -> None:
     path = small_csv(tmp_path / "a.csv")
     lines = path.read_text().split()
     path.write_text("\n".join(["phase," + lines[0], *("stance," + line for line in lines[1:])]))
     assert read_log(path).ignored == ("phase",)
 
 
-def test_components_of_an_npz_may_be_arrays_of_their_own(tmp_path) -> None:
+def test_npz_components_may_be_separate_arrays(tmp_path) -> None:
     table = {name: np.array(values) for name, values in small_table().items()}
     angles = table.pop("q")
     table["time"] = table["time"][:, 0]
@@ -96,7 +107,7 @@ def test_components_of_an_npz_may_be_arrays_of_their_own(tmp_path) -> None:
     assert log.ignored == ("robot",)
 
 
-def test_a_tick_that_wraps_goes_on(tmp_path) -> None:
+def test_wrapping_tick_gives_continuous_time(tmp_path) -> None:
     table = small_table()
     table["tick"] = [[(2**32 - 4 + 2 * k) % 2**32] for k in range(5)]
     del table["time"]
@@ -105,12 +116,12 @@ def test_a_tick_that_wraps_goes_on(tmp_path) -> None:
     )
 
 
-def test_a_tick_that_stands_still_leaves_the_clock_to_time(tmp_path) -> None:
+def test_constant_tick_falls_back_to_the_time_column(tmp_path) -> None:
     log = read_log(small_csv(tmp_path / "a.csv", {"tick": [[0]] * 5, **small_table()}))
     assert log.clock == "time" and "tick stands still" in log.warnings[0]
 
 
-def test_an_optional_column_that_is_never_a_number_counts_as_missing(tmp_path) -> None:
+def test_all_nan_optional_column_counts_as_missing(tmp_path) -> None:
     log = read_log(
         small_csv(tmp_path / "a.csv", {**small_table(), "quaternion": [["nan"] * 4] * 5})
     )
@@ -162,7 +173,7 @@ BAD_CSV = {
 
 
 @pytest.mark.parametrize(("table", "words"), [(c[0], c[1:]) for c in BAD_CSV.values()], ids=BAD_CSV)
-def test_a_bad_csv_is_refused_with_column_got_and_expected(tmp_path, table, words) -> None:
+def test_invalid_csv_error_names_column_got_and_expected(tmp_path, table, words) -> None:
     with pytest.raises(Error) as refused:
         read_log(small_csv(tmp_path / "bad.csv", table))
     for word in (*words, "bad.csv", "got", "expected"):
@@ -206,7 +217,7 @@ BAD_ARRAYS = {
 
 
 @pytest.mark.parametrize(("change", "word"), BAD_ARRAYS.values(), ids=BAD_ARRAYS)
-def test_a_bad_array_is_refused(tmp_path, change, word) -> None:
+def test_invalid_npz_array_is_refused(tmp_path, change, word) -> None:
     np.savez(tmp_path / "a.npz", **{**small_table(), **change})
     with pytest.raises(Error, match=word):
         read_log(tmp_path / "a.npz")
@@ -234,12 +245,12 @@ def test_every_column_can_be_written_and_read(tmp_path) -> None:
     columns["footForce"][:] = -300.0
     del columns["mode"]
     for name in ("a.csv", "a.npz"):
-        write_log(tmp_path / name, changed(**columns))
+        write_log(tmp_path / name, with_columns(**columns))
         again = read_log(tmp_path / name).columns
         assert set(again) == set(columns)
         for key, values in columns.items():
             np.testing.assert_array_equal(again[key], values, err_msg=key)
 
 
-def test_the_module_says_what_it_offers() -> None:
+def test_estimate_module_defines_its_public_names() -> None:
     assert all(hasattr(surefoot.estimate, name) for name in surefoot.estimate.__all__)

@@ -8,10 +8,10 @@ import numpy as np
 import pinocchio as pin
 import pytest
 import surefoot
-from surefoot import LowState, Rung, StandController, Status
+from surefoot import FallbackLevel, LowState, StandController, Status
 
 PERIOD = 2  # [ms]
-HELD = 5  # ticks of 2 ms that the last good command may live
+HOLD_TICKS = 5  # ticks of 2 ms that the last good command may live
 MOTOR = np.dtype(
     {
         "names": ["mode", "q", "dq", "tau", "Kp", "Kd"],
@@ -20,7 +20,7 @@ MOTOR = np.dtype(
         "itemsize": 33,
     }
 )
-WRONG = [math.nan, math.inf, -math.inf, 1e30]
+NON_FINITE_VALUES = [math.nan, math.inf, -math.inf, 1e30]
 
 
 def motors(commands):
@@ -47,7 +47,7 @@ class Stand:
     def __init__(self, body, tick: int = 1000, period: int = PERIOD, **options) -> None:
         gains = options.pop("gains", body.robot.config.gains)
         self.controller = StandController(body.robot, gains, surefoot.StandOptions(**options))
-        self.good = body.resting_report(0).to_bytes()
+        self.good = body.resting_sample(0).to_bytes()
         self.tick, self.period = tick, period
 
     def report(self) -> LowState:
@@ -80,7 +80,7 @@ def set_imu(field: str, index: int, value: float):
     return spoil
 
 
-TIPPING = 10.0  # [rad/s^2]
+TOPPLING_ACCELERATION = 10.0  # [rad/s^2]
 
 
 def toppling(axis: int, rate: float, angles: list[float]):
@@ -89,7 +89,7 @@ def toppling(axis: int, rate: float, angles: list[float]):
 
     def spoil(report: LowState) -> None:
         nonlocal angle, speed
-        speed = min(rate, speed + 0.001 * PERIOD * TIPPING)
+        speed = min(rate, speed + 0.001 * PERIOD * TOPPLING_ACCELERATION)
         angle += 0.001 * PERIOD * speed
         angles.append(angle)
         report.imu.gyroscope[:] = speed * turn
@@ -100,7 +100,7 @@ def toppling(axis: int, rate: float, angles: list[float]):
 
 def lift(stand: Stand, body) -> None:
     """Take the robot off the ground, where its legs do not contradict a turn of the body."""
-    stand.good = body.resting_report(0, loads=(0.0,) * 4).to_bytes()
+    stand.good = body.resting_sample(0, loads=(0.0,) * 4).to_bytes()
     stand.run(30)
 
 
@@ -132,7 +132,7 @@ def long_quaternion(report: LowState) -> None:
 nan_gyroscope = set_imu("gyroscope", 0, math.nan)
 
 
-def stuck(tick: int):
+def set_tick(tick: int):
     def spoil(report: LowState) -> None:
         report.tick = tick
 
@@ -145,8 +145,8 @@ def backwards(report: LowState) -> None:
 
 FAULTS = {
     "NaN": (set_motor(3, "q", math.nan), Status.NON_FINITE),
-    "tick that stands still": (stuck(1000 + 40 * PERIOD), Status.STALE_TICK),
-    "tick that jumped back": (stuck(7), Status.STALE_TICK),
+    "tick that stands still": (set_tick(1000 + 40 * PERIOD), Status.STALE_TICK),
+    "tick that jumped back": (set_tick(7), Status.STALE_TICK),
     "tick running backwards": (backwards, Status.STALE_TICK),
     "rate beyond any gyroscope": (set_imu("gyroscope", 1, 50.0), Status.IMPLAUSIBLE),
 }
@@ -157,29 +157,29 @@ def fault(request):
     return FAULTS[request.param]
 
 
-def test_a_robot_at_rest_is_held_in_torque_mode_by_what_carries_it(body) -> None:
+def test_resting_robot_is_held_by_static_torques(body) -> None:
     stand = Stand(body)
     commands, statuses = stand.run(200)
     assert set(statuses) == {Status.OK}
     assert is_torque_mode(commands).all()
-    reported = [body.resting_report(0).motorState[i].tauEst for i in range(12)]
+    reported = [body.resting_sample(0).motorState[i].tauEst for i in range(12)]
     share = body.robot.config.tau_max.max()
     np.testing.assert_allclose(motors(commands)["tau"][-1], reported, atol=0.05 * share)
 
 
-def test_a_controller_waits_until_it_is_told_something(go1) -> None:
+def test_new_controller_has_status_waiting(go1) -> None:
     controller = StandController(go1.robot)
     assert (controller.status, controller.fault) == (Status.WAITING, Status.OK)
 
 
-def test_a_fault_is_bridged_for_ten_milliseconds_then_damped_and_latched(stand, fault) -> None:
+def test_fault_holds_the_command_for_10_ms_then_latches_damping(stand, fault) -> None:
     spoil, status = fault
     good, _ = stand.run(40)
     commands, statuses = stand.run(20, spoil)
-    assert set(commands[:HELD]) == {good[-1]}
-    assert set(statuses[:HELD]) == {status}
-    assert damps(commands[HELD:]).all()
-    assert set(statuses[HELD:]) == {Status.DAMPING}
+    assert set(commands[:HOLD_TICKS]) == {good[-1]}
+    assert set(statuses[:HOLD_TICKS]) == {status}
+    assert damps(commands[HOLD_TICKS:]).all()
+    assert set(statuses[HOLD_TICKS:]) == {Status.DAMPING}
     assert stand.controller.fault == status
     commands, statuses = stand.run(200)
     assert damps(commands).all()
@@ -187,38 +187,40 @@ def test_a_fault_is_bridged_for_ten_milliseconds_then_damped_and_latched(stand, 
     assert stand.controller.fault == status
 
 
-@pytest.mark.parametrize("value", WRONG)
-def test_every_used_field_is_watched(go1, value: float) -> None:
+@pytest.mark.parametrize("value", NON_FINITE_VALUES)
+def test_every_used_field_is_checked_for_non_finite_values(go1, value: float) -> None:
     for name, spoil in used_fields(value):
         stand = Stand(go1)
         good, _ = stand.run(3)
         commands, statuses = stand.run(10, spoil)
-        assert set(statuses[:HELD]) == {Status.NON_FINITE}, name
-        assert set(commands[:HELD]) == {good[-1]}, name
-        assert damps(commands[HELD:]).all(), name
-        assert set(statuses[HELD:]) == {Status.DAMPING}, name
+        assert set(statuses[:HOLD_TICKS]) == {Status.NON_FINITE}, name
+        assert set(commands[:HOLD_TICKS]) == {good[-1]}, name
+        assert damps(commands[HOLD_TICKS:]).all(), name
+        assert set(statuses[HOLD_TICKS:]) == {Status.DAMPING}, name
 
 
-def test_a_straight_leg_stops_the_condensed_form_and_not_the_others(go1) -> None:
+def test_straight_leg_stops_only_the_condensed_form(go1) -> None:
     straighten = set_motor(2, "q", 0.0)
-    stand = Stand(go1, form=surefoot.Form.CONDENSED)
+    stand = Stand(go1, form=surefoot.QpForm.CONDENSED)
     stand.run(40)
     commands, statuses = stand.run(20, straighten)
-    assert is_torque_mode(commands[:HELD]).all()
-    assert stand.controller.rung_count(Rung.FORCES) == HELD  # the state is good: it is bridged
-    assert set(statuses[:HELD]) == {Status.SINGULAR}
-    assert damps(commands[HELD:]).all()
+    assert is_torque_mode(commands[:HOLD_TICKS]).all()
+    assert (
+        stand.controller.fallback_level_count(FallbackLevel.FORCES) == HOLD_TICKS
+    )  # the state is good: it is bridged
+    assert set(statuses[:HOLD_TICKS]) == {Status.SINGULAR}
+    assert damps(commands[HOLD_TICKS:]).all()
     stand = Stand(go1)
     stand.run(40)
     commands, statuses = stand.run(3, straighten)
     assert all(surefoot.is_usable(status) for status in statuses)
-    assert stand.controller.solution.form == surefoot.Form.GENERAL
+    assert stand.controller.solution.form == surefoot.QpForm.GENERAL
     assert is_torque_mode(commands).all()
     tau = motors(commands)["tau"]
     assert (np.abs(tau[:, :12]) <= go1.robot.config.tau_max + 1e-6).all()
 
 
-BEYOND = {
+RANGE_CASES = {
     "gyroscope": (set_imu("gyroscope", 0, 35.0), set_imu("gyroscope", 0, -60.0)),
     "accelerometer": (set_imu("accelerometer", 2, 157.0), set_imu("accelerometer", 2, 250.0)),
     "hip angle": (set_motor(0, "q", -1.0), set_motor(0, "q", -2.5)),
@@ -227,34 +229,34 @@ BEYOND = {
 }
 
 
-@pytest.mark.parametrize("field", BEYOND)
-def test_what_a_sensor_can_say_is_taken_and_what_it_cannot_is_refused(go1, field: str) -> None:
-    can, cannot = BEYOND[field]
+@pytest.mark.parametrize("field", RANGE_CASES)
+def test_values_beyond_the_sensor_range_are_implausible(go1, field: str) -> None:
+    can, cannot = RANGE_CASES[field]
     stand = Stand(go1)
     stand.run(20)
     assert surefoot.is_usable(stand.run(1, can)[1][0])
     stand.run(20)
     commands, statuses = stand.run(10, cannot)
-    assert set(statuses[:HELD]) == {Status.IMPLAUSIBLE}
-    assert damps(commands[HELD:]).all()
+    assert set(statuses[:HOLD_TICKS]) == {Status.IMPLAUSIBLE}
+    assert damps(commands[HOLD_TICKS:]).all()
     assert stand.controller.fault == Status.IMPLAUSIBLE
 
 
 @pytest.mark.parametrize(
     ("spoil", "verdict"), [(zero_quaternion, "ZERO"), (long_quaternion, "IMPLAUSIBLE")]
 )
-def test_a_robot_that_stands_goes_on_without_the_vendors_quaternion(stand, spoil, verdict) -> None:
+def test_standing_continues_without_a_valid_quaternion(stand, spoil, verdict) -> None:
     stand.run(40)
     commands, statuses = stand.run(500, spoil)
     assert set(statuses) == {Status.OK}
     assert is_torque_mode(commands).all()
-    assert stand.controller.estimator_report.quaternion == surefoot.Verdict[verdict]
+    assert stand.controller.estimator_report.quaternion == surefoot.SensorVerdict[verdict]
     stand.run(5)
-    assert stand.controller.estimator_report.quaternion == surefoot.Verdict.GOOD
+    assert stand.controller.estimator_report.quaternion == surefoot.SensorVerdict.GOOD
 
 
 @pytest.mark.parametrize("axis", [0, 1])
-def test_a_robot_that_topples_is_damped_beyond_the_tilt_of_a_fall(go1, axis: int) -> None:
+def test_toppling_robot_is_damped_beyond_fall_tilt(go1, axis: int) -> None:
     stand = Stand(go1)
     stand.run(20)
     lift(stand, go1)
@@ -263,20 +265,20 @@ def test_a_robot_that_topples_is_damped_beyond_the_tilt_of_a_fall(go1, axis: int
     fell = statuses.index(Status.FALLEN)
     assert 0.95 <= angles[fell] / go1.robot.config.gains.fall_tilt < 1.2
     assert is_torque_mode(commands[:fell]).all()
-    assert set(statuses[fell : fell + HELD]) == {Status.FALLEN}
-    assert damps(commands[fell + HELD :]).all()
+    assert set(statuses[fell : fell + HOLD_TICKS]) == {Status.FALLEN}
+    assert damps(commands[fell + HOLD_TICKS :]).all()
     assert stand.controller.fault == Status.FALLEN
 
 
-def test_a_robot_found_on_its_side_is_damped_from_the_start(go1) -> None:
+def test_robot_on_its_side_is_damped_from_the_start(go1) -> None:
     stand = Stand(go1)
-    stand.good = go1.resting_report(0, pin.rpy.rpyToMatrix(1.3, 0.0, 0.0)).to_bytes()
+    stand.good = go1.resting_sample(0, pin.rpy.rpyToMatrix(1.3, 0.0, 0.0)).to_bytes()
     commands, statuses = stand.run(20)
     assert damps(commands).all()
     assert set(statuses) == {Status.FALLEN}
 
 
-def test_fields_that_are_carried_unused_change_nothing(go1) -> None:
+def test_unused_fields_do_not_change_the_command(go1) -> None:
     def spoil(report: LowState) -> None:
         for motor in (report.motorState[i] for i in range(20)):
             motor.ddq = motor.q_raw = motor.dq_raw = motor.ddq_raw = math.nan
@@ -294,8 +296,8 @@ def test_fields_that_are_carried_unused_change_nothing(go1) -> None:
     assert commands == Stand(go1).run(50)[0]
 
 
-@pytest.mark.parametrize("bad_ticks", range(1, HELD + 1))
-def test_a_short_fault_passes_without_latching(stand, fault, bad_ticks: int) -> None:
+@pytest.mark.parametrize("bad_ticks", range(1, HOLD_TICKS + 1))
+def test_fault_up_to_10_ms_does_not_latch(stand, fault, bad_ticks: int) -> None:
     spoil, status = fault
     stand.run(40)
     _, during = stand.run(bad_ticks, spoil)
@@ -306,17 +308,17 @@ def test_a_short_fault_passes_without_latching(stand, fault, bad_ticks: int) -> 
     assert stand.controller.fault == status
 
 
-def test_every_good_tick_starts_the_ten_milliseconds_anew(stand) -> None:
+def test_valid_tick_restarts_the_10_ms_hold(stand) -> None:
     spoil, _ = FAULTS["NaN"]
     stand.run(10)
     for _ in range(20):
-        _, during = stand.run(HELD, spoil)
+        _, during = stand.run(HOLD_TICKS, spoil)
         _, after = stand.run(1)
         assert set(during) == {Status.NON_FINITE}
         assert after == [Status.OK]
 
 
-def test_reset_leaves_damping_and_stands_again(stand, fault) -> None:
+def test_reset_ends_damping_and_stands_again(stand, fault) -> None:
     spoil, _ = fault
     stand.run(40)
     stand.run(20, spoil)
@@ -327,7 +329,7 @@ def test_reset_leaves_damping_and_stands_again(stand, fault) -> None:
     assert is_torque_mode(commands).all()
 
 
-def test_reset_leaves_no_memory_behind(go1) -> None:
+def test_reset_stand_controller_equals_a_new_one(go1) -> None:
     used = Stand(go1)
     used.run(100, set_imu("gyroscope", 0, 0.3))
     used.run(100, set_motor(4, "dq", 2.0))
@@ -336,7 +338,7 @@ def test_reset_leaves_no_memory_behind(go1) -> None:
     assert used.run(100)[0] == Stand(go1).run(100)[0]
 
 
-def test_a_first_report_that_is_bad_is_damped_and_not_latched(stand) -> None:
+def test_bad_first_sample_damps_without_latching(stand) -> None:
     spoil, status = FAULTS["NaN"]
     commands, statuses = stand.run(50, spoil)
     assert damps(commands).all()
@@ -347,14 +349,14 @@ def test_a_first_report_that_is_bad_is_damped_and_not_latched(stand) -> None:
 
 
 @pytest.mark.parametrize("first", [zero_quaternion, FAULTS["NaN"][0]])
-def test_any_bad_first_report_is_damped_until_a_good_one_comes(stand, first) -> None:
+def test_bad_first_samples_damp_until_a_valid_sample(stand, first) -> None:
     commands, statuses = stand.run(3, first)
     assert damps(commands).all()
     assert Status.DAMPING not in statuses
     assert stand.run(1)[1] == [Status.OK]
 
 
-def test_damping_is_as_strong_as_its_gain(go1) -> None:
+def test_damping_uses_damping_kd(go1) -> None:
     gains = surefoot.Gains()
     gains.damping_kd = 4.5
     stand = Stand(go1, gains=gains)
@@ -365,7 +367,7 @@ def test_damping_is_as_strong_as_its_gain(go1) -> None:
     np.testing.assert_array_equal(motors(stand.run(1, nan_gyroscope)[0])["Kd"], 6.0)
 
 
-def test_motor_damping_opens_the_velocity_loop_and_nothing_else(go1) -> None:
+def test_motor_damping_changes_only_kd_and_dq(go1) -> None:
     commands = motors(Stand(go1, motor_damping=0.75).run(20)[0])
     np.testing.assert_array_equal(commands["Kd"], 0.75)
     np.testing.assert_array_equal(commands["dq"], 0.0)
@@ -374,7 +376,7 @@ def test_motor_damping_opens_the_velocity_loop_and_nothing_else(go1) -> None:
         np.testing.assert_array_equal(commands[field], pure[field])
 
 
-def test_slots_without_a_motor_and_the_frame_around_stay_as_the_sdk_makes_them(go1) -> None:
+def test_empty_slots_and_frame_header_keep_sdk_defaults(go1) -> None:
     stand, default = Stand(go1), surefoot.LowCmd().to_bytes()
     good, _ = stand.run(3)
     bad, _ = stand.run(10, nan_gyroscope)
@@ -383,14 +385,14 @@ def test_slots_without_a_motor_and_the_frame_around_stay_as_the_sdk_makes_them(g
         assert frame[22 + 12 * 33 :] == default[22 + 12 * 33 :]
 
 
-def test_time_goes_on_across_the_wrap_of_the_tick(go1) -> None:
+def test_control_continues_across_the_tick_wrap(go1) -> None:
     wrapping, plain = Stand(go1, tick=2**32 - 100), Stand(go1, tick=5000)
     commands, statuses = wrapping.run(100)
     assert set(statuses) == {Status.OK}
     assert commands == plain.run(100)[0]
 
 
-def test_a_tick_that_wraps_during_a_fault_is_no_fault(go1) -> None:
+def test_tick_wrap_during_a_fault_is_not_a_fault(go1) -> None:
     stand = Stand(go1, tick=2**32 - 6)
     stand.run(1)
     assert set(stand.run(4, nan_gyroscope)[1]) == {Status.NON_FINITE}
@@ -398,7 +400,7 @@ def test_a_tick_that_wraps_during_a_fault_is_no_fault(go1) -> None:
 
 
 @pytest.mark.parametrize("period", [1, 2, 4])
-def test_time_is_counted_in_ticks_and_not_in_calls(go1, period: int) -> None:
+def test_time_advances_by_ticks_not_by_calls(go1, period: int) -> None:
     stand = Stand(go1, period=period)
     stand.run(1)
     stand.run(100 // period, set_imu("gyroscope", 2, 0.5))
@@ -407,7 +409,7 @@ def test_time_is_counted_in_ticks_and_not_in_calls(go1, period: int) -> None:
 
 
 @pytest.mark.parametrize("period", [1, 2, 5])
-def test_a_command_is_held_ten_milliseconds_at_any_rate(go1, period: int) -> None:
+def test_command_is_held_for_10_ms_at_any_rate(go1, period: int) -> None:
     stand = Stand(go1, period=period)
     good, _ = stand.run(20)
     commands, _ = stand.run(20, nan_gyroscope)
@@ -416,7 +418,7 @@ def test_a_command_is_held_ten_milliseconds_at_any_rate(go1, period: int) -> Non
     assert damps(commands[held:]).all()
 
 
-def test_time_that_passed_in_bad_reports_is_made_good(go1) -> None:
+def test_time_of_bad_samples_is_integrated_later(go1) -> None:
     stand, whole = Stand(go1), Stand(go1)
     for each in (stand, whole):
         each.run(50)
@@ -433,14 +435,14 @@ def test_time_that_passed_in_bad_reports_is_made_good(go1) -> None:
     assert ours == pytest.approx(theirs, rel=0.02)
 
 
-def test_one_tick_that_leaps_ahead_is_refused_and_time_goes_on(stand) -> None:
+def test_single_tick_jump_is_refused_and_control_continues(stand) -> None:
     stand.run(20)
-    leap = stuck(stand.tick + 600_000)
+    leap = set_tick(stand.tick + 600_000)
     assert stand.run(1, leap)[1] == [Status.STALE_TICK]
     assert set(stand.run(50)[1]) == {Status.OK}
 
 
-def test_a_leap_of_the_tick_that_lasts_latches_damping(stand) -> None:
+def test_lasting_tick_jump_latches_damping(stand) -> None:
     stand.run(20)
     stand.tick += 600_000  # ten minutes in which nobody commanded the robot
     commands, statuses = stand.run(20)
@@ -451,7 +453,7 @@ def test_a_leap_of_the_tick_that_lasts_latches_damping(stand) -> None:
     assert set(stand.run(5)[1]) == {Status.OK}
 
 
-def test_a_bad_report_after_a_long_silence_damps_at_once(stand) -> None:
+def test_bad_sample_after_a_50_ms_gap_damps_at_once(stand) -> None:
     stand.run(10)
     stand.tick += 50
     commands, statuses = stand.run(1, nan_gyroscope)
@@ -459,16 +461,16 @@ def test_a_bad_report_after_a_long_silence_damps_at_once(stand) -> None:
     assert statuses == [Status.DAMPING]
 
 
-def test_a_robot_that_restarts_its_clock_is_damped_until_reset(stand) -> None:
+def test_robot_clock_restart_damps_until_reset(stand) -> None:
     stand.run(50)
     stand.tick = 0
     commands, _ = stand.run(30)
-    assert damps(commands[HELD:]).all()
+    assert damps(commands[HOLD_TICKS:]).all()
     stand.controller.reset()
     assert set(stand.run(5)[1]) == {Status.OK}
 
 
-def test_status_and_fault_change_together_with_the_reason(stand) -> None:
+def test_fault_names_the_latest_reason(stand) -> None:
     stand.run(5)
     assert (stand.controller.status, stand.controller.fault) == (Status.OK, Status.OK)
     stand.run(2, FAULTS["rate beyond any gyroscope"][0])
@@ -477,7 +479,7 @@ def test_status_and_fault_change_together_with_the_reason(stand) -> None:
     assert stand.controller.fault == Status.NON_FINITE
 
 
-def test_the_last_good_estimate_is_kept_while_reports_are_bad(stand) -> None:
+def test_last_valid_estimate_is_kept_during_bad_samples(stand) -> None:
     stand.run(20)
     state, solution = stand.controller.state, stand.controller.solution
     stand.run(20, set_imu("quaternion", 0, math.nan))
@@ -490,7 +492,7 @@ def inside_limits(body, commands):
     return (np.abs(motors(commands)["tau"]) <= np.float32(body.robot.config.tau_max)).all(axis=1)
 
 
-def test_random_bytes_never_get_past_the_guard(go1) -> None:
+def test_random_bytes_give_only_valid_commands_or_damping(go1) -> None:
     controller, rng = StandController(go1.robot), np.random.default_rng(42)
     for _ in range(5):
         controller.update(Stand(go1).report())
@@ -505,7 +507,7 @@ def test_random_bytes_never_get_past_the_guard(go1) -> None:
     assert damps(commands[-1900:]).all()
 
 
-def nonsense(rng, report: LowState) -> None:
+def set_plausible_random_values(rng, report: LowState) -> None:
     """Numbers that a sensor could say and no robot could mean."""
     report.imu.quaternion[:] = rng.normal(size=4)
     report.imu.quaternion[:] /= np.linalg.norm(report.imu.quaternion)
@@ -519,11 +521,11 @@ def nonsense(rng, report: LowState) -> None:
     report.tick = (report.tick + int(rng.integers(0, 30))) % 2**32
 
 
-def test_credible_nonsense_gives_commands_inside_the_motors_or_damping(body) -> None:
+def test_plausible_random_samples_give_limited_torques_or_damping(body) -> None:
     stand, rng = Stand(body), np.random.default_rng(43)
     commands, statuses = [], []
     for _ in range(500):
-        some, what = stand.run(1, lambda report: nonsense(rng, report))
+        some, what = stand.run(1, lambda report: set_plausible_random_values(rng, report))
         commands, statuses = commands + some, statuses + what
         stand.tick += 30
         if what == [Status.DAMPING]:
@@ -533,7 +535,7 @@ def test_credible_nonsense_gives_commands_inside_the_motors_or_damping(body) -> 
     assert (damps(commands) | (is_torque_mode(commands) & inside_limits(body, commands))).all()
 
 
-def test_a_single_flipped_bit_anywhere_never_breaks_a_command(go1) -> None:
+def test_single_bit_flips_never_give_an_invalid_command(go1) -> None:
     stand, rng = Stand(go1), np.random.default_rng(44)
     stand.run(20)
 
@@ -550,7 +552,7 @@ def test_a_single_flipped_bit_anywhere_never_breaks_a_command(go1) -> None:
     assert is_torque_mode(commands[1::2]).all()
 
 
-def test_a_packed_command_is_read_here_as_the_sdk_packs_it() -> None:
+def test_command_layout_of_this_file_matches_the_sdk() -> None:
     command = surefoot.damping_low_cmd(2.0)
     packed = struct.pack("<B5f", 0x0A, 2.146e9, 0.0, 0.0, 0.0, 2.0)
     assert command.to_bytes()[22 + 33 * 11 :][:21] == packed

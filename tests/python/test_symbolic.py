@@ -35,14 +35,14 @@ def assert_same(symbolic_value, expected):
     np.testing.assert_allclose(value, expected, atol=1e-10 * scale, rtol=0.0)
 
 
-def test_mass_matrix_and_bias_are_pinocchios(body, motion):
+def test_symbolic_mass_matrix_and_bias_match_pinocchio(body, motion):
     M = pin.crba(body.model, body.data, motion.q)
     assert_same(symbolic.mass_matrix(body.robot)(motion.q), np.triu(M) + np.triu(M, 1).T)
     h = pin.nonLinearEffects(body.model, body.data, motion.q, motion.v)
     assert_same(symbolic.bias(body.robot)(motion.q, motion.v), h)
 
 
-def test_inverse_and_forward_dynamics_are_pinocchios(body, motion):
+def test_inverse_and_forward_dynamics_match_pinocchio(body, motion):
     q, v = motion.q, motion.v
     tau = pin.rnea(body.model, body.data, q, v, motion.a)
     assert_same(symbolic.inverse_dynamics(body.robot)(q, v, motion.a), tau)
@@ -50,7 +50,7 @@ def test_inverse_and_forward_dynamics_are_pinocchios(body, motion):
     assert_same(symbolic.forward_dynamics(body.robot)(q, v, motion.tau), a)
 
 
-def test_foot_functions_are_pinocchios(body, motion):
+def test_foot_functions_match_pinocchio(body, motion):
     model, data, axes = body.model, body.data, pin.LOCAL_WORLD_ALIGNED
     pin.forwardKinematics(model, data, motion.q, motion.v, np.zeros(model.nv))
     pin.computeJointJacobians(model, data, motion.q)
@@ -64,7 +64,7 @@ def test_foot_functions_are_pinocchios(body, motion):
     assert_same(symbolic.foot_drifts(body.robot)(motion.q, motion.v), np.column_stack(drifts))
 
 
-def test_centroidal_functions_are_pinocchios(body, motion):
+def test_centroidal_functions_match_pinocchio(body, motion):
     pin.ccrba(body.model, body.data, motion.q, motion.v)
     assert_same(symbolic.centroidal_matrix(body.robot)(motion.q), body.data.Ag)
     momentum = symbolic.centroidal_momentum(body.robot)(motion.q, motion.v)
@@ -73,7 +73,7 @@ def test_centroidal_functions_are_pinocchios(body, motion):
     assert_same(symbolic.center_of_mass(body.robot)(motion.q), com)
 
 
-def test_derivatives_are_pinocchios_analytical_ones(body, motion):
+def test_derivatives_match_pinocchio(body, motion):
     q, v = motion.q, motion.v
     found = symbolic.inverse_dynamics_derivatives(body.robot)(q, v, motion.a)
     expected = pin.computeRNEADerivatives(body.model, body.data, q, v, motion.a)
@@ -85,7 +85,7 @@ def test_derivatives_are_pinocchios_analytical_ones(body, motion):
         assert_same(value, np.array(matrix))
 
 
-def test_functions_take_symbols(go1):
+def test_functions_accept_casadi_symbols(go1):
     import casadi
 
     q = casadi.MX.sym("q", go1.robot.nq)
@@ -107,12 +107,12 @@ def test_without_casadi_the_error_names_the_extra(go1, monkeypatch):
         symbolic.bias(go1.robot)
 
 
-def test_the_generated_dynamics_are_what_the_generator_writes():
+def test_generated_dynamics_file_is_up_to_date():
     assert LEG_DYNAMICS.read_text() == _symbolic.leg_source(), "run `make generate`"
 
 
 # The controller's own torques, of real robots in any pose, against the equations of motion.
-def test_torques_of_random_states_obey_pinocchios_inverse_dynamics(body):
+def test_torques_of_random_states_match_pinocchio_inverse_dynamics(body):
     controller = surefoot.WholeBodyController(body.robot)
     usable = 0
     for seed in range(20):

@@ -18,42 +18,42 @@ import surefoot
 pytest.importorskip("casadi")
 
 from surefoot.cli import main
-from surefoot.robot_files import describe_robot
+from surefoot.robot.description import describe_robot
 from surefoot.tune.design import (
     AXES,
-    Body,
     ClosedLoop,
     Design,
     DesignSettings,
     Direction,
     Goal,
     Observers,
+    StandingBody,
     Timing,
+    compute_standing_body,
     delay_margin,
     design_gains,
     gain_margins,
-    greatest_frequency,
-    measure_body,
+    max_stable_frequency,
     oscillation_boundary,
     parse_goal,
-    refusal,
+    unstable_goal,
 )
-from surefoot.tune.design.loop import load_casadi
-from surefoot.tune.design.margins import MOST_GAIN
-from surefoot.tune.design.search import last_stable
-from surefoot.tune.design.tick import Tick
+from surefoot.tune.design.closed_loop import load_casadi
+from surefoot.tune.design.loop_model import Tick
+from surefoot.tune.design.margins import MAX_GAIN_FACTOR
+from surefoot.tune.design.stability_search import last_stable
 
 NO_LIMITS = np.array([[-1e6, -1e6], [0.0, 0.0], [1e6, 1e6]])
-FREE = Direction("z", False, 1.0, 0.0, 0.0, 1.0, 1.0, NO_LIMITS, 0.3)
-TURNING = replace(FREE, name="yaw", rotates=True)
-ASLEEP = Observers(1e6, 0.016, 0.5, 0.0, 1.0)
-AWAKE = Observers(0.15, 0.016, 0.5, 20.0, 1.0)
-FAST = Timing(rate=2000.0, motor_lag=0.0)  # 1 ms from measurement to action
+FRICTIONLESS_Z = Direction("z", False, 1.0, 0.0, 0.0, 1.0, 1.0, NO_LIMITS, 0.3)
+FRICTIONLESS_YAW = replace(FRICTIONLESS_Z, name="yaw", rotates=True)
+PUSH_OBSERVER_OFF = Observers(1e6, 0.016, 0.5, 0.0, 1.0)
+PUSH_OBSERVER_ON = Observers(0.15, 0.016, 0.5, 20.0, 1.0)
+FAST_TIMING = Timing(rate=2000.0, motor_lag=0.0)  # 1 ms from measurement to action
 
 
 @functools.cache
-def body(robot: str = "go1") -> Body:
-    return measure_body(describe_robot(robot))
+def body(robot: str = "go1") -> StandingBody:
+    return compute_standing_body(describe_robot(robot))
 
 
 def continuous_delay_margin(goal: Goal) -> float:
@@ -64,10 +64,13 @@ def continuous_delay_margin(goal: Goal) -> float:
 
 
 @pytest.mark.parametrize(("frequency", "damping"), [(1.0, 0.4), (2.5, 0.8), (4.0, 0.6)])
-def test_without_delay_the_poles_are_the_ones_asked_for(frequency: float, damping: float) -> None:
+def test_poles_match_the_goal_without_delay(frequency: float, damping: float) -> None:
     goal = Goal(frequency, damping)
-    loop = ClosedLoop(FREE, FAST, ASLEEP)
-    s = np.log(np.linalg.eigvals(loop.matrix(goal.kp, goal.kd)).astype(complex) + 1e-30) * FAST.rate
+    loop = ClosedLoop(FRICTIONLESS_Z, FAST_TIMING, PUSH_OBSERVER_OFF)
+    s = (
+        np.log(np.linalg.eigvals(loop.state_matrix(goal.kp, goal.kd)).astype(complex) + 1e-30)
+        * FAST_TIMING.rate
+    )
     wn = 2.0 * math.pi * frequency
     wanted = wn * complex(-damping, math.sqrt(1.0 - damping**2))
     # 1.25 ms of delay turn them a little.
@@ -76,64 +79,70 @@ def test_without_delay_the_poles_are_the_ones_asked_for(frequency: float, dampin
 
 @pytest.mark.parametrize("goal", [Goal(2.0, 0.4), Goal(2.5, 0.8), Goal(5.0, 0.7)])
 def test_the_delay_margin_is_phase_margin_over_crossover(goal: Goal) -> None:
-    loop = ClosedLoop(FREE, FAST, ASLEEP)
-    own = 2.5 * FAST.period  # one period each way, half a period of hold
+    loop = ClosedLoop(FRICTIONLESS_Z, FAST_TIMING, PUSH_OBSERVER_OFF)
+    own = 2.5 * FAST_TIMING.period  # one period each way, half a period of hold
     expected = continuous_delay_margin(goal) - own
     assert delay_margin(loop, goal.kp, goal.kd) == pytest.approx(expected, abs=0.0003)
 
 
-def test_the_gain_margin_is_where_a_delayed_derivative_turns_by_a_quarter() -> None:
+def test_gain_margin_matches_the_delayed_derivative_loop() -> None:
     # kd exp(-j w T) / (j w), T = 2.5 periods: unstable from kd = pi / (2 T) on.
     timing = Timing(rate=500.0, motor_lag=0.0)
-    loop = ClosedLoop(FREE, timing, ASLEEP)
+    loop = ClosedLoop(FRICTIONLESS_Z, timing, PUSH_OBSERVER_OFF)
     kd = 20.0
     down, up = gain_margins(loop, 1e-3, kd)
     assert up * kd == pytest.approx(math.pi / (2.0 * 2.5 * timing.period), rel=0.02)
     assert down == 0.0
 
 
-def test_the_gyroscopes_mean_over_a_tick_costs_half_a_period() -> None:
+def test_gyroscope_averaging_costs_half_a_period_of_delay_margin() -> None:
     goal = Goal(2.0, 0.8)
-    straight = delay_margin(ClosedLoop(FREE, Timing(), ASLEEP), goal.kp, goal.kd)
-    turning = delay_margin(ClosedLoop(TURNING, Timing(), ASLEEP), goal.kp, goal.kd)
+    straight = delay_margin(
+        ClosedLoop(FRICTIONLESS_Z, Timing(), PUSH_OBSERVER_OFF), goal.kp, goal.kd
+    )
+    turning = delay_margin(
+        ClosedLoop(FRICTIONLESS_YAW, Timing(), PUSH_OBSERVER_OFF), goal.kp, goal.kd
+    )
     assert 0.0005 < straight - turning < 0.0015
 
 
 def test_a_delay_between_two_steps_is_between_their_margins() -> None:
     goal = Goal(3.0, 0.8)
     found = [
-        gain_margins(ClosedLoop(FREE, Timing(delay=delay), ASLEEP), goal.kp, goal.kd)[1]
+        gain_margins(
+            ClosedLoop(FRICTIONLESS_Z, Timing(delay=delay), PUSH_OBSERVER_OFF), goal.kp, goal.kd
+        )[1]
         for delay in (0.004, 0.0041, 0.00425, 0.0049, 0.005)
     ]
     assert found == sorted(found, reverse=True)
     assert found[0] > found[-1]
 
 
-def test_without_friction_and_observers_a_push_finds_the_gain_margin() -> None:
+def test_oscillation_boundary_equals_the_gain_margin_without_friction() -> None:
     goal = Goal(2.5, 0.8)
-    loop = ClosedLoop(FREE, Timing(delay=0.008), ASLEEP)
+    loop = ClosedLoop(FRICTIONLESS_Z, Timing(delay=0.008), PUSH_OBSERVER_OFF)
     up = gain_margins(loop, goal.kp, goal.kd)[1]
     assert oscillation_boundary(loop, goal.kp, goal.kd) == pytest.approx(up, rel=0.05)
 
 
-def test_friction_helps_and_the_push_observer_costs() -> None:
+def test_friction_raises_and_push_observer_lowers_the_boundary() -> None:
     kp, kd = Goal(2.5, 0.8).kp, Goal(2.5, 0.8).kd
     timing = Timing(delay=0.008)
-    limited = replace(FREE, limits=np.array([[-8.0, -8.0], [0.0, 0.0], [8.0, 8.0]]))
-    plain = oscillation_boundary(ClosedLoop(limited, timing, ASLEEP), kp, kd)
+    limited = replace(FRICTIONLESS_Z, limits=np.array([[-8.0, -8.0], [0.0, 0.0], [8.0, 8.0]]))
+    plain = oscillation_boundary(ClosedLoop(limited, timing, PUSH_OBSERVER_OFF), kp, kd)
     rubbing = oscillation_boundary(
-        ClosedLoop(replace(limited, friction=0.5), timing, ASLEEP), kp, kd
+        ClosedLoop(replace(limited, friction=0.5), timing, PUSH_OBSERVER_OFF), kp, kd
     )
-    pushed = oscillation_boundary(ClosedLoop(limited, timing, AWAKE), kp, kd)
+    pushed = oscillation_boundary(ClosedLoop(limited, timing, PUSH_OBSERVER_ON), kp, kd)
     assert pushed < 0.7 * plain < plain < rubbing
 
 
 @pytest.mark.parametrize("robot", ["a1", "go1", "go2", "b1"])
-def test_directions_are_what_the_robot_is(robot: str) -> None:
+def test_measured_directions_match_the_robot_model(robot: str) -> None:
     directions = body(robot).directions
     for name in ("x", "y", "z"):
         assert 1.0 < directions[name].inertia / body(robot).robot.mass < 1.4
-        assert 1.0 < directions[name].base_share < 1.2
+        assert 1.0 < directions[name].base_motion_ratio < 1.2
     # Downwards the program keeps four feet down by hold_down of the weight each. That has a price,
     # which b1's height is worth more than, away from the edge: its feet are let go light.
     # Nor is it asked to fall by more than leaves feet edge_load, less 0.35.
@@ -150,7 +159,7 @@ def test_directions_are_what_the_robot_is(robot: str) -> None:
 
 
 @pytest.mark.parametrize("axis", AXES)
-def test_the_pole_that_is_told_is_no_observers(axis: str) -> None:
+def test_reported_pole_is_not_an_observer_pole(axis: str) -> None:
     goals = {axis: Goal(2.5, 0.8)}
     design = design_gains(DesignSettings(describe_robot("a1"), goals, Timing(delay=0.012)))
     margins = next(each for each in design.axes if each.name == axis).margins
@@ -160,23 +169,28 @@ def test_the_pole_that_is_told_is_no_observers(axis: str) -> None:
 
 
 @pytest.mark.parametrize("band", [0.1, 0.5])
-def test_surprises_are_believed_as_by_the_estimator(band: float) -> None:
-    # tests/cpp/test_outside.cpp has the same table: size in dead bands, share of push_time.
+def test_push_time_share_matches_the_estimator(band: float) -> None:
+    # tests/cpp/test_external_wrench.cpp has the same table: size in dead bands, share of push_time.
     shares = {2.9: 1.0, 3.5: 1.0 / 1.5, 4.0: 0.5, 5.0: 0.375, 20.0: 0.375}
     casadi = load_casadi()
-    tick = Tick(casadi, replace(FREE, name="x"), Timing(), replace(AWAKE, push_dead_band=band))
+    tick = Tick(
+        casadi,
+        replace(FRICTIONLESS_Z, name="x"),
+        Timing(),
+        replace(PUSH_OBSERVER_ON, push_dead_band=band),
+    )
     for size, share in shares.items():
         for sign in (1.0, -1.0):
-            found, surprised = tick._share_of_time(casadi.DM(sign * size * band), 0.0)
+            found, surprised = tick._push_time_ratio(casadi.DM(sign * size * band), 0.0)
             assert float(found) == pytest.approx(share)
             assert float(surprised) == (pytest.approx(0.002) if size > 3.0 else 0.0)
-    assert float(tick._share_of_time(casadi.DM(5.0 * band), 0.0495)[0]) == 1.0
+    assert float(tick._push_time_ratio(casadi.DM(5.0 * band), 0.0495)[0]) == 1.0
 
 
-def test_the_greatest_frequency_is_the_boundary() -> None:
+def test_greatest_frequency_lies_on_the_stability_boundary() -> None:
     direction, timing = body().directions["pitch"], Timing(delay=0.01)
     observers = Observers.of(body().robot.config.gains)
-    greatest = greatest_frequency(direction, timing, observers, 0.8)
+    greatest = max_stable_frequency(direction, timing, observers, 0.8)
     loop = ClosedLoop(direction, timing, observers)
     goal = Goal(greatest, 0.8)
     bound = min(
@@ -185,16 +199,16 @@ def test_the_greatest_frequency_is_the_boundary() -> None:
     assert bound == pytest.approx(1.0, abs=0.05)
 
 
-def test_own_gains_stay_where_no_goal_is() -> None:
+def test_gains_without_a_goal_are_unchanged() -> None:
     design = design_gains(DesignSettings(describe_robot("go1"), {"sway": Goal(1.5, 0.9)}))
     own = body().robot.config.gains
     assert design.gains.com_kp_horizontal == pytest.approx((2.0 * math.pi * 1.5) ** 2)
     assert design.gains.com_kd_horizontal == pytest.approx(4.0 * math.pi * 0.9 * 1.5)
     assert design.gains.base_kp_tilt == own.base_kp_tilt
-    assert [axis.own for axis in design.axes] == [name != "sway" for name in AXES]
+    assert [axis.uses_robot_gains for axis in design.axes] == [name != "sway" for name in AXES]
 
 
-def test_trust_in_the_imu_costs_margin_after_a_push() -> None:
+def test_higher_imu_trust_lowers_the_boundary() -> None:
     goals = {"height": Goal(2.0, 0.8)}
     settings = DesignSettings(describe_robot("go1"), goals, Timing(delay=0.006))
     found = {}
@@ -205,7 +219,7 @@ def test_trust_in_the_imu_costs_margin_after_a_push() -> None:
     assert found[0.5] > found[2.0]
 
 
-def test_the_program_of_the_gains_that_are_started_from_is_the_one_that_is_measured(
+def test_design_measures_the_qp_with_the_start_gains(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file, boundary = tmp_path / "held.toml", {}
@@ -224,7 +238,7 @@ def run_cli(*words: str) -> int:
     return main(["tune", "design", *words])
 
 
-def test_what_is_written_loads_to_the_gains_that_were_printed(
+def test_written_gains_match_the_printed_gains(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file, numbers = tmp_path / "my gains.toml", tmp_path / "design.json"
@@ -243,7 +257,7 @@ def test_what_is_written_loads_to_the_gains_that_were_printed(
 
 
 @pytest.mark.parametrize("delay", ["11", "12", "13", "14", "15", "16"])
-def test_what_cannot_be_stable_is_refused_with_what_can(
+def test_unstable_goal_is_refused_with_the_highest_stable_frequency(
     delay: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     file = tmp_path / "gains.toml"
@@ -258,7 +272,7 @@ def test_what_cannot_be_stable_is_refused_with_what_can(
     assert "warning: height" in capsys.readouterr().out
 
 
-def test_the_greatest_frequency_is_stable_itself() -> None:
+def test_reported_greatest_frequency_is_stable() -> None:
     limit = 4.87654
     low, high = last_stable(lambda f: f > limit, 0.2, 40.0)
     assert low <= limit < high <= 1.01 * low
@@ -273,22 +287,24 @@ def test_the_greatest_frequency_is_stable_itself() -> None:
         (6.0, 0.0, "; no frequency from 0.2 Hz up is stable at this damping"),
     ],
 )
-def test_a_refusal_says_what_is_stable_and_rounds_down(
+def test_refusal_rounds_the_stable_frequency_down(
     asked: float, greatest: float, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(refusal, "greatest_frequency", lambda *_: greatest)
-    line = refusal.refusal_text("height: ", Goal(asked, 0.8), Timing(), [FREE], ASLEEP)
+    monkeypatch.setattr(unstable_goal, "max_stable_frequency", lambda *_: greatest)
+    line = unstable_goal.unstable_goal_text(
+        "height: ", Goal(asked, 0.8), Timing(), [FRICTIONLESS_Z], PUSH_OBSERVER_OFF
+    )
     assert line.startswith("height: ") and line.endswith(said)
 
 
-def test_delay_and_rate_end_where_the_search_for_margins_still_can_look() -> None:
+def test_delay_and_rate_limits_keep_the_margin_search_finite() -> None:
     # 0.2 s at 500 Hz may be asked for; the search adds 0.1 s to it, which nobody gave.
-    slow = ClosedLoop(FREE, Timing(delay=0.2), ASLEEP)
+    slow = ClosedLoop(FRICTIONLESS_Z, Timing(delay=0.2), PUSH_OBSERVER_OFF)
     assert delay_margin(slow, Goal(0.1, 0.8).kp, Goal(0.1, 0.8).kd) == pytest.approx(0.1)
     fast = Timing(rate=10_000.0, delay=0.01)
-    assert fast.searched == pytest.approx(50 / 10_000.0)
-    loop = ClosedLoop(FREE, fast, ASLEEP)
-    assert delay_margin(loop, Goal(1.0, 0.8).kp, Goal(1.0, 0.8).kd) == fast.searched
+    assert fast.max_extra_delay == pytest.approx(50 / 10_000.0)
+    loop = ClosedLoop(FRICTIONLESS_Z, fast, PUSH_OBSERVER_OFF)
+    assert delay_margin(loop, Goal(1.0, 0.8).kp, Goal(1.0, 0.8).kd) == fast.max_extra_delay
     settings = DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)})
     for timing in (Timing(delay=0.25), Timing(rate=10_000.0, delay=0.012)):
         with pytest.raises(surefoot.Error, match="further delay: got"):
@@ -332,7 +348,7 @@ def test_delay_and_rate_end_where_the_search_for_margins_still_can_look() -> Non
         (["--bandwidth", "2", "--toml", "/nowhere/g.toml"], "--toml"),
     ],
 )
-def test_wrong_arguments_are_one_line(
+def test_invalid_tune_design_arguments_give_one_error_line(
     words: list[str], said: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run_cli(*words) == 2
@@ -340,7 +356,7 @@ def test_wrong_arguments_are_one_line(
     assert len(lines) == 1 and said in lines[0]
 
 
-def test_without_casadi_it_says_what_to_install(
+def test_missing_casadi_error_names_the_install_command(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setitem(sys.modules, "casadi", None)
@@ -348,18 +364,18 @@ def test_without_casadi_it_says_what_to_install(
     assert "pip install surefoot[tune]" in capsys.readouterr().err
 
 
-def test_a_goal_has_its_own_damping_or_the_common_one() -> None:
+def test_goal_uses_its_own_or_the_common_damping() -> None:
     assert parse_goal("--sway", "2", 0.8) == Goal(2.0, 0.8)
     assert parse_goal("--sway", "2:1.1", 0.8) == Goal(2.0, 1.1)
 
 
-def test_what_lies_beyond_the_searchs_end_is_not_drawn() -> None:
+def test_margins_beyond_the_search_limit_are_not_drawn() -> None:
     pytest.importorskip("matplotlib")
     from surefoot.tune.design.plots import draw_poles, draw_responses
 
     design = design_gains(DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)}))
     beyond, *others = design.axes
-    margins = replace(beyond.margins, boundary=MOST_GAIN, gain_up=MOST_GAIN)
+    margins = replace(beyond.margins, boundary=MAX_GAIN_FACTOR, gain_up=MAX_GAIN_FACTOR)
     design = replace(design, axes=[replace(beyond, margins=margins), *others])
     for draw, kinds in ((draw_responses, 3), (draw_poles, 2)):
         figure = draw(design)
@@ -369,11 +385,11 @@ def test_what_lies_beyond_the_searchs_end_is_not_drawn() -> None:
         assert len(figure.legends[0].get_texts()) == kinds
 
 
-def test_the_map_over_the_delay_ends_where_a_fast_loops_delay_does(
+def test_delay_map_ends_at_the_longest_allowed_delay(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     pytest.importorskip("matplotlib")
-    from surefoot.tune.design import maps
+    from surefoot.tune.design import stability_maps
 
     design = design_gains(DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)}))
     seen: list[float] = []
@@ -382,14 +398,14 @@ def test_the_map_over_the_delay_ends_where_a_fast_loops_delay_does(
         seen.append(replace(design.settings.timing, delay=delay).delay)
         return 1.0, 2.0
 
-    monkeypatch.setattr(maps, "_greatest", greatest)
+    monkeypatch.setattr(stability_maps, "_max_frequencies", greatest)
     for rate, longest in ((500.0, 0.03), (10_000.0, 0.01)):
         settings = replace(design.settings, timing=Timing(rate=rate))
-        maps.draw_delay_map(replace(design, settings=settings))
+        stability_maps.draw_delay_map(replace(design, settings=settings))
         assert seen[-1] == pytest.approx(longest)
 
 
-def test_the_report_has_maps_and_numbers(tmp_path: Path) -> None:
+def test_design_report_contains_maps_and_summary(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     folder = tmp_path / "report"
     assert run_cli("--bandwidth", "2", "--report", str(folder)) == 0

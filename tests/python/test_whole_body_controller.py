@@ -18,7 +18,7 @@ def rotation(q):
     return pin.Quaternion(*np.roll(q[3:7], 1)).toRotationMatrix()
 
 
-def asked(body, seed: int, normal=UP, swing=()):
+def state_and_reference(body, seed: int, normal=UP, swing=()):
     """A seeded state and a reference that asks for a little of everything."""
     rng = np.random.default_rng(1000 + seed)
     state = body.random_state(seed)
@@ -71,7 +71,7 @@ def authority(body, state, normal=UP):
 def test_rigid_body_dynamics_hold_exactly(body, normal) -> None:
     controller = WholeBodyController(body.robot)
     for seed in SEEDS:
-        state, reference = asked(body, seed, normal, swing=[seed % 8])
+        state, reference = state_and_reference(body, seed, normal, swing=[seed % 8])
         solution = controller.update(state, reference)
         assert solution.status == Status.OK
         J = body.contact_jacobian(state.q, normal)
@@ -82,11 +82,11 @@ def test_rigid_body_dynamics_hold_exactly(body, normal) -> None:
 
 
 @pytest.mark.parametrize("normal", [UP, SLOPE], ids=["flat", "slope"])
-def test_feet_accelerate_exactly_as_their_gains_say(body, normal) -> None:
+def test_foot_accelerations_match_their_gains(body, normal) -> None:
     controller = WholeBodyController(body.robot)
     gains = controller.gains
     for seed in SEEDS:
-        state, reference = asked(body, seed, normal, swing=[seed % 8])
+        state, reference = state_and_reference(body, seed, normal, swing=[seed % 8])
         solution = controller.update(state, reference)
         feet = [reference.foot(leg) for leg in range(4)]
         p = body.contact_points(state.q, normal)
@@ -98,8 +98,8 @@ def test_feet_accelerate_exactly_as_their_gains_say(body, normal) -> None:
         np.testing.assert_allclose(happens, wanted, atol=1e-8)
 
 
-def test_contact_velocities_change_as_the_feet_were_told_over_a_tiny_step(body) -> None:
-    state, reference = asked(body, seed=3)
+def test_contact_velocities_change_by_the_foot_accelerations(body) -> None:
+    state, reference = state_and_reference(body, seed=3)
     a = WholeBodyController(body.robot).update(state, reference).accelerations
     step, velocities = 1e-5, []
     for dt in (-step, step):
@@ -110,13 +110,13 @@ def test_contact_velocities_change_as_the_feet_were_told_over_a_tiny_step(body) 
     np.testing.assert_allclose(measured, happens, atol=1e-5)
 
 
-def test_the_centre_of_mass_accelerates_exactly_as_its_gains_say(body) -> None:
+def test_com_acceleration_matches_its_gains(body) -> None:
     controller = WholeBodyController(body.robot)
     g = controller.gains
     kp = np.array([g.com_kp_horizontal, g.com_kp_horizontal, g.com_kp_vertical])
     kd = np.array([g.com_kd_horizontal, g.com_kd_horizontal, g.com_kd_vertical])
     for seed in SEEDS:
-        state, reference = asked(body, seed)
+        state, reference = state_and_reference(body, seed)
         solution = controller.update(state, reference)
         happens = com_acceleration(body, state, solution.accelerations)
         wanted = reference.a_com + kp * (reference.p_com - body.data.com[0])
@@ -124,13 +124,13 @@ def test_the_centre_of_mass_accelerates_exactly_as_its_gains_say(body) -> None:
         np.testing.assert_allclose(happens, wanted, atol=2e-5)
 
 
-def test_the_base_turns_exactly_as_its_gains_say(body) -> None:
+def test_base_angular_acceleration_matches_its_gains(body) -> None:
     controller = WholeBodyController(body.robot)
     g = controller.gains
     kp = np.array([g.base_kp_tilt, g.base_kp_tilt, g.base_kp_yaw])
     kd = np.array([g.base_kd_tilt, g.base_kd_tilt, g.base_kd_yaw])
     for seed in SEEDS:
-        state, reference = asked(body, seed)
+        state, reference = state_and_reference(body, seed)
         solution = controller.update(state, reference)
         R = rotation(state.q)
         R_wanted = pin.Quaternion(reference.quat_world_base).toRotationMatrix()
@@ -139,8 +139,8 @@ def test_the_base_turns_exactly_as_its_gains_say(body) -> None:
         np.testing.assert_allclose(R @ solution.accelerations[3:6], wanted, atol=2e-3)
 
 
-def test_body_velocities_change_as_asked_over_a_tiny_step(body) -> None:
-    state, reference = asked(body, seed=4)
+def test_body_velocities_change_by_the_solved_accelerations(body) -> None:
+    state, reference = state_and_reference(body, seed=4)
     a = WholeBodyController(body.robot).update(state, reference).accelerations
     step, com, spin = 1e-5, [], []
     for dt in (-step, step):
@@ -153,10 +153,10 @@ def test_body_velocities_change_as_asked_over_a_tiny_step(body) -> None:
     np.testing.assert_allclose(spin_measured, rotation(state.q) @ a[3:6], atol=1e-5)
 
 
-def test_forces_are_the_smallest_that_do_the_job(body) -> None:
+def test_forces_have_minimum_norm(body) -> None:
     controller = WholeBodyController(body.robot)
     for seed in SEEDS:
-        state, reference = asked(body, seed)
+        state, reference = state_and_reference(body, seed)
         forces = controller.update(state, reference).forces.T.ravel()
         A = authority(body, state)
         needless = forces - np.linalg.pinv(A) @ (A @ forces)
@@ -187,7 +187,7 @@ def test_forces_stay_inside_the_friction_cone_and_reach_it(body, normal) -> None
     assert min(reached) > friction * 0.97
 
 
-def test_the_friction_assumed_is_the_configurations(go1) -> None:
+def test_friction_limit_comes_from_the_configuration(go1) -> None:
     body = go1.with_config(friction=0.2)
     state = body.random_state(seed=1, speed=0.0)
     reference = body.reference_at(state)
@@ -198,7 +198,7 @@ def test_the_friction_assumed_is_the_configurations(go1) -> None:
     assert across.sum() > 0.19 * along.sum()
 
 
-def beyond_physics(body, count: int, speed: float):
+def impossible_demands(body, count: int, speed: float):
     """States of a robot whose joints fly about, and demands for the impossible."""
     rng = np.random.default_rng(7)
     for seed in range(count):
@@ -209,10 +209,10 @@ def beyond_physics(body, count: int, speed: float):
         yield state, reference
 
 
-def test_demands_beyond_physics_still_give_a_command_inside_the_motors(body) -> None:
+def test_impossible_demands_give_torques_within_motor_limits(body) -> None:
     controller, config = WholeBodyController(body.robot), body.robot.config
     solved, inside = [], []
-    for state, reference in beyond_physics(body, 100, speed=10.0):
+    for state, reference in impossible_demands(body, 100, speed=10.0):
         solution = controller.update(state, reference)
         indices = np.array(body.robot.motor_to_v)
         tau, dq = solution.torques[indices - 6], state.v[indices]
@@ -224,19 +224,19 @@ def test_demands_beyond_physics_still_give_a_command_inside_the_motors(body) -> 
     assert np.array(inside)[solved].all()
 
 
-def test_demands_beyond_physics_are_solved(body) -> None:
+def test_impossible_demands_are_solved_in_199_of_200_ticks(body) -> None:
     controller = WholeBodyController(body.robot)
-    statuses = [controller.update(*ask).status for ask in beyond_physics(body, 200, speed=2.0)]
+    statuses = [controller.update(*ask).status for ask in impossible_demands(body, 200, speed=2.0)]
     usable = [surefoot.is_usable(status) for status in statuses]
     assert sum(usable) >= 199  # the cap on iterations may refuse a tick, and says so
     assert set(statuses) <= {Status.OK, Status.SATURATED, Status.MAX_ITERATIONS}
 
 
 @pytest.mark.parametrize("start", ["warm", "cold"])
-def test_every_program_near_standing_is_solved(body, start: str) -> None:
+def test_every_qp_near_standing_is_solved(body, start: str) -> None:
     controller, statuses = WholeBodyController(body.robot), []
     for seed in range(400):
-        state, reference = asked(body, seed, SLOPE, swing=[seed % 8])
+        state, reference = state_and_reference(body, seed, SLOPE, swing=[seed % 8])
         statuses.append(controller.update(state, reference).status)
         if start == "cold":
             controller.reset()
@@ -244,7 +244,7 @@ def test_every_program_near_standing_is_solved(body, start: str) -> None:
 
 
 @pytest.mark.parametrize("lift", [50.0, -9.0])
-def test_torque_limits_bind_inside_the_program_and_not_behind_it(body, lift: float) -> None:
+def test_torque_limits_are_constraints_of_the_qp(body, lift: float) -> None:
     weak = body.with_config(tau_max=0.3 * body.robot.config.tau_max)
     state = weak.random_state(seed=2, speed=0.0)
     reference = weak.reference_at(state)
@@ -263,14 +263,14 @@ def test_torque_limits_bind_inside_the_program_and_not_behind_it(body, lift: flo
 def test_a_swing_foot_gets_no_force_and_the_others_carry(body) -> None:
     controller = WholeBodyController(body.robot)
     for leg in range(4):
-        state, reference = asked(body, seed=leg, swing=[leg])
+        state, reference = state_and_reference(body, seed=leg, swing=[leg])
         solution = controller.update(state, reference)
         assert solution.status == Status.OK
         assert np.abs(solution.forces[:, leg]).max() < 1e-4 * body.weight
         assert solution.forces[2].sum() > 0.7 * body.weight
 
 
-def test_a_foot_that_lost_contact_is_given_no_more_than_it_may_be(body) -> None:
+def test_force_of_a_foot_without_contact_is_limited(body) -> None:
     gains = body.robot.config.gains
     gains.force_lost_contact = 0.2
     controller = WholeBodyController(body.robot, gains)
@@ -284,7 +284,7 @@ def test_a_foot_that_lost_contact_is_given_no_more_than_it_may_be(body) -> None:
     assert forces[2, 3] > 1.5 * limit
 
 
-def test_a_foot_that_lost_contact_is_offered_its_share_of_the_load(body) -> None:
+def test_share_lost_contact_scales_the_force_of_a_foot_without_contact(body) -> None:
     state = body.random_state(seed=6, speed=0.0)
     state.contact = np.array([1.0, 0.0, 1.0, 1.0])
     offered = []
@@ -297,7 +297,7 @@ def test_a_foot_that_lost_contact_is_offered_its_share_of_the_load(body) -> None
     assert offered[1] < 0.95 * offered[2]
 
 
-def test_no_foot_is_loaded_beyond_its_greatest_force(go1) -> None:
+def test_no_foot_force_exceeds_force_max_contact(go1) -> None:
     gains = surefoot.Gains()
     gains.force_max_contact = 0.3
     state = go1.random_state(seed=8, speed=0.0)
@@ -308,7 +308,7 @@ def test_no_foot_is_loaded_beyond_its_greatest_force(go1) -> None:
 
 
 @pytest.mark.parametrize("more", ["com_vertical", "base_tilt"])
-def test_what_weighs_more_gives_way_less(go1, more: str) -> None:
+def test_higher_task_weight_reduces_the_task_error(go1, more: str) -> None:
     state = go1.random_state(seed=9, speed=0.0)
     reference = go1.reference_at(state)
     reference.a_com, reference.alpha_world_base = 12.0 * UP, np.array([60.0, 60.0, 0.0])
@@ -324,7 +324,7 @@ def test_what_weighs_more_gives_way_less(go1, more: str) -> None:
     assert missed[100.0][more] < 0.7 * missed[0.001][more]
 
 
-def test_gains_changed_between_ticks_count_in_the_next(go1) -> None:
+def test_changed_gains_apply_in_the_next_tick(go1) -> None:
     controller, state = WholeBodyController(go1.robot), go1.random_state(seed=3, speed=0.0)
     reference = go1.reference_at(state)
     reference.p_com = reference.p_com + np.array([0.0, 0.0, 0.01])
@@ -336,42 +336,42 @@ def test_gains_changed_between_ticks_count_in_the_next(go1) -> None:
     assert com_acceleration(go1, state, solution.accelerations)[2] == pytest.approx(3.0, abs=1e-4)
 
 
-def poison(field: str, value: float):
-    def poison(state, reference) -> None:
+def set_invalid_value(field: str, value: float):
+    def set_invalid_value(state, reference) -> None:
         owner = state if hasattr(state, field) else reference
         broken = np.array(getattr(owner, field))
         broken[1] = value
         setattr(owner, field, broken)
 
-    return poison
+    return set_invalid_value
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])
 @pytest.mark.parametrize("field", ["q", "v", "contact", "p_com", "a_com", "ground_normal"])
-def test_a_number_that_is_none_is_refused_and_the_last_good_answer_kept(go1, field, value) -> None:
+def test_non_finite_input_is_refused_and_the_last_solution_is_kept(go1, field, value) -> None:
     controller = WholeBodyController(go1.robot)
-    state, reference = asked(go1, seed=1)
+    state, reference = state_and_reference(go1, seed=1)
     good = controller.update(state, reference)
-    poison(field, value)(state, reference)
+    set_invalid_value(field, value)(state, reference)
     refused = controller.update(state, reference)
     assert refused.status == Status.NON_FINITE
     np.testing.assert_array_equal(refused.torques, good.torques)
     np.testing.assert_array_equal(refused.forces, good.forces)
     np.testing.assert_array_equal(refused.accelerations, good.accelerations)
-    assert controller.update(*asked(go1, seed=1)).status == Status.OK
+    assert controller.update(*state_and_reference(go1, seed=1)).status == Status.OK
 
 
-def test_a_foot_reference_that_is_no_number_is_refused(go1) -> None:
+def test_nan_foot_reference_is_refused(go1) -> None:
     controller = WholeBodyController(go1.robot)
-    state, reference = asked(go1, seed=1)
+    state, reference = state_and_reference(go1, seed=1)
     reference.foot(2).p_world = np.array([math.nan, 0.0, 0.0])
     assert controller.update(state, reference).status == Status.NON_FINITE
-    assert controller.update(*asked(go1, seed=1)).status == Status.OK
+    assert controller.update(*state_and_reference(go1, seed=1)).status == Status.OK
 
 
 @pytest.mark.parametrize(("nq", "nv"), [(18, 18), (19, 17), (26, 25), (0, 0)])
 def test_a_state_of_another_robots_size_is_refused(go1, nq: int, nv: int) -> None:
-    state, reference = asked(go1, seed=1)
+    state, reference = state_and_reference(go1, seed=1)
     state.q, state.v = np.zeros(nq), np.zeros(nv)
     assert WholeBodyController(go1.robot).update(state, reference).status == Status.WRONG_SIZE
 
@@ -379,9 +379,9 @@ def test_a_state_of_another_robots_size_is_refused(go1, nq: int, nv: int) -> Non
 @pytest.mark.parametrize(
     "normal", [[0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, 0.0, -1.0], [1.0, 0.0, 0.0]]
 )
-def test_a_ground_normal_that_is_none_is_refused(go1, normal: list[float]) -> None:
+def test_invalid_ground_normal_is_refused(go1, normal: list[float]) -> None:
     controller = WholeBodyController(go1.robot)
-    state, reference = asked(go1, seed=1)
+    state, reference = state_and_reference(go1, seed=1)
     good = controller.update(state, reference)
     reference.ground_normal = np.array(normal)
     refused = controller.update(state, reference)
@@ -396,7 +396,7 @@ def test_a_reference_refuses_a_quaternion_that_is_not_unit() -> None:
     np.testing.assert_array_equal(reference.quat_world_base, [0.0, 0.0, 0.0, 1.0])
 
 
-def test_hold_asks_a_robot_to_stay_as_it_is(body) -> None:
+def test_hold_returns_a_reference_at_the_current_state(body) -> None:
     controller, state = WholeBodyController(body.robot), body.random_state(seed=5)
     held, expected = controller.hold(state), body.reference_at(state)
     np.testing.assert_allclose(held.p_com, expected.p_com, atol=1e-9)
@@ -419,10 +419,10 @@ def test_a_state_too_small_for_a_base_is_refused(nq: int, nv: int) -> None:
 
 
 @pytest.mark.parametrize("leg", range(4))
-def test_a_straight_leg_is_called_singular_and_a_bent_one_is_solved_again(body, leg) -> None:
-    options = surefoot.WholeBodyOptions(form=surefoot.Form.CONDENSED)
+def test_straight_leg_is_singular_and_a_bent_leg_is_solved_again(body, leg) -> None:
+    options = surefoot.WholeBodyOptions(form=surefoot.QpForm.CONDENSED)
     controller = WholeBodyController(body.robot, body.robot.config.gains, options)
-    state, reference = asked(body, seed=1)
+    state, reference = state_and_reference(body, seed=1)
     bent = np.array(state.q)
     straight = bent.copy()
     straight[body.robot.motor_to_q[3 * leg + 2]] = 0.0
@@ -430,7 +430,7 @@ def test_a_straight_leg_is_called_singular_and_a_bent_one_is_solved_again(body, 
     assert controller.update(state, reference).status == Status.SINGULAR
     solution = WholeBodyController(body.robot).update(state, reference)
     assert surefoot.is_usable(solution.status)
-    assert solution.form == surefoot.Form.GENERAL
+    assert solution.form == surefoot.QpForm.GENERAL
     assert np.isfinite(solution.accelerations).all()
     tau = solution.torques[np.array(body.robot.motor_to_v) - 6]
     assert (np.abs(tau) <= body.robot.config.tau_max).all()
@@ -438,39 +438,39 @@ def test_a_straight_leg_is_called_singular_and_a_bent_one_is_solved_again(body, 
     assert controller.update(state, reference).status == Status.OK
 
 
-def test_a_controller_that_never_solved_says_so(go1) -> None:
+def test_controller_without_a_solution_returns_zero_torques(go1) -> None:
     controller = WholeBodyController(go1.robot)
-    state, reference = asked(go1, seed=1)
+    state, reference = state_and_reference(go1, seed=1)
     state.q = np.full(19, math.nan)
     solution = controller.update(state, reference)
     np.testing.assert_array_equal(solution.torques, np.zeros(12))
     assert solution.status == Status.NON_FINITE
 
 
-def test_the_same_inputs_give_the_same_bits(body) -> None:
+def test_identical_inputs_give_identical_solutions(body) -> None:
     first, second = WholeBodyController(body.robot), WholeBodyController(body.robot)
     for seed in range(20):
-        state, reference = asked(body, seed)
+        state, reference = state_and_reference(body, seed)
         ours, theirs = first.update(state, reference), second.update(state, reference)
         np.testing.assert_array_equal(ours.torques, theirs.torques)
         np.testing.assert_array_equal(ours.accelerations, theirs.accelerations)
 
 
-def test_reset_forgets_all_that_came_before(go1) -> None:
+def test_reset_whole_body_controller_equals_a_new_one(go1) -> None:
     used, fresh = WholeBodyController(go1.robot), WholeBodyController(go1.robot)
     for seed in range(10):
-        state, reference = asked(go1, seed)
+        state, reference = state_and_reference(go1, seed)
         reference.a_com = 30.0 * np.ones(3)
         used.update(state, reference)
     used.reset()
     for seed in range(5):
-        state, reference = asked(go1, seed)
+        state, reference = state_and_reference(go1, seed)
         ours, theirs = used.update(state, reference), fresh.update(state, reference)
         np.testing.assert_array_equal(ours.torques, theirs.torques)
 
 
-def test_where_the_world_begins_makes_no_difference(body) -> None:
-    state, reference = asked(body, seed=2)
+def test_torques_do_not_depend_on_the_world_origin(body) -> None:
+    state, reference = state_and_reference(body, seed=2)
     here = WholeBodyController(body.robot).update(state, reference)
     shift = np.array([3.0, -7.0, 1.0])
     state.q = np.concatenate([state.q[:3] + shift, state.q[3:]])
@@ -483,12 +483,12 @@ def test_where_the_world_begins_makes_no_difference(body) -> None:
 
 @pytest.mark.parametrize("length", [0.0, 0.5, 2.0])
 def test_a_base_quaternion_far_from_unit_length_is_refused(go1, length: float) -> None:
-    state, reference = asked(go1, seed=1)
+    state, reference = state_and_reference(go1, seed=1)
     state.q = np.concatenate([state.q[:3], length * state.q[3:7], state.q[7:]])
     assert WholeBodyController(go1.robot).update(state, reference).status == Status.BAD_QUATERNION
 
 
-def test_any_finite_nonsense_leaves_a_finite_answer_inside_the_motors(go1) -> None:
+def test_any_finite_input_gives_finite_torques_within_limits(go1) -> None:
     controller, tau_max = WholeBodyController(go1.robot), go1.robot.config.tau_max.max()
     rng = np.random.default_rng(5)
     reference = go1.reference_at(go1.random_state(0))
@@ -505,14 +505,14 @@ def test_any_finite_nonsense_leaves_a_finite_answer_inside_the_motors(go1) -> No
         assert np.isfinite(solution.accelerations).all()
 
 
-def test_the_stand_controller_solves_the_same_program(body) -> None:
+def test_stand_controller_matches_the_whole_body_controller(body) -> None:
     # The contact's place hangs on the ground's normal, which the estimator knows a tick late: soft
     # feet, so that it does not show.
     gains = body.robot.config.gains
     gains.foot_kp, gains.foot_kd = 400.0, 35.0
     standing, rng = surefoot.StandController(body.robot, gains), np.random.default_rng(6)
     for tick in range(180):
-        report = body.resting_report(2 * tick)
+        report = body.resting_sample(2 * tick)
         report.imu.gyroscope[:] = 0.1 * rng.uniform(-1, 1, 3)
         report.imu.accelerometer[:] += 2.0 * np.sin(0.1 * tick)
         for i in range(12):
@@ -529,7 +529,7 @@ def test_the_stand_controller_solves_the_same_program(body) -> None:
         np.testing.assert_allclose(theirs.accelerations, twin.accelerations, atol=1e-3 * most)
 
 
-def test_a_robot_too_heavy_for_its_motors_says_so_and_stays_inside_them(body) -> None:
+def test_overloaded_motors_are_saturated_within_limits(body) -> None:
     weak = body.with_config(tau_max=0.1 * body.robot.config.tau_max)
     state = weak.random_state(seed=1, speed=0.0)
     solution = WholeBodyController(weak.robot).update(state, weak.reference_at(state))
@@ -538,8 +538,8 @@ def test_a_robot_too_heavy_for_its_motors_says_so_and_stays_inside_them(body) ->
 
 
 @pytest.mark.parametrize("weight", [1e3, 1e5])
-@pytest.mark.parametrize("form", [surefoot.Form.CONDENSED, surefoot.Form.GENERAL])
-def test_a_heavy_task_leaves_the_others_what_it_does_not_need(go1, weight: float, form) -> None:
+@pytest.mark.parametrize("form", [surefoot.QpForm.CONDENSED, surefoot.QpForm.GENERAL])
+def test_heavy_task_does_not_disturb_unrelated_forces(go1, weight: float, form) -> None:
     class Yaw(surefoot.Task):
         def rows(self) -> int:
             return 1
@@ -564,7 +564,7 @@ def test_a_heavy_task_leaves_the_others_what_it_does_not_need(go1, weight: float
         assert weight > 1e4 and solution.status in (Status.BAD_TASK, Status.MAX_ITERATIONS)
 
 
-def test_vectors_take_what_numpy_takes_and_refuse_by_name() -> None:
+def test_vector_fields_accept_array_likes_and_name_shape_errors() -> None:
     reference, state = surefoot.Reference(), surefoot.RobotState()
     reference.p_com, state.contact = [0, 0, 0.3], (1, 1, 0.5, 1)
     np.testing.assert_array_equal(reference.p_com, [0, 0, 0.3])
@@ -573,8 +573,8 @@ def test_vectors_take_what_numpy_takes_and_refuse_by_name() -> None:
             reference.p_com = bad
 
 
-def test_a_contact_that_is_no_probability_is_refused(go1) -> None:
-    state, reference = asked(go1, seed=1)
+def test_contact_confidence_outside_0_to_1_is_refused(go1) -> None:
+    state, reference = state_and_reference(go1, seed=1)
     for contact in ([1.0, 1.0, 1.0, 1.1], [-0.1, 1.0, 1.0, 1.0]):
         state.contact = contact
         assert WholeBodyController(go1.robot).update(state, reference).status == Status.IMPLAUSIBLE

@@ -41,8 +41,8 @@ class Daqp : public Adapter {
             "the data, then daqp_solve()",
             "the working set of the last tick, factored anew (activate_constraints)"};
   }
-  void forget() override { cold_ = true; }
-  void take(const Problem& p) override {
+  void clear_warm_start() override { cold_ = true; }
+  void load_problem(const Problem& p) override {
     std::copy_n(p.H, p.n * p.n, H_.begin());
     std::copy_n(p.g, p.n, f_.begin());
     std::copy_n(p.A, p.n_eq * p.n, A_.begin());
@@ -53,19 +53,19 @@ class Daqp : public Adapter {
     std::transform(p.u, p.u + p.n_in, upper_.begin() + p.n_eq, bound);
     std::transform(p.l, p.l + p.n_in, lower_.begin() + p.n_eq, bound);
   }
-  Said solve() override {
-    if (!started_ && !start()) return Said::kFailed;
+  SolveStatus solve() override {
+    if (!started_ && !start()) return SolveStatus::kFailed;
     // The bits of the working set stay in `sense` from tick to tick; writing it forgets them.
     bool ready = update(cold_ ? kAllData | UPDATE_sense : kAllData);
     if (!ready && !cold_) ready = update(kAllData | UPDATE_sense);
     cold_ = false;
     result_.iter = 0;
-    if (!ready) return Said::kFailed;
+    if (!ready) return SolveStatus::kFailed;
     daqp_solve(&result_, &work_);
-    return result_.exitflag == EXIT_OPTIMAL ? Said::kSolved : Said::kFailed;
+    return result_.exitflag == EXIT_OPTIMAL ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
   int iterations() const override { return result_.iter; }
-  void read(Answer& a) const override {
+  void read_solution(Solution& a) const override {
     a.x = x_;
     std::copy_n(multipliers_.begin(), setup_.n_eq, a.y.begin());
     std::copy_n(multipliers_.begin() + setup_.n_eq, setup_.n_in, a.z.begin());

@@ -25,8 +25,8 @@ class Eiquadprog : public Adapter {
             "EiquadprogFast, exact but for rounding: no tolerance", "none"};
   }
   bool can_warm_start() const override { return false; }
-  void forget() override {}
-  void take(const Problem& p) override {
+  void clear_warm_start() override {}
+  void load_problem(const Problem& p) override {
     H_ = Eigen::Map<const RowMatrix>(p.H, p.n, p.n);
     A_ = Eigen::Map<const RowMatrix>(p.A, p.n_eq, p.n);
     C_ = Eigen::Map<const RowMatrix>(p.C, p.n_in, p.n);
@@ -35,14 +35,14 @@ class Eiquadprog : public Adapter {
     l_ = Eigen::Map<const Eigen::VectorXd>(p.l, p.n_in);
     u_ = Eigen::Map<const Eigen::VectorXd>(p.u, p.n_in);
     minus_b_ = -b_;
-    split();
+    split_bounds();
   }
-  Said solve() override {
+  SolveStatus solve() override {
     status_ = solver_.solve_quadprog(H_, g_, A_, minus_b_, CI_, ci_, x_);
-    return status_ == ei::EIQUADPROG_FAST_OPTIMAL ? Said::kSolved : Said::kFailed;
+    return status_ == ei::EIQUADPROG_FAST_OPTIMAL ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
   int iterations() const override { return solver_.getIteratios(); }
-  void read(Answer& a) const override {
+  void read_solution(Solution& a) const override {
     a.x.assign(x_.begin(), x_.end());
     a.y.assign(a.y.size(), 0.0);
     a.z.assign(a.z.size(), 0.0);
@@ -55,33 +55,33 @@ class Eiquadprog : public Adapter {
       if (row < 0) {
         a.y[-row - 1] = -multiplier;
       } else {
-        a.z[row_[row]] += side_[row] * multiplier;
+        a.z[source_row_[row]] += bound_sign_[row] * multiplier;
       }
     }
   }
 
  private:
   // Rows that have no bound are left out, so the number of rows may change from tick to tick.
-  void split() {
-    row_.clear();
-    side_.clear();
+  void split_bounds() {
+    source_row_.clear();
+    bound_sign_.clear();
     for (int i = 0; i < setup_.n_in; ++i) {
-      if (std::isfinite(l_[i])) keep(i, -1.0);
-      if (std::isfinite(u_[i])) keep(i, 1.0);
+      if (std::isfinite(l_[i])) add_bound(i, -1.0);
+      if (std::isfinite(u_[i])) add_bound(i, 1.0);
     }
-    const auto rows = static_cast<Eigen::Index>(row_.size());
+    const auto rows = static_cast<Eigen::Index>(source_row_.size());
     CI_.resize(rows, setup_.n);
     ci_.resize(rows);
     for (Eigen::Index k = 0; k < rows; ++k) {
-      const int i = row_[k];
-      CI_.row(k) = -side_[k] * C_.row(i);
-      ci_[k] = side_[k] > 0.0 ? u_[i] : -l_[i];
+      const int i = source_row_[k];
+      CI_.row(k) = -bound_sign_[k] * C_.row(i);
+      ci_[k] = bound_sign_[k] > 0.0 ? u_[i] : -l_[i];
     }
-    if (rows != known_rows_) solver_.reset(setup_.n, setup_.n_eq, known_rows_ = rows);
+    if (rows != allocated_rows_) solver_.reset(setup_.n, setup_.n_eq, allocated_rows_ = rows);
   }
-  void keep(int row, double side) {
-    row_.push_back(row);
-    side_.push_back(side);
+  void add_bound(int row, double sign) {
+    source_row_.push_back(row);
+    bound_sign_.push_back(sign);
   }
 
   Setup setup_;
@@ -89,9 +89,9 @@ class Eiquadprog : public Adapter {
   ei::EiquadprogFast_status status_{};
   Eigen::MatrixXd H_, A_, C_, CI_;
   Eigen::VectorXd g_, b_, l_, u_, ci_, minus_b_, x_;
-  std::vector<int> row_;
-  std::vector<double> side_;
-  Eigen::Index known_rows_ = -1;
+  std::vector<int> source_row_;
+  std::vector<double> bound_sign_;
+  Eigen::Index allocated_rows_ = -1;
 };
 
 }  // namespace

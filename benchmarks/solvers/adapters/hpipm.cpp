@@ -18,7 +18,8 @@ class Hpipm : public Adapter {
  public:
   explicit Hpipm(const Setup& s)
       : setup_(s), A_(s.n_eq * s.n), C_(s.n_in * s.n), H_(s.n * s.n), g_(s.n), b_(s.n_eq) {
-    for (auto* rows : {&l_, &u_, &l_mask_, &u_mask_, &from_l_, &from_u_}) rows->resize(s.n_in);
+    for (auto* rows : {&l_, &u_, &l_mask_, &u_mask_, &lower_multipliers_, &upper_multipliers_})
+      rows->resize(s.n_in);
     dim_memory_.resize(d_dense_qp_dim_memsize());
     d_dense_qp_dim_create(&dim_, dim_memory_.data());
     d_dense_qp_dim_set_all(s.n, s.n_eq, 0, s.n_in, 0, &dim_);
@@ -41,8 +42,8 @@ class Hpipm : public Adapter {
         "hot start (warm_start 3: primal, dual and slacks of the last tick); from nothing after "
         "a failure"};
   }
-  void forget() override { has_answer_ = false; }
-  void take(const Problem& p) override {
+  void clear_warm_start() override { has_solution_ = false; }
+  void load_problem(const Problem& p) override {
     std::copy_n(p.H, p.n * p.n, H_.begin());
     std::copy_n(p.g, p.n, g_.begin());
     std::copy_n(p.b, p.n_eq, b_.begin());
@@ -57,7 +58,7 @@ class Hpipm : public Adapter {
       u_[i] = std::isfinite(p.u[i]) ? p.u[i] : 0.0;
     }
   }
-  Said solve() override {
+  SolveStatus solve() override {
     d_dense_qp_set_H(H_.data(), &qp_);
     d_dense_qp_set_g(g_.data(), &qp_);
     if (setup_.n_eq > 0) {
@@ -69,24 +70,24 @@ class Hpipm : public Adapter {
     d_dense_qp_set_ug(u_.data(), &qp_);
     d_dense_qp_set_lg_mask(l_mask_.data(), &qp_);
     d_dense_qp_set_ug_mask(u_mask_.data(), &qp_);
-    int warm_start = has_answer_ ? kHotStart : 0;
+    int warm_start = has_solution_ ? kHotStart : 0;
     d_dense_qp_ipm_arg_set_warm_start(&warm_start, &settings_);
     d_dense_qp_ipm_solve(&qp_, &solution_, &settings_, &work_);
     int status = 0;
     d_dense_qp_ipm_get_status(&work_, &status);
-    has_answer_ = status == 0;
-    return has_answer_ ? Said::kSolved : Said::kFailed;
+    has_solution_ = status == 0;
+    return has_solution_ ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
   int iterations() const override { return work_.iter; }
-  void read(Answer& a) const override {
+  void read_solution(Solution& a) const override {
     auto* solution = const_cast<d_dense_qp_sol*>(&solution_);
     d_dense_qp_sol_get_v(solution, a.x.data());
     if (setup_.n_eq > 0) d_dense_qp_sol_get_pi(solution, a.y.data());
     for (double& y : a.y) y = -y;  // its Lagrangian has -pi'(A x - b)
-    d_dense_qp_sol_get_lam_lg(solution, from_l_.data());
-    d_dense_qp_sol_get_lam_ug(solution, from_u_.data());
+    d_dense_qp_sol_get_lam_lg(solution, lower_multipliers_.data());
+    d_dense_qp_sol_get_lam_ug(solution, upper_multipliers_.data());
     for (int i = 0; i < setup_.n_in; ++i) {
-      a.z[i] = u_mask_[i] * from_u_[i] - l_mask_[i] * from_l_[i];
+      a.z[i] = u_mask_[i] * upper_multipliers_[i] - l_mask_[i] * lower_multipliers_[i];
     }
   }
 
@@ -107,14 +108,14 @@ class Hpipm : public Adapter {
   Setup setup_;
   std::vector<double> A_, C_, H_, g_, b_;
   std::vector<double> l_, u_, l_mask_, u_mask_;
-  mutable std::vector<double> from_l_, from_u_;  // room for reading
+  mutable std::vector<double> lower_multipliers_, upper_multipliers_;  // room for reading
   std::vector<char> dim_memory_, qp_memory_, solution_memory_, settings_memory_, work_memory_;
   d_dense_qp_dim dim_{};
   d_dense_qp qp_{};
   d_dense_qp_sol solution_{};
   d_dense_qp_ipm_arg settings_{};
   d_dense_qp_ipm_ws work_{};
-  bool has_answer_ = false;
+  bool has_solution_ = false;
 };
 
 }  // namespace

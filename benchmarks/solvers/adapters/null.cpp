@@ -9,11 +9,11 @@ namespace {
 class Null : public Adapter {
  public:
   Description describe() const override { return {"null loop", "c++", "-", "solves nothing", "-"}; }
-  void forget() override {}
-  void take(const Problem&) override {}
-  Said solve() override { return Said::kNothing; }
+  void clear_warm_start() override {}
+  void load_problem(const Problem&) override {}
+  SolveStatus solve() override { return SolveStatus::kUnknown; }
   int iterations() const override { return 0; }
-  void read(Answer&) const override {}
+  void read_solution(Solution&) const override {}
 };
 
 }  // namespace

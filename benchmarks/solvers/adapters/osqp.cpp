@@ -15,16 +15,16 @@ namespace {
 /// Compressed columns of a dense row-major matrix with a known pattern.
 struct Columns {
   std::vector<OSQPInt> start{0}, row;
-  std::vector<int> from;  // where in the dense data
+  std::vector<int> source_index;  // where in the dense data
   std::vector<double> value;
 
   void add(int dense_index, int at_row) {
-    from.push_back(dense_index);
+    source_index.push_back(dense_index);
     row.push_back(at_row);
   }
   void end_column() { start.push_back(static_cast<OSQPInt>(row.size())); }
   void gather(const double* dense) {
-    for (std::size_t k = 0; k < from.size(); ++k) value[k] = dense[from[k]];
+    for (std::size_t k = 0; k < source_index.size(); ++k) value[k] = dense[source_index[k]];
   }
 };
 
@@ -43,8 +43,8 @@ class Osqp : public Adapter {
       }
       A_.end_column();
     }
-    P_.value.resize(P_.from.size());
-    A_.value.resize(A_.from.size());
+    P_.value.resize(P_.source_index.size());
+    A_.value.resize(A_.source_index.size());
     dense_H_.resize(s.n * s.n);
     dense_A_.resize(rows_ * s.n);
     q_.resize(s.n);
@@ -68,12 +68,12 @@ class Osqp : public Adapter {
             "no polishing, max_iter 20000, adaptive_rho_interval 25, check_termination 10",
             "primal and dual variables and rho of the last tick"};
   }
-  void forget() override {
+  void clear_warm_start() override {
     if (solver_ == nullptr) return;
     osqp_cold_start(solver_);
     osqp_update_rho(solver_, settings_.rho);
   }
-  void take(const Problem& p) override {
+  void load_problem(const Problem& p) override {
     std::copy_n(p.H, p.n * p.n, dense_H_.begin());
     std::copy_n(p.A, p.n_eq * p.n, dense_A_.begin());
     std::copy_n(p.C, p.n_in * p.n, dense_A_.begin() + p.n_eq * p.n);
@@ -84,24 +84,24 @@ class Osqp : public Adapter {
     std::transform(p.l, p.l + p.n_in, lower_.begin() + p.n_eq, bound);
     std::transform(p.u, p.u + p.n_in, upper_.begin() + p.n_eq, bound);
   }
-  Said solve() override {
+  SolveStatus solve() override {
     P_.gather(dense_H_.data());
     A_.gather(dense_A_.data());
     if (solver_ == nullptr) {
-      if (!start()) return Said::kFailed;
+      if (!start()) return SolveStatus::kFailed;
     } else {
       osqp_update_data_vec(solver_, q_.data(), lower_.data(), upper_.data());
       if (osqp_update_data_mat(solver_, P_.value.data(), nullptr, 0, A_.value.data(), nullptr, 0)) {
-        return Said::kFailed;
+        return SolveStatus::kFailed;
       }
     }
     osqp_solve(solver_);
-    return solver_->info->status_val == OSQP_SOLVED ? Said::kSolved : Said::kFailed;
+    return solver_->info->status_val == OSQP_SOLVED ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
   int iterations() const override {
     return solver_ == nullptr ? 0 : static_cast<int>(solver_->info->iter);
   }
-  void read(Answer& a) const override {
+  void read_solution(Solution& a) const override {
     if (solver_ == nullptr) return;
     const OSQPSolution& s = *solver_->solution;
     std::copy_n(s.x, setup_.n, a.x.begin());

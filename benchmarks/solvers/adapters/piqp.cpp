@@ -29,8 +29,8 @@ class Piqp : public Adapter {
         "of all data, then solve()",
         "none of the answer: an interior point starts anew; memory and preconditioner stay"};
   }
-  void forget() override {}
-  void take(const Problem& p) override {
+  void clear_warm_start() override {}
+  void load_problem(const Problem& p) override {
     P_ = Eigen::Map<const RowMatrix>(p.H, p.n, p.n);
     A_ = Eigen::Map<const RowMatrix>(p.A, p.n_eq, p.n);
     G_ = Eigen::Map<const RowMatrix>(p.C, p.n_in, p.n);
@@ -39,17 +39,18 @@ class Piqp : public Adapter {
     l_ = Eigen::Map<const Eigen::VectorXd>(p.l, p.n_in);
     u_ = Eigen::Map<const Eigen::VectorXd>(p.u, p.n_in);
   }
-  Said solve() override {
+  SolveStatus solve() override {
     if (started_) {
       solver_.update(P_, c_, A_, b_, G_, l_, u_);
     } else {
       solver_.setup(P_, c_, A_, b_, G_, l_, u_);
       started_ = true;
     }
-    return solver_.solve() == piqp::Status::PIQP_SOLVED ? Said::kSolved : Said::kFailed;
+    return solver_.solve() == piqp::Status::PIQP_SOLVED ? SolveStatus::kSolved
+                                                        : SolveStatus::kFailed;
   }
   int iterations() const override { return static_cast<int>(solver_.result().info.iter); }
-  void read(Answer& a) const override {
+  void read_solution(Solution& a) const override {
     const auto& r = solver_.result();
     a.x.assign(r.x.begin(), r.x.end());
     a.y.assign(r.y.begin(), r.y.end());

@@ -23,10 +23,10 @@ class Proxqp : public Adapter {
         "asked, all else default",
         "initial_guess WARM_START_WITH_PREVIOUS_RESULT"};
   }
-  void forget() override {
+  void clear_warm_start() override {
     if (!setup_.warm) qp_->settings.initial_guess = proxqp::InitialGuessStatus::NO_INITIAL_GUESS;
   }
-  void take(const Problem& p) override {
+  void load_problem(const Problem& p) override {
     H_ = Eigen::Map<const RowMatrix>(p.H, p.n, p.n);
     A_ = Eigen::Map<const RowMatrix>(p.A, p.n_eq, p.n);
     C_ = Eigen::Map<const RowMatrix>(p.C, p.n_in, p.n);
@@ -35,7 +35,7 @@ class Proxqp : public Adapter {
     l_ = Eigen::Map<const Eigen::VectorXd>(p.l, p.n_in).cwiseMax(-1e20);
     u_ = Eigen::Map<const Eigen::VectorXd>(p.u, p.n_in).cwiseMin(1e20);
   }
-  Said solve() override {
+  SolveStatus solve() override {
     if (started_) {
       qp_->update(H_, g_, A_, b_, C_, l_, u_, false);
     } else {
@@ -44,10 +44,11 @@ class Proxqp : public Adapter {
     }
     qp_->solve();
     const auto status = qp_->results.info.status;
-    return status == proxqp::QPSolverOutput::PROXQP_SOLVED ? Said::kSolved : Said::kFailed;
+    return status == proxqp::QPSolverOutput::PROXQP_SOLVED ? SolveStatus::kSolved
+                                                           : SolveStatus::kFailed;
   }
   int iterations() const override { return static_cast<int>(qp_->results.info.iter); }
-  void read(Answer& a) const override {
+  void read_solution(Solution& a) const override {
     a.x.assign(qp_->results.x.begin(), qp_->results.x.end());
     a.y.assign(qp_->results.y.begin(), qp_->results.y.end());
     a.z.assign(qp_->results.z.begin(), qp_->results.z.end());

@@ -37,8 +37,8 @@ class Qpoases : public Adapter {
             "hotstart() from the last tick with new matrices; from nothing after a failure, which "
             "is not in its time"};
   }
-  void forget() override { make(); }
-  void take(const Problem& p) override {
+  void clear_warm_start() override { make(); }
+  void load_problem(const Problem& p) override {
     if (!succeeded_) make();  // it would not recover by itself
     std::copy_n(p.H, p.n * p.n, H_.begin());
     std::copy_n(p.g, p.n, g_.begin());
@@ -51,18 +51,18 @@ class Qpoases : public Adapter {
     std::copy_n(p.l, p.n_in, lower_.begin() + p.n_eq);
     std::copy_n(p.u, p.n_in, upper_.begin() + p.n_eq);
   }
-  Said solve() override {
+  SolveStatus solve() override {
     succeeded_ = false;
     try {
       solver_(arg_.data(), res_.data(), iw_.data(), w_.data(), memory_);
       succeeded_ = solver_.stats(memory_).at("success");
     } catch (const std::exception&) {
-      return Said::kFailed;
+      return SolveStatus::kFailed;
     }
-    return succeeded_ ? Said::kSolved : Said::kFailed;
+    return succeeded_ ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
   int iterations() const override { return -1; }  // not passed on by the wrapper
-  void read(Answer& a) const override {
+  void read_solution(Solution& a) const override {
     a.x = x_;
     std::copy_n(multipliers_.begin(), setup_.n_eq, a.y.begin());
     std::copy_n(multipliers_.begin() + setup_.n_eq, setup_.n_in, a.z.begin());

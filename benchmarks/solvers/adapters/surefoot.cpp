@@ -19,8 +19,8 @@ class Surefoot : public Adapter {
             "are checked after every attempt, in its time",
             "active rows of the last tick; x, y and z for ProxQP"};
   }
-  void forget() override { solver_.reset(); }
-  void take(const Problem& p) override {
+  void clear_warm_start() override { solver_.reset(); }
+  void load_problem(const Problem& p) override {
     using surefoot::RowMatrix;
     problem_.H = Eigen::Map<const RowMatrix>(p.H, p.n, p.n);
     problem_.A = Eigen::Map<const RowMatrix>(p.A, p.n_eq, p.n);
@@ -30,15 +30,15 @@ class Surefoot : public Adapter {
     problem_.l = Eigen::Map<const Eigen::VectorXd>(p.l, p.n_in).cwiseMax(-surefoot::kNoBound);
     problem_.u = Eigen::Map<const Eigen::VectorXd>(p.u, p.n_in).cwiseMin(surefoot::kNoBound);
   }
-  Said solve() override {
+  SolveStatus solve() override {
     result_ = solver_.solve(problem_);
-    return result_.status == surefoot::Status::kOk ? Said::kSolved : Said::kFailed;
+    return result_.status == surefoot::Status::kOk ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
   int iterations() const override { return result_.iterations; }
-  void read(Answer& answer) const override {
-    answer.x.assign(solver_.x().begin(), solver_.x().end());
-    answer.y.assign(solver_.y().begin(), solver_.y().end());
-    answer.z.assign(solver_.z().begin(), solver_.z().end());
+  void read_solution(Solution& solution) const override {
+    solution.x.assign(solver_.x().begin(), solver_.x().end());
+    solution.y.assign(solver_.y().begin(), solver_.y().end());
+    solution.z.assign(solver_.z().begin(), solver_.z().end());
   }
 
  private:

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "plant/noise.hpp"
+#include "plant/normal_samples.hpp"
 
 namespace surefoot::plant {
 
@@ -56,7 +56,7 @@ struct ImuSite {
 };
 
 /// Flaws of a real IMU: a constant bias and white noise, a sample every few physics steps.
-struct ImuFlaws {
+struct ImuErrorModel {
   Vector3 gyro_bias, accelerometer_bias;   // [rad/s], [m/s^2], IMU axes
   double gyro_noise, accelerometer_noise;  // standard deviation of a sample
   int steps;                               // physics steps a sample
@@ -68,7 +68,7 @@ struct ImuFlaws {
 class Imu {
  public:
   explicit Imu(const ImuSite& site) : site_(site), filter_({0, 0, 9.81}, 0.0) {}
-  Imu(const ImuSite& site, const ImuFlaws& flaws, nb::object rng)
+  Imu(const ImuSite& site, const ImuErrorModel& flaws, nb::object rng)
       : site_(site),
         flaws_(flaws),
         noise_(std::move(rng)),
@@ -104,8 +104,8 @@ class Imu {
   static Vector3 vector(const double* values) { return Eigen::Map<const Vector3>(values); }
 
   ImuSite site_;
-  ImuFlaws flaws_{};
-  Normals noise_{nb::none()};
+  ImuErrorModel flaws_{};
+  NormalSamples noise_{nb::none()};
   bool real_ = false;
   MahonyFilter filter_;
   Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();

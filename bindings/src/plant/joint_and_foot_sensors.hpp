@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "plant/motors.hpp"
-#include "plant/noise.hpp"
+#include "plant/normal_samples.hpp"
 
 namespace surefoot::plant {
 
@@ -13,10 +13,10 @@ namespace surefoot::plant {
 class Encoders {
  public:
   Encoders(double quantum, double share, double noise, nb::object rng)
-      : quantum_(quantum), share_(share), deviation_(noise), noise_(std::move(rng)) {}
+      : quantum_(quantum), filter_blend_(share), noise_std_(noise), noise_(std::move(rng)) {}
 
   /// Advance the filter one physics step with the true velocities [rad/s].
-  void step(const Array12& dq) { filtered_ += share_ * (dq - filtered_); }
+  void step(const Array12& dq) { filtered_ += filter_blend_ * (dq - filtered_); }
 
   Array12 angles(const Array12& q) const {
     if (quantum_ == 0.0) return q;
@@ -25,13 +25,13 @@ class Encoders {
   Array12 velocities(const Array12& dq) {
     if (quantum_ == 0.0) return dq;
     Array12 out;
-    for (int i = 0; i < kMotors; ++i) out[i] = filtered_[i] + deviation_ * noise_.next();
+    for (int i = 0; i < kMotors; ++i) out[i] = filtered_[i] + noise_std_ * noise_.next();
     return out;
   }
 
  private:
-  double quantum_, share_, deviation_;  // [rad], 1, [rad/s]
-  Normals noise_;
+  double quantum_, filter_blend_, noise_std_;  // [rad], 1, [rad/s]
+  NormalSamples noise_;
   Array12 filtered_ = Array12::Zero();
 };
 
@@ -41,24 +41,24 @@ using Counts = Eigen::Array<std::int16_t, kLegs, 1>;
 /// Foot force sensors: counts with an offset that wanders, a gain and noise; newtons with noise.
 class FootSensors {
  public:
-  bool counts_alive = false, newtons_alive = false;
-  Array4 offset = Array4::Zero(), gain = Array4::Ones();    ///< counts, counts/N
-  double walk = 0.0, count_noise = 0.0, force_noise = 0.0;  ///< counts a reading, counts, N
+  bool counts_enabled = false, newtons_enabled = false;
+  Array4 offset = Array4::Zero(), gain = Array4::Ones();           ///< counts, counts/N
+  double offset_walk = 0.0, count_noise = 0.0, force_noise = 0.0;  ///< counts a reading, counts, N
 
   explicit FootSensors(nb::object rng) : exact_(rng.is_none()), noise_(std::move(rng)) {}
 
   /// footForce [counts] and footForceEst [N] of normal forces [N].
   std::pair<Counts, Counts> read(const Array4& normal_forces) {
     std::pair<Counts, Counts> out{Counts::Zero(), Counts::Zero()};
-    if (!counts_alive && !newtons_alive) return out;
+    if (!counts_enabled && !newtons_enabled) return out;
     Array4 counts = normal_forces, newtons = normal_forces;
     if (!exact_) {
-      offset += walk * draw();
+      offset += offset_walk * draw();
       counts = offset + gain * normal_forces + count_noise * draw();
       newtons += force_noise * draw();
     }
-    if (counts_alive) out.first = whole(counts);
-    if (newtons_alive) out.second = whole(newtons);
+    if (counts_enabled) out.first = to_counts(counts);
+    if (newtons_enabled) out.second = to_counts(newtons);
     return out;
   }
 
@@ -68,7 +68,7 @@ class FootSensors {
     for (int leg = 0; leg < kLegs; ++leg) out[leg] = noise_.next();
     return out;
   }
-  static Counts whole(const Array4& values) {
+  static Counts to_counts(const Array4& values) {
     return values.unaryExpr([](double x) { return std::nearbyint(x); })
         .max(-32768.0)
         .min(32767.0)
@@ -76,7 +76,7 @@ class FootSensors {
   }
 
   bool exact_;
-  Normals noise_;
+  NormalSamples noise_;
 };
 
 }  // namespace surefoot::plant

@@ -14,61 +14,64 @@ using namespace surefoot::plant;
 
 namespace {
 
-using Three = std::array<double, 3>;
-Vector3 vector(const Three& values) { return Vector3(values[0], values[1], values[2]); }
+using Array3 = std::array<double, 3>;
+Vector3 vector(const Array3& values) { return Vector3(values[0], values[1], values[2]); }
 
 void bind_motors(nb::module_& m) {
-  nb::class_<Command>(m, "Command", "A LowCmd's twelve motors, SI units, SDK order.")
+  nb::class_<MotorCommands>(m, "MotorCommands", "A LowCmd's twelve motors, SI units, SDK order.")
       .def_prop_ro(
-          "mode", [](const Command& c) { return c.mode; }, "(12,)")
+          "mode", [](const MotorCommands& c) { return c.mode; }, "(12,)")
       .def_prop_ro(
-          "q", [](const Command& c) { return c.q; }, "(12,) [rad]")
+          "q", [](const MotorCommands& c) { return c.q; }, "(12,) [rad]")
       .def_prop_ro(
-          "dq", [](const Command& c) { return c.dq; }, "(12,) [rad/s]")
+          "dq", [](const MotorCommands& c) { return c.dq; }, "(12,) [rad/s]")
       .def_prop_ro(
-          "tau", [](const Command& c) { return c.tau; }, "(12,) [N.m]")
+          "tau", [](const MotorCommands& c) { return c.tau; }, "(12,) [N.m]")
       .def_prop_ro(
-          "kp", [](const Command& c) { return c.kp; }, "(12,) [N.m/rad]")
-      .def_prop_ro("kd", [](const Command& c) { return c.kd; }, "(12,) [N.m.s/rad]");
-  nb::class_<Wire>(m, "Wire", "What frames carry of commands and torques, and how coarsely.")
+          "kp", [](const MotorCommands& c) { return c.kp; }, "(12,) [N.m/rad]")
+      .def_prop_ro("kd", [](const MotorCommands& c) { return c.kd; }, "(12,) [N.m.s/rad]");
+  nb::class_<WireFormat>(m, "WireFormat",
+                         "What frames carry of commands and torques, and how coarsely.")
       .def(
-          "__init__", [](Wire* self, double per_tau, bool real) { new (self) Wire{per_tau, real}; },
+          "__init__",
+          [](WireFormat* self, double per_tau, bool real) { new (self) WireFormat{per_tau, real}; },
           "per_tau"_a, "real"_a)
       .def(
           "torque",
-          [](const Wire& w, const Array12& tau) {
+          [](const WireFormat& w, const Array12& tau) {
             return Array12(tau.unaryExpr([&w](double x) { return w.torque(x); }));
           },
           "tau"_a, "Return torques (12,) [N.m] as an int16 carries them.")
-      .def("read", &Wire::read, "cmd"_a, nb::sig("def read(self, cmd: object) -> Command"),
+      .def("read", &WireFormat::read, "cmd"_a, nb::sig("def read(self, cmd: object) -> MotorCommands"),
            "Return the motors' part of a LowCmd; what is not finite counts as not said.");
-  nb::class_<Law>(m, "Law",
-                  "The torque that a driver makes from its own joint: offset - kp q' - kd dq', all "
-                  "(12,). mode is what LowState says of the motors meanwhile.")
+  nb::class_<MotorLaw>(
+      m, "MotorLaw",
+      "The torque that a driver makes from its own joint: offset - kp q' - kd dq', all "
+      "(12,). mode is what LowState says of the motors meanwhile.")
       .def(
           "__init__",
-          [](Law* self, const Array12& offset, const Array12& kp, const Array12& kd,
+          [](MotorLaw* self, const Array12& offset, const Array12& kp, const Array12& kd,
              const std::optional<Modes>& mode) {
-            new (self) Law{offset, kp, kd, mode.value_or(Law().mode)};
+            new (self) MotorLaw{offset, kp, kd, mode.value_or(MotorLaw().mode)};
           },
           "offset"_a, "kp"_a, "kd"_a, "mode"_a = nb::none())
       .def_prop_ro(
-          "offset", [](const Law& l) { return l.offset; }, "(12,) [N.m]")
+          "offset", [](const MotorLaw& l) { return l.offset; }, "(12,) [N.m]")
       .def_prop_ro(
-          "kp", [](const Law& l) { return l.kp; }, "(12,) [N.m/rad]")
+          "kp", [](const MotorLaw& l) { return l.kp; }, "(12,) [N.m/rad]")
       .def_prop_ro(
-          "kd", [](const Law& l) { return l.kd; }, "(12,) [N.m.s/rad]")
-      .def_prop_ro("mode", [](const Law& l) { return l.mode; }, "(12,)");
+          "kd", [](const MotorLaw& l) { return l.kd; }, "(12,) [N.m.s/rad]")
+      .def_prop_ro("mode", [](const MotorLaw& l) { return l.mode; }, "(12,)");
   m.def("command_law", &command_law, "command"_a, "brake_kd"_a,
         "Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a Command.");
   nb::class_<Motors>(m, "Motors", "Turns the law in force into joint torques.")
       .def(nb::init<const Array12&, const Array12&, const Array12&, double, const Array12&>(),
            "tau_max"_a, "corner_speed"_a, "no_load_speed"_a, "share"_a, "scale"_a)
       .def_prop_rw(
-          "law", [](const Motors& s) { return Law(s.law); },
-          [](Motors& s, const Law& law) { s.law = law; }, "The law in force.")
+          "law", [](const Motors& s) { return MotorLaw(s.law); },
+          [](Motors& s, const MotorLaw& law) { s.law = law; }, "The law in force.")
       .def_prop_ro(
-          "believed", [](const Motors& s) { return Array12(s.believed); },
+          "estimated_torque", [](const Motors& s) { return Array12(s.estimated_torque); },
           "(12,) torque that the drivers think they make [N.m].")
       .def_prop_ro(
           "torque", [](const Motors& s) { return Array12(s.torque); },
@@ -76,7 +79,7 @@ void bind_motors(nb::module_& m) {
       .def(
           "limits",
           [](const Motors& s, const Array12& dq) {
-            return std::pair<Array12, Array12>(-s.most(-dq), s.most(dq));
+            return std::pair<Array12, Array12>(-s.max_torque(-dq), s.max_torque(dq));
           },
           "dq"_a, "Return the least and the greatest torque (12,) [N.m] at dq (12,) [rad/s].")
       .def(
@@ -90,7 +93,7 @@ void bind_sensors(nb::module_& m) {
   nb::class_<MahonyFilter>(m, "MahonyFilter", "The vendor's attitude filter, imitated.")
       .def(
           "__init__",
-          [](MahonyFilter* self, const Three& a, double gain) {
+          [](MahonyFilter* self, const Array3& a, double gain) {
             new (self) MahonyFilter(vector(a), gain);
           },
           "accelerometer"_a, "gain"_a)
@@ -99,7 +102,7 @@ void bind_sensors(nb::module_& m) {
           "(4,) w, x, y, z: IMU to world.")
       .def(
           "update",
-          [](MahonyFilter& f, const Three& gyro, const Three& accel, double dt) {
+          [](MahonyFilter& f, const Array3& gyro, const Array3& accel, double dt) {
             f.update(vector(gyro), vector(accel), dt);
           },
           "gyro"_a, "accel"_a, "dt"_a,
@@ -117,45 +120,46 @@ void bind_sensors(nb::module_& m) {
           "q"_a, "dq"_a, "Return angles (12,) [rad] and velocities (12,) [rad/s].");
   nb::class_<FootSensors>(m, "FootSensors", "Foot force sensors.")
       .def(nb::init<nb::object>(), "rng"_a.none())
-      .def_rw("counts_alive", &FootSensors::counts_alive)
-      .def_rw("newtons_alive", &FootSensors::newtons_alive)
+      .def_rw("counts_enabled", &FootSensors::counts_enabled)
+      .def_rw("newtons_enabled", &FootSensors::newtons_enabled)
       .def_rw("offset", &FootSensors::offset)
       .def_rw("gain", &FootSensors::gain)
-      .def_rw("walk", &FootSensors::walk)
+      .def_rw("offset_walk", &FootSensors::offset_walk)
       .def_rw("count_noise", &FootSensors::count_noise)
       .def_rw("force_noise", &FootSensors::force_noise)
       .def("read", &FootSensors::read, "normal_forces"_a,
            "Return footForce [counts] and footForceEst [N], int16 (4,), of forces (4,) [N].");
-  nb::class_<ImuFlaws>(m, "ImuFlaws", "Constant biases, white noise, how often a sample.")
+  nb::class_<ImuErrorModel>(m, "ImuErrorModel", "Constant biases, white noise, how often a sample.")
       .def(
           "__init__",
-          [](ImuFlaws* self, const Vector3& gyro_bias, const Vector3& accelerometer_bias,
+          [](ImuErrorModel* self, const Vector3& gyro_bias, const Vector3& accelerometer_bias,
              double gyro_noise, double accelerometer_noise, int steps, double period,
              double filter_gain) {
             new (self)
-                ImuFlaws{gyro_bias, accelerometer_bias, gyro_noise, accelerometer_noise, steps,
-                         period,    filter_gain};
+                ImuErrorModel{gyro_bias, accelerometer_bias, gyro_noise, accelerometer_noise, steps,
+                              period,    filter_gain};
           },
           "gyro_bias"_a, "accelerometer_bias"_a, "gyro_noise"_a, "accelerometer_noise"_a, "steps"_a,
           "period"_a, "filter_gain"_a);
 }
 
 void bind_physics(nb::module_& m) {
-  nb::class_<State>(m, "State", "Views of MuJoCo's memory, and where the motors are in it.")
+  nb::class_<MujocoState>(m, "MujocoState",
+                          "Views of MuJoCo's memory, and where the motors are in it.")
       .def(
           "__init__",
-          [](State* self, Doubles qpos, Doubles qvel, Doubles qacc, Doubles applied,
+          [](MujocoState* self, Doubles qpos, Doubles qvel, Doubles qacc, Doubles applied,
              Doubles sensordata, const Indices& motor_q, const Indices& motor_v) {
-            new (self) State{qpos, qvel, qacc, applied, sensordata, motor_q, motor_v};
+            new (self) MujocoState{qpos, qvel, qacc, applied, sensordata, motor_q, motor_v};
           },
           "qpos"_a.noconvert(), "qvel"_a.noconvert(), "qacc"_a.noconvert(),
           "qfrc_applied"_a.noconvert(), "sensordata"_a.noconvert(), "motor_q"_a, "motor_v"_a);
   nb::class_<Sensors>(m, "Sensors", "Everything a LowState says, read from a MuJoCo state.")
       .def(
           "__init__",
-          [](Sensors* self, const State& state, const Wire& wire, const std::array<int, 3>& site,
-             const std::optional<ImuFlaws>& flaws, const nb::object& imu_rng,
-             const Encoders& encoders, const FootSensors& feet,
+          [](Sensors* self, const MujocoState& state, const WireFormat& wire,
+             const std::array<int, 3>& site, const std::optional<ImuErrorModel>& flaws,
+             const nb::object& imu_rng, const Encoders& encoders, const FootSensors& feet,
              const Eigen::Array<int, surefoot::kLegs * 3, 1>& foot_forces,
              const Vector3& ground_normal, const surefoot::LowState& rest, std::uint32_t tick0,
              double rate) {
@@ -167,8 +171,8 @@ void bind_physics(nb::module_& m) {
           },
           "state"_a, "wire"_a, "site"_a, "flaws"_a.none(), "imu_rng"_a.none(), "encoders"_a,
           "feet"_a, "foot_forces"_a, "ground_normal"_a, "rest"_a, "tick0"_a, "rate"_a,
-          nb::sig("def __init__(self, state: State, wire: Wire, site: tuple[int, int, int], "
-                  "flaws: ImuFlaws | None, imu_rng: object, encoders: Encoders, "
+          nb::sig("def __init__(self, state: MujocoState, wire: WireFormat, site: tuple[int, int, int], "
+                  "flaws: ImuErrorModel | None, imu_rng: object, encoders: Encoders, "
                   "feet: FootSensors, foot_forces: object, ground_normal: object, rest: object, "
                   "tick0: int, rate: float) -> None"),
           "site: where gyro, accelerometer and quaternion begin in sensordata.")
@@ -177,11 +181,11 @@ void bind_physics(nb::module_& m) {
            nb::sig("def read(self, motors: Motors) -> typing.Any"),
            "Return the LowState of this instant.");
   nb::class_<Physics>(m, "Physics", "MuJoCo's two half steps, with motors and sensors around them.")
-      .def(nb::init<std::uintptr_t, std::uintptr_t, nb::object, nb::object, State>(), "step1"_a,
-           "step2"_a, "model"_a, "data"_a, "state"_a)
+      .def(nb::init<std::uintptr_t, std::uintptr_t, nb::object, nb::object, MujocoState>(),
+           "step1"_a, "step2"_a, "model"_a, "data"_a, "state"_a)
       .def_prop_rw(
-          "hand", [](const Physics& p) { return Array12(p.hand); },
-          [](Physics& p, const Array12& hand) { p.hand = hand; },
+          "external_torque", [](const Physics& p) { return Array12(p.external_torque); },
+          [](Physics& p, const Array12& torque) { p.external_torque = torque; },
           "(12,) torque that hands add to the motors' [N.m].")
       .def("advance", &Physics::advance, "steps"_a, "motors"_a, "sensors"_a, "Take physics steps.");
 }

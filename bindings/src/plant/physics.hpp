@@ -14,7 +14,7 @@ namespace surefoot::plant {
 class Physics {
  public:
   Physics(std::uintptr_t step1, std::uintptr_t step2, nb::object model, nb::object data,
-          State state)
+          MujocoState state)
       : step1_(reinterpret_cast<Step>(step1)),
         step2_(reinterpret_cast<Step>(step2)),
         model_(std::move(model)),
@@ -23,12 +23,12 @@ class Physics {
         d_(reinterpret_cast<void*>(nb::cast<std::uintptr_t>(data_.attr("_address")))),
         state_(std::move(state)) {}
 
-  Array12 hand = Array12::Zero();  ///< [N.m] that hands add to the motors' torques
+  Array12 external_torque = Array12::Zero();  ///< [N.m] that hands add to the motors' torques
 
   void advance(int steps, Motors& motors, Sensors& sensors) {
     Array12 dq = state_.dq();
     for (int k = 0; k < steps; ++k) {
-      const Array12 applied = motors.step(state_.q(), dq) + hand;
+      const Array12 applied = motors.step(state_.q(), dq) + external_torque;
       for (int i = 0; i < kMotors; ++i) state_.applied.data()[state_.motor_v[i]] = applied[i];
       step2_(m_, d_);
       step1_(m_, d_);
@@ -43,7 +43,7 @@ class Physics {
   nb::object model_, data_;  // kept alive
   const void* m_;
   void* d_;
-  State state_;
+  MujocoState state_;
 };
 
 }  // namespace surefoot::plant

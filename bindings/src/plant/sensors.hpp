@@ -12,7 +12,7 @@ using Doubles = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Indices = Eigen::Array<int, kMotors, 1>;
 
 /// MuJoCo's own memory, and where the motors' joints are in it.
-struct State {
+struct MujocoState {
   Doubles qpos, qvel, qacc, applied, sensordata;
   Indices motor_q, motor_v;
 
@@ -29,7 +29,7 @@ struct State {
 /// Everything a LowState says, put together: the robot as its controller sees it.
 class Sensors {
  public:
-  Sensors(State state, Wire wire, Imu imu, Encoders encoders, FootSensors feet,
+  Sensors(MujocoState state, WireFormat wire, Imu imu, Encoders encoders, FootSensors feet,
           const Eigen::Array<int, kLegs * 3, 1>& foot_forces, const Vector3& ground_normal,
           const LowState& rest, std::uint32_t tick0, double rate)
       : state_(std::move(state)),
@@ -76,7 +76,7 @@ class Sensors {
     frame_.imu.quaternion = {q[0], q[1], q[2], q[3]};
     frame_.imu.gyroscope = {w[0], w[1], w[2]};
     frame_.imu.accelerometer = {a[0], a[1], a[2]};
-    const Eigen::Vector3f rpy = zyx(imu_.quaternion()).cast<float>();
+    const Eigen::Vector3f rpy = rpy_zyx(imu_.quaternion()).cast<float>();
     frame_.imu.rpy = {rpy[0], rpy[1], rpy[2]};
   }
   void write_motors(const Motors& motors) {
@@ -88,20 +88,20 @@ class Sensors {
       motor.q = static_cast<float>(q[i]);
       motor.dq = static_cast<float>(dq[i]);
       motor.ddq = static_cast<float>(std::trunc(ddq[i]));  // whole rad/s^2 on the wire
-      motor.tauEst = static_cast<float>(wire_.torque(motors.believed[i]));
+      motor.tauEst = static_cast<float>(wire_.torque(motors.estimated_torque[i]));
       frame_.motorState[i] = motor;
     }
   }
   /// Roll, pitch, yaw [rad] (ZYX) of a quaternion w x y z.
-  static Vector3 zyx(const Wxyz& quaternion) {
+  static Vector3 rpy_zyx(const Wxyz& quaternion) {
     const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
     return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
             std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)),
             std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
   }
 
-  State state_;
-  Wire wire_;
+  MujocoState state_;
+  WireFormat wire_;
   Imu imu_;
   Encoders encoders_;
   FootSensors feet_;

@@ -31,7 +31,7 @@ using LegModel = pinocchio::ModelTpl<SX, 0, LegJoints>;
 using LegData = pinocchio::DataTpl<SX, 0, LegJoints>;
 
 // Hands out a column's entries from first to last: the order of the calls is the data's layout.
-struct Reader {
+struct EntryReader {
   SX symbols;
   int next = 0;
   SX scalar() { return symbols(next++); }
@@ -55,19 +55,20 @@ void append_symmetric(const Eigen::MatrixBase<Derived>& m, std::vector<SX>& out)
 }
 
 // Starts a new part of the results and returns where it goes.
-std::vector<SX>& part(LegExpressions& out, const std::string& name, const std::string& meaning) {
+std::vector<SX>& add_field(LegExpressions& out, const std::string& name,
+                           const std::string& meaning) {
   out.fields.push_back({name, meaning, static_cast<int>(out.results.size())});
   return out.results;
 }
 
 // The joints are "unbounded": their configuration is (cos, sin), which the caller computes once.
-LegModel leg_model(Reader parameters, Vector3& p_calf_foot) {
+LegModel leg_model(EntryReader parameters, Vector3& p_calf_foot) {
   LegModel model;
-  const Matrix3 level = Matrix3::Identity();
+  const Matrix3 no_rotation = Matrix3::Identity();
   auto parent =
       model.addJoint(0, pinocchio::JointModelFreeFlyerTpl<SX>(), LegModel::SE3::Identity(), "base");
   const auto add = [&](const auto& joint, const std::string& name) {
-    parent = model.addJoint(parent, joint, LegModel::SE3(level, parameters.vector()), name);
+    parent = model.addJoint(parent, joint, LegModel::SE3(no_rotation, parameters.vector()), name);
     LegModel::Inertia& inertia = model.inertias[parent];
     inertia.mass() = parameters.scalar();
     inertia.lever() = parameters.vector();
@@ -88,7 +89,7 @@ struct BaseState {
   Vector3 lever;    // foot radius times ground normal, base axes
 };
 
-BaseState read_base(Reader base) {
+BaseState read_base(EntryReader base) {
   BaseState out;
   out.v = base.vector();
   out.w = base.vector();
@@ -101,15 +102,17 @@ BaseState read_base(Reader base) {
 void add_dynamics(const LegData& data, const Vector3& dq, LegExpressions& out) {
   const auto& body = data.oYcrb[2];
   const Eigen::Matrix<SX, 6, 3> M_base_leg = data.M.topRightCorner<6, 3>();
-  append((body.mass() * body.lever()).eval(), part(out, "MassLever", "mass times centre of mass"));
+  append((body.mass() * body.lever()).eval(),
+         add_field(out, "MassLever", "mass times centre of mass"));
   append_symmetric(body.matrix().bottomRightCorner<3, 3>(),
-                   part(out, "Inertia", "rotational inertia about the base's origin"));
-  append(M_base_leg * dq, part(out, "Momentum", "of the joints' motion alone, linear first"));
-  append(data.nle.head<6>(), part(out, "HBase", "share of the base's bias"));
-  out.shared = static_cast<int>(out.results.size());
-  append(data.nle.tail<3>(), part(out, "HLeg", "bias of the joints"));
-  append(M_base_leg, part(out, "MBaseLeg", "block of the mass matrix"));
-  append_symmetric(data.M.bottomRightCorner<3, 3>(), part(out, "MLeg", "block of the mass matrix"));
+                   add_field(out, "Inertia", "rotational inertia about the base's origin"));
+  append(M_base_leg * dq, add_field(out, "Momentum", "of the joints' motion alone, linear first"));
+  append(data.nle.head<6>(), add_field(out, "HBase", "share of the base's bias"));
+  out.summed_count = static_cast<int>(out.results.size());
+  append(data.nle.tail<3>(), add_field(out, "HLeg", "bias of the joints"));
+  append(M_base_leg, add_field(out, "MBaseLeg", "block of the mass matrix"));
+  append_symmetric(data.M.bottomRightCorner<3, 3>(),
+                   add_field(out, "MLeg", "block of the mass matrix"));
 }
 
 // The rows of a sphere that rolls on the ground, as in PinocchioDynamics::update_leg().
@@ -128,14 +131,14 @@ void add_contact(const LegData& data, const BaseState& base, const Vector3& p_ca
   const Vector3 v_contact = calf.rotation() * v_centre + base.lever.cross(calf.rotation() * w);
   const Vector3 drift =
       calf.rotation() * a_centre + base.gravity + base.lever.cross(calf.rotation() * alpha);
-  append(base.R * p_contact, part(out, "PContact", "from the base's origin, world axes"));
-  append(base.R * v_contact, part(out, "VContact", "world axes"));
-  append(base.R * drift, part(out, "Drift", "world axes"));
+  append(base.R * p_contact, add_field(out, "PContact", "from the base's origin, world axes"));
+  append(base.R * v_contact, add_field(out, "VContact", "world axes"));
+  append(base.R * drift, add_field(out, "Drift", "world axes"));
   append(-base.R * pinocchio::skew(p_contact),
-         part(out, "JBaseAngular", "contact velocity from w_base, world axes"));
-  append(base.R * J_leg, part(out, "JLeg", "contact velocity from the joints, world axes"));
+         add_field(out, "JBaseAngular", "contact velocity from w_base, world axes"));
+  append(base.R * J_leg, add_field(out, "JLeg", "contact velocity from the joints, world axes"));
   const SX depth = J_leg.col(0).dot(data.J.col(7).template tail<3>());
-  part(out, "Depth", "foot below the hip axis, but for the sign").push_back(depth);
+  add_field(out, "Depth", "foot below the hip axis, but for the sign").push_back(depth);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct LegExpressions {
   casadi::SX leg;  ///< cos and sin of hip, thigh, calf; their velocities
   std::vector<casadi::SX> results;
   std::vector<Field> fields;  ///< of the results, in their order
-  int shared;                 ///< so many results from the first on are added up over the legs
+  int summed_count;           ///< so many results from the first on are added up over the legs
 };
 
 /// Run Pinocchio's crba and nonLinearEffects on a leg of hip x, thigh y, calf y, no placement

@@ -16,51 +16,64 @@ using casadi::Function;
 using Names = std::vector<std::string>;
 using Columns = std::vector<SX>;
 
-Function of_q(RobotSymbols& r, const SX& out, const std::string& name) {
+Function function_of_q(RobotSymbols& r, const SX& out, const std::string& name) {
   return {name, Columns{r.q}, Columns{SX::densify(out)}, Names{"q"}, Names{name}};
 }
 
-Function of_q_v(RobotSymbols& r, const SX& out, const std::string& name) {
+Function function_of_q_v(RobotSymbols& r, const SX& out, const std::string& name) {
   return {name, Columns{r.q, r.v}, Columns{SX::densify(out)}, Names{"q", "v"}, Names{name}};
 }
 
 // The variable after q and v.
-struct Last {
+struct ThirdInput {
   SX symbol;
   std::string name;
 };
 
-Function of_motion(RobotSymbols& r, const Last& last, const SX& out, const std::string& name) {
+Function function_of_motion(RobotSymbols& r, const ThirdInput& last, const SX& out,
+                            const std::string& name) {
   return {name, Columns{r.q, r.v, last.symbol}, Columns{SX::densify(out)},
           Names{"q", "v", last.name}, Names{name}};
 }
 
 // Of the function of q, v and one more whose expression `out` is.
-Function derivatives(RobotSymbols& r, const Last& last, const SX& out, const std::string& name) {
-  const Columns parts = {SX::densify(r.by_tangent(out)), SX::densify(SX::jacobian(out, r.v)),
+Function derivatives(RobotSymbols& r, const ThirdInput& last, const SX& out,
+                     const std::string& name) {
+  const Columns parts = {SX::densify(r.tangent_derivative(out)),
+                         SX::densify(SX::jacobian(out, r.v)),
                          SX::densify(SX::jacobian(out, last.symbol))};
   return {name, Columns{r.q, r.v, last.symbol}, parts, Names{"q", "v", last.name},
           Names{"by_q", "by_v", "by_" + last.name}};
 }
 
-using Maker = std::function<Function(RobotSymbols&, const std::string& name)>;
+using FunctionMaker = std::function<Function(RobotSymbols&, const std::string& name)>;
 
-const std::map<std::string, Maker>& makers() {
+const std::map<std::string, FunctionMaker>& function_makers() {
   using N = const std::string&;
-  static const std::map<std::string, Maker> table = {
-      {"mass_matrix", [](RobotSymbols& r, N n) { return of_q(r, r.mass_matrix(), n); }},
-      {"bias", [](RobotSymbols& r, N n) { return of_q_v(r, r.bias(), n); }},
-      {"foot_positions", [](RobotSymbols& r, N n) { return of_q(r, r.foot_positions(), n); }},
-      {"foot_jacobian", [](RobotSymbols& r, N n) { return of_q(r, r.foot_jacobian(), n); }},
-      {"foot_drifts", [](RobotSymbols& r, N n) { return of_q_v(r, r.foot_drifts(), n); }},
-      {"center_of_mass", [](RobotSymbols& r, N n) { return of_q(r, r.center_of_mass(), n); }},
-      {"centroidal_matrix", [](RobotSymbols& r, N n) { return of_q(r, r.centroidal_matrix(), n); }},
+  static const std::map<std::string, FunctionMaker> table = {
+      {"mass_matrix", [](RobotSymbols& r, N n) { return function_of_q(r, r.mass_matrix(), n); }},
+      {"bias", [](RobotSymbols& r, N n) { return function_of_q_v(r, r.bias(), n); }},
+      {"foot_positions",
+       [](RobotSymbols& r, N n) { return function_of_q(r, r.foot_positions(), n); }},
+      {"foot_jacobian",
+       [](RobotSymbols& r, N n) { return function_of_q(r, r.foot_jacobian(), n); }},
+      {"foot_drifts", [](RobotSymbols& r, N n) { return function_of_q_v(r, r.foot_drifts(), n); }},
+      {"center_of_mass",
+       [](RobotSymbols& r, N n) { return function_of_q(r, r.center_of_mass(), n); }},
+      {"centroidal_matrix",
+       [](RobotSymbols& r, N n) { return function_of_q(r, r.centroidal_matrix(), n); }},
       {"centroidal_momentum",
-       [](RobotSymbols& r, N n) { return of_q_v(r, SX::mtimes(r.centroidal_matrix(), r.v), n); }},
+       [](RobotSymbols& r, N n) {
+         return function_of_q_v(r, SX::mtimes(r.centroidal_matrix(), r.v), n);
+       }},
       {"inverse_dynamics",
-       [](RobotSymbols& r, N n) { return of_motion(r, {r.a, "a"}, r.inverse_dynamics(), n); }},
+       [](RobotSymbols& r, N n) {
+         return function_of_motion(r, {r.a, "a"}, r.inverse_dynamics(), n);
+       }},
       {"forward_dynamics",
-       [](RobotSymbols& r, N n) { return of_motion(r, {r.tau, "tau"}, r.forward_dynamics(), n); }},
+       [](RobotSymbols& r, N n) {
+         return function_of_motion(r, {r.tau, "tau"}, r.forward_dynamics(), n);
+       }},
       {"inverse_dynamics_derivatives",
        [](RobotSymbols& r, N n) { return derivatives(r, {r.a, "a"}, r.inverse_dynamics(), n); }},
       {"forward_dynamics_derivatives",
@@ -75,8 +88,9 @@ const std::map<std::string, Maker>& makers() {
 
 std::string robot_function(const std::string& model, const std::array<int, 4>& feet,
                            const std::string& name) {
-  const auto maker = makers().find(name);
-  if (maker == makers().end()) throw std::invalid_argument("no function named '" + name + "'");
+  const auto maker = function_makers().find(name);
+  if (maker == function_makers().end())
+    throw std::invalid_argument("no function named '" + name + "'");
   RobotSymbols robot(model, feet);
   return maker->second(robot, name).serialize();
 }

@@ -51,8 +51,8 @@ SX RobotSymbols::foot_jacobian() {
 }
 
 SX RobotSymbols::foot_drifts() {
-  const VectorX still = VectorX::Zero(model.nv);
-  pinocchio::forwardKinematics(model, data, to_eigen(q), to_eigen(v), still);
+  const VectorX zero_acceleration = VectorX::Zero(model.nv);
+  pinocchio::forwardKinematics(model, data, to_eigen(q), to_eigen(v), zero_acceleration);
   std::vector<SX> columns;
   for (const int foot : feet) {
     const auto drift = pinocchio::getFrameClassicalAcceleration(model, data, foot, kWorldAligned);
@@ -69,7 +69,7 @@ SX RobotSymbols::centroidal_matrix() {
   return to_casadi(pinocchio::computeCentroidalMap(model, data, to_eigen(q)));
 }
 
-SX RobotSymbols::by_tangent(const SX& value) {
+SX RobotSymbols::tangent_derivative(const SX& value) {
   MatrixX map = MatrixX::Zero(model.nq, model.nv);
   pinocchio::tangentMap(model, to_eigen(q), map);
   return SX::mtimes(SX::jacobian(value, q), to_casadi(map));

@@ -30,7 +30,7 @@ struct RobotSymbols {
   SX center_of_mass();
   SX centroidal_matrix();
   /// d(value)/dq by the chain rule from the change of q that a tangent vector makes.
-  SX by_tangent(const SX& value);
+  SX tangent_derivative(const SX& value);
 
   Model model;
   Data data;

@@ -1,19 +1,19 @@
 """The scorecard of a standing quadruped: the same table for any callable LowState -> LowCmd."""
 
-from surefoot.assess.card import Card, read_card, standard_card
 from surefoot.assess.condition import Condition
-from surefoot.assess.contestant import Contestant
+from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.run import run_assess
+from surefoot.assess.scorecard import Scorecard, read_scorecard, standard_scorecard
+from surefoot.assess.scorecard_text import assess_text
 from surefoot.assess.settings import AssessSettings
-from surefoot.assess.text import assess_text
 
 __all__ = [
     "AssessSettings",
-    "Card",
     "Condition",
-    "Contestant",
+    "ControllerUnderTest",
+    "Scorecard",
     "assess_text",
-    "read_card",
+    "read_scorecard",
     "run_assess",
-    "standard_card",
+    "standard_scorecard",
 ]

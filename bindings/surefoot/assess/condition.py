@@ -6,9 +6,9 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 from surefoot._core import Error
-from surefoot.low_state_layout import LEGS
-from surefoot.robot_table import suggest
-from surefoot.sim.checks import each_once, number, numbers, one_of
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.robot.robot_toml import suggest
+from surefoot.robot.setting_checks import check_number, check_numbers, check_one_of, check_unique
 
 _RANGES = {
     "friction": (0.01, 10.0),
@@ -90,29 +90,29 @@ class Condition:
             raise Error(f"condition: name: got {self.name!r}, expected words")
         try:
             for name, (low, high) in _RANGES.items():
-                number(name, getattr(self, name), low, high)
+                check_number(name, getattr(self, name), low, high)
             if self.step_foot != "":
-                one_of("step_foot", self.step_foot, LEGS, ' or "" for none')
-            numbers("payload_offset_m", self.payload_offset_m, -1.0, 1.0)
+                check_one_of("step_foot", self.step_foot, LEGS, ' or "" for none')
+            check_numbers("payload_offset_m", self.payload_offset_m, -1.0, 1.0)
             if len(self.payload_offset_m) != 3:
                 raise Error(f"payload_offset_m: got {self.payload_offset_m!r}, expected x, y, z")
-            numbers("headings_deg", self.headings_deg, -360.0, 360.0)
-            each_once("headings_deg", tuple(heading % 360.0 for heading in self.headings_deg))
+            check_numbers("headings_deg", self.headings_deg, -360.0, 360.0)
+            check_unique("headings_deg", tuple(heading % 360.0 for heading in self.headings_deg))
             if not isinstance(self.pushes, bool):
                 raise Error(f"pushes: got {self.pushes!r}, expected true or false")
-            if self.moves and (self.slope_deg or self.soft_ground_mm):
+            if self.ground_moves and (self.slope_deg or self.soft_ground_mm):
                 raise Error(
                     "got ground that moves and a slope or soft ground, expected one of them"
                 )
             if self.tilt_deg and self.step_foot:
                 raise Error("got a platform and a step, expected one of them")
-            if self.pushes and (self.slope_deg or self.moves):
+            if self.pushes and (self.slope_deg or self.ground_moves):
                 raise Error("pushes: got true, expected false: their limits are of level ground")
         except Error as problem:
             raise Error(f"condition '{self.name}': {problem}") from None
 
     @property
-    def moves(self) -> bool:
+    def ground_moves(self) -> bool:
         """Does the ground move?"""
         return self.tilt_deg > 0.0 or bool(self.step_foot)
 

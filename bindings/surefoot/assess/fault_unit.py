@@ -8,12 +8,12 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from surefoot._core import Robot, Supervisor, SupervisorOptions
-from surefoot.assess.contestant import Contestant
-from surefoot.assess.ground import Source, describe
-from surefoot.assess.unit import Beat
-from surefoot.faults.run import attempt
-from surefoot.faults.setting import Setup, set_up
-from surefoot.gain_files import gains_of
+from surefoot.assess.condition_plant import RobotSource, describe_source
+from surefoot.assess.controller_under_test import ControllerUnderTest
+from surefoot.assess.work_units import Heartbeat
+from surefoot.faults.matrix.matrix_setup import MatrixSetup, make_setup
+from surefoot.faults.matrix.run_matrix import run_or_fail
+from surefoot.robot.gain_files import gains_from_values
 
 
 @dataclass(frozen=True)
@@ -25,28 +25,32 @@ class FaultUnit:
     """
 
     cell: str
-    patience: ClassVar[float] = 20.0
+    deadline_factor: ClassVar[float] = 20.0
 
     @property
     def key(self) -> str:
         """Its name in the store."""
         return f"fault | {self.cell}"
 
-    def run(self, source: Source, contestant: Contestant, beat: Beat) -> dict[str, Any]:
+    def run(
+        self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
+    ) -> dict[str, Any]:
         """Run it and return what came of it as plain JSON."""
         setup = _setup(source)
-        if contestant.gains:
-            setup = replace(setup, make_supervisor=_with_gains(contestant.gains))
-        beat()
-        found = attempt(setup, self.cell)
-        return {name: found[name] for name in ("row", "verdict", "reason")}
+        if controller_under_test.gains:
+            setup = replace(setup, make_supervisor=_supervisor_factory(controller_under_test.gains))
+        heartbeat()
+        cell_result = run_or_fail(setup, self.cell)
+        return {name: cell_result[name] for name in ("row", "verdict", "reason")}
 
 
-def _with_gains(values: dict[str, float]) -> Callable[[Robot, SupervisorOptions], Supervisor]:
-    gains = gains_of(values)
+def _supervisor_factory(
+    values: dict[str, float],
+) -> Callable[[Robot, SupervisorOptions], Supervisor]:
+    gains = gains_from_values(values)
     return lambda robot, options: Supervisor(robot, gains, options)
 
 
 @lru_cache(maxsize=1)
-def _setup(source: Source) -> Setup:
-    return set_up(describe(source), 0)
+def _setup(source: RobotSource) -> MatrixSetup:
+    return make_setup(describe_source(source), 0)

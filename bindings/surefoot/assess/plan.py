@@ -4,99 +4,130 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from surefoot.assess.card import STANDARD, Card
 from surefoot.assess.condition import Condition
-from surefoot.assess.contestant import REFERENCES, Contestant
+from surefoot.assess.controller_under_test import REFERENCE_CONTROLLERS, ControllerUnderTest
 from surefoot.assess.fault_unit import FaultUnit
-from surefoot.assess.push_limits import Limits
+from surefoot.assess.push_limits import PushLimits
+from surefoot.assess.scorecard import STANDARD_PUSH, Scorecard
 from surefoot.assess.settings import AssessSettings
-from surefoot.assess.sweep import FINEST, first_level
-from surefoot.assess.unit import PushUnit, StandUnit
-from surefoot.assess.worker import Work
+from surefoot.assess.sweep import FINEST_STEP, first_level
+from surefoot.assess.work_units import PushUnit, StandUnit
+from surefoot.assess.worker import WorkItem
 from surefoot.faults import choose_cells
 
-OTHER_FINEST = 5.0  # [%] step of sweeps that are not STANDARD, which are most of a full card
-BRIEF = ("*/standing",)  # cells of the matrix of faults in brief
+OTHER_FINEST_STEP = 5.0  # [%] step of sweeps that are not STANDARD, which are most of a full card
+BRIEF_CELLS = ("*/standing",)  # cells of the matrix of faults in brief
 
 
-def works(settings: AssessSettings, limits: Limits) -> Iterator[Work]:
+def planned_work(settings: AssessSettings, limits: PushLimits) -> Iterator[WorkItem]:
     """Yield everything that an assessment runs: pushes, conditions, faults, references."""
-    card, contestant = settings.card, settings.contestant
-    for unit in pushes(card, limits):
-        yield Work(unit, contestant)
+    card, controller_under_test = settings.card, settings.controller_under_test
+    for unit in push_units(card, limits):
+        yield WorkItem(unit, controller_under_test)
     for condition in card.conditions:
-        for stand in stands(card, condition):
-            yield Work(stand, contestant)
-        for unit in condition_pushes(card, condition, limits):
-            yield Work(unit, contestant)
-    for fault in faults(settings):
-        yield Work(fault, contestant)
-    for reference in references(settings):
-        for unit in reference_pushes(card, limits):
-            yield Work(unit, reference)
+        for stand in stand_units(card, condition):
+            yield WorkItem(stand, controller_under_test)
+        for unit in condition_push_units(card, condition, limits):
+            yield WorkItem(unit, controller_under_test)
+    for fault in fault_units(settings):
+        yield WorkItem(fault, controller_under_test)
+    for reference in reference_controllers(settings):
+        for unit in reference_push_units(card, limits):
+            yield WorkItem(unit, reference)
 
 
-def pushes(card: Card, limits: Limits) -> list[PushUnit]:
+def push_units(card: Scorecard, limits: PushLimits) -> list[PushUnit]:
     """Return the pushes under the usual condition."""
     return [
         unit
         for duration in card.lengths_s
-        for lift in card.heights_m
-        for unit in _around(
-            card.conditions[0], card.degrees, duration, lift, card.drawn(card.seeds), limits
+        for push_height in card.heights_m
+        for unit in _push_units_around(
+            card.conditions[0],
+            card.directions_deg,
+            duration,
+            push_height,
+            card.seed_range(card.seeds),
+            limits,
         )
     ]
 
 
-def condition_pushes(card: Card, condition: Condition, limits: Limits) -> list[PushUnit]:
+def condition_push_units(
+    card: Scorecard, condition: Condition, limits: PushLimits
+) -> list[PushUnit]:
     """Return the pushes under a further condition, if there are any."""
     if not condition.pushes or condition == card.conditions[0]:
         return []
-    seeds = card.drawn(card.condition_seeds)
-    return _around(condition, card.condition_degrees, *STANDARD, seeds, limits)
+    seeds = card.seed_range(card.condition_seeds)
+    return _push_units_around(
+        condition, card.condition_directions_deg, *STANDARD_PUSH, seeds, limits
+    )
 
 
-def reference_pushes(card: Card, limits: Limits) -> list[PushUnit]:
+def reference_push_units(card: Scorecard, limits: PushLimits) -> list[PushUnit]:
     """Return the pushes that reference controllers get: those that the summary is about."""
-    return _around(card.conditions[0], card.degrees, *card.main, card.drawn(card.seeds), limits)
+    return _push_units_around(
+        card.conditions[0],
+        card.directions_deg,
+        *card.summary_push,
+        card.seed_range(card.seeds),
+        limits,
+    )
 
 
-def stands(card: Card, condition: Condition) -> list[StandUnit]:
+def stand_units(card: Scorecard, condition: Condition) -> list[StandUnit]:
     """Return the quiet stands under a condition."""
     return [
         StandUnit(condition, heading, seed)
         for heading in condition.headings_deg
-        for seed in card.drawn(card.condition_seeds)
+        for seed in card.seed_range(card.condition_seeds)
     ]
 
 
-def faults(settings: AssessSettings) -> list[FaultUnit]:
+def fault_units(settings: AssessSettings) -> list[FaultUnit]:
     """Return the cells of the matrix of faults; they are about the Supervisor of "surefoot"."""
-    if settings.card.faults == "none" or settings.contestant.name != "surefoot":
+    if settings.card.faults == "none" or settings.controller_under_test.name != "surefoot":
         return []
-    patterns = BRIEF if settings.card.faults == "brief" else ()
+    patterns = BRIEF_CELLS if settings.card.faults == "brief" else ()
     return [FaultUnit(cell.id) for cell in choose_cells(patterns)]
 
 
-def references(settings: AssessSettings) -> list[Contestant]:
+def reference_controllers(settings: AssessSettings) -> list[ControllerUnderTest]:
     """Return who else is pushed."""
     if not settings.card.references:
         return []
-    return [Contestant(name) for name in REFERENCES if name != settings.contestant.name]
-
-
-def _around(
-    condition: Condition,
-    degrees: list[float],
-    duration: float,
-    lift: float,
-    seeds: range,
-    limits: Limits,
-) -> list[PushUnit]:
-    finest = FINEST if (duration, lift) == STANDARD else OTHER_FINEST
-    limit = {angle: limits.of(condition, angle, duration, lift).own for angle in degrees}
     return [
-        PushUnit(condition, angle, duration, lift, seed, limit[angle], first_level(turn), finest)
-        for angle in degrees
-        for turn, seed in enumerate(seeds)
+        ControllerUnderTest(name)
+        for name in REFERENCE_CONTROLLERS
+        if name != settings.controller_under_test.name
+    ]
+
+
+def _push_units_around(
+    condition: Condition,
+    directions_deg: list[float],
+    duration: float,
+    push_height: float,
+    seeds: range,
+    limits: PushLimits,
+) -> list[PushUnit]:
+    finest_step = FINEST_STEP if (duration, push_height) == STANDARD_PUSH else OTHER_FINEST_STEP
+    limit_by_direction = {
+        angle: limits.push_limit(condition, angle, duration, push_height).limit
+        for angle in directions_deg
+    }
+    return [
+        PushUnit(
+            condition,
+            angle,
+            duration,
+            push_height,
+            seed,
+            limit_by_direction[angle],
+            first_level(seed_index),
+            finest_step,
+        )
+        for angle in directions_deg
+        for seed_index, seed in enumerate(seeds)
     ]

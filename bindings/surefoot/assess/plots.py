@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
-from surefoot.assess.push_score import main_table
-from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot
+from surefoot.assess.push_score import summary_table
+from surefoot.reports.plots import BLUE, GREEN, GREY, ORANGE, RED, Plot
 
-_LINES = (("survive", BLUE), ("strict", GREEN))
-_REFERENCES = (ORANGE, "#8e5bb5", "#7a5c3e")
+_CRITERION_COLORS = (("survive", BLUE), ("strict", GREEN))
+_REFERENCE_COLORS = (ORANGE, "#8e5bb5", "#7a5c3e")
 
 
 def _draw_pushes(card: dict[str, Any]) -> Figure:
@@ -23,46 +23,49 @@ def _draw_pushes(card: dict[str, Any]) -> Figure:
     figure = Figure(figsize=(max(5.2, size * len(lengths)), size * len(heights) + 0.8))
     figure.set_layout_engine("constrained")
     for table in tables:
-        place = heights.index(table["height_m"]) * len(lengths) + lengths.index(table["length_s"])
-        ax = _axes(figure, len(heights), len(lengths), place)
-        _circle(ax, table, "limit_ns", RED, "own limit", ls="--")
-        _circle(ax, table, "lip_ns", GREY, "pendulum", ls=":")
-        for kind, color in _LINES:
-            _circle(ax, table, kind, color, kind)
-        _finish(ax, f"{table['length_s']:g} s, {table['height_m']:+g} m [N.s]")
+        index = heights.index(table["height_m"]) * len(lengths) + lengths.index(table["length_s"])
+        ax = _polar_axes(figure, len(heights), len(lengths), index)
+        _plot_polar(ax, table, "limit_ns", RED, "own limit", ls="--")
+        _plot_polar(ax, table, "lip_ns", GREY, "pendulum", ls=":")
+        for kind, color in _CRITERION_COLORS:
+            _plot_polar(ax, table, kind, color, kind)
+        _finish_polar(ax, f"{table['length_s']:g} s, {table['height_m']:+g} m [N.s]")
     _legend(figure)
     return figure
 
 
 def _draw_references(card: dict[str, Any]) -> Figure:
     figure = Figure(figsize=(9.2, 5.8), layout="constrained")
-    own = main_table(card["push"]["tables"])
-    for place, kind in enumerate(("survive", "strict")):
-        ax = _axes(figure, 1, 2, place)
-        _circle(ax, own, "limit_ns", RED, "own limit", ls="--")
-        _circle(ax, own, kind, BLUE, card["controller"])
-        for (name, push), color in zip(card["references"].items(), _REFERENCES, strict=False):
-            _circle(ax, main_table(push["tables"]), kind, color, name)
-        _finish(ax, f"{kind}, {own['length_s']:g} s, {own['height_m']:+g} m [N.s]")
+    controller_table = summary_table(card["push"]["tables"])
+    for index, kind in enumerate(("survive", "strict")):
+        ax = _polar_axes(figure, 1, 2, index)
+        _plot_polar(ax, controller_table, "limit_ns", RED, "own limit", ls="--")
+        _plot_polar(ax, controller_table, kind, BLUE, card["controller"])
+        for (name, push), color in zip(card["references"].items(), _REFERENCE_COLORS, strict=False):
+            _plot_polar(ax, summary_table(push["tables"]), kind, color, name)
+        _finish_polar(
+            ax,
+            f"{kind}, {controller_table['length_s']:g} s, {controller_table['height_m']:+g} m [N.s]",
+        )
     _legend(figure)
     return figure
 
 
-def _axes(figure: Figure, rows: int, columns: int, place: int) -> PolarAxes:
-    ax = figure.add_subplot(rows, columns, place + 1, projection="polar")
+def _polar_axes(figure: Figure, rows: int, columns: int, index: int) -> PolarAxes:
+    ax = figure.add_subplot(rows, columns, index + 1, projection="polar")
     assert isinstance(ax, PolarAxes)
     ax.set_theta_zero_location("N")  # forward is up, left is left
     ax.set_rlabel_position(60.0)  # where limits leave room
     return ax
 
 
-def _finish(ax: PolarAxes, title: str) -> None:
-    farthest = max(float(np.max(line.get_ydata())) for line in ax.get_lines())
-    ax.set_ylim(0.0, 1.05 * farthest)
+def _finish_polar(ax: PolarAxes, title: str) -> None:
+    max_radius = max(float(np.max(line.get_ydata())) for line in ax.get_lines())
+    ax.set_ylim(0.0, 1.05 * max_radius)
     ax.set_title(title, pad=14.0)
 
 
-def _circle(
+def _plot_polar(
     ax: PolarAxes, table: dict[str, Any], name: str, color: str, label: str, ls: str = "-"
 ) -> None:
     rows = table["directions"]
@@ -76,14 +79,14 @@ def _legend(figure: Figure) -> None:
     figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))
 
 
-PUSHES: Plot[dict[str, Any]] = Plot(
+PUSH_PLOT: Plot[dict[str, Any]] = Plot(
     "pushes.png",
     "Pushes all around",
     "The hardest push below which all were passed, over seeds, towards each direction; forward is "
     "up. One plot for each length and height above the centre of mass.",
     _draw_pushes,
 )
-REFERENCES: Plot[dict[str, Any]] = Plot(
+REFERENCE_PLOT: Plot[dict[str, Any]] = Plot(
     "references.png",
     "Beside the reference controllers",
     "The same pushes of all; forward is up.",
@@ -93,4 +96,4 @@ REFERENCES: Plot[dict[str, Any]] = Plot(
 
 def plots_of(card: dict[str, Any]) -> tuple[Plot[dict[str, Any]], ...]:
     """Return the pictures that a filled card has something to show in."""
-    return (PUSHES, REFERENCES) if card["references"] else (PUSHES,)
+    return (PUSH_PLOT, REFERENCE_PLOT) if card["references"] else (PUSH_PLOT,)

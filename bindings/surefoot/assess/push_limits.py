@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 
 from surefoot._core import Error, Robot
 from surefoot.assess.condition import Condition
-from surefoot.assess.limits import Pendulum, braked_impulse, lip_impulse
-from surefoot.assess.pinned import Pinned, pin
+from surefoot.assess.pendulum_limits import Pendulum, force_limited_impulse, lip_impulse
 from surefoot.assess.quasi_static import quasi_static_force
+from surefoot.assess.stance_model import StanceModel, stance_model
 
-LOWEST_SHARE = 0.75  # of the centre of mass's height that a push may be below it
+MIN_HEIGHT_SHARE = 0.75  # of the centre of mass's height that a push may be below it
 
 
 @dataclass(frozen=True)
@@ -28,42 +28,42 @@ class PushLimit:
     quasi_static: float
 
     @property
-    def own(self) -> float:
+    def limit(self) -> float:
         """The robot's own limit: the smaller of both [N.s]."""
         return min(self.lip, self.quasi_static)
 
 
 def push_limit(
-    pinned: Pinned, degrees: float, duration: float, lift: float, friction: float
+    stance: StanceModel, direction_deg: float, duration: float, push_height: float, friction: float
 ) -> PushLimit:
     """Return the limits of a push.
 
     Args:
-        pinned: The robot.
-        degrees: From forward towards left [deg].
+        stance: The robot.
+        direction_deg: From forward towards left [deg].
         duration: [s].
-        lift: Of its line of action above the centre of mass [m].
+        push_height: Of its line of action above the centre of mass [m].
         friction: True coefficient.
 
     Raises:
         Error: The robot cannot stand there, or the push is as good as on the ground.
     """
-    lowest = -LOWEST_SHARE * pinned.height
-    if lift < lowest:
+    lowest = -MIN_HEIGHT_SHARE * stance.height
+    if push_height < lowest:
         raise Error(
-            f"heights_m: got {lift:g}, expected from {lowest:.3f} up: nearer to the ground, "
-            f"{pinned.height:.3f} m below the centre of mass, a push does not tip the robot"
+            f"heights_m: got {push_height:g}, expected from {lowest:.3f} up: nearer to the ground, "
+            f"{stance.height:.3f} m below the centre of mass, a push does not tip the robot"
         )
-    pendulum = Pendulum(pinned.mass, pinned.height, pinned.reach(degrees))
-    force = quasi_static_force(pinned, degrees, friction)
+    pendulum = Pendulum(stance.mass, stance.height, stance.edge_distance(direction_deg))
+    force = quasi_static_force(stance, direction_deg, friction)
     return PushLimit(
-        lip_impulse(pendulum, duration, lift),
+        lip_impulse(pendulum, duration, push_height),
         force,
-        braked_impulse(pendulum, force, duration, lift),
+        force_limited_impulse(pendulum, force, duration, push_height),
     )
 
 
-class Limits:
+class PushLimits:
     """Limits of pushes on one robot; each is computed once.
 
     Args:
@@ -71,18 +71,22 @@ class Limits:
     """
 
     def __init__(self, robot: Robot) -> None:
-        self.pinned = pin(robot)
-        self._known: dict[tuple[float, ...], PushLimit] = {}
+        self.stance = stance_model(robot)
+        self._cache: dict[tuple[float, ...], PushLimit] = {}
 
-    def mass(self, condition: Condition) -> float:
+    def true_mass(self, condition: Condition) -> float:
         """Return the robot's true mass under a condition, payload included [kg]."""
-        return (1.0 + condition.mass_share + condition.payload_share) * self.pinned.mass
+        return (1.0 + condition.mass_share + condition.payload_share) * self.stance.mass
 
-    def of(self, condition: Condition, degrees: float, duration: float, lift: float) -> PushLimit:
+    def push_limit(
+        self, condition: Condition, direction_deg: float, duration: float, push_height: float
+    ) -> PushLimit:
         """Return the limits of a push under a condition: of its friction and its true mass."""
-        mass = self.mass(condition)
-        key = (degrees, duration, lift, condition.friction, mass)
-        if key not in self._known:
-            pinned = replace(self.pinned, mass=mass)
-            self._known[key] = push_limit(pinned, degrees, duration, lift, condition.friction)
-        return self._known[key]
+        mass = self.true_mass(condition)
+        key = (direction_deg, duration, push_height, condition.friction, mass)
+        if key not in self._cache:
+            stance = replace(self.stance, mass=mass)
+            self._cache[key] = push_limit(
+                stance, direction_deg, duration, push_height, condition.friction
+            )
+        return self._cache[key]

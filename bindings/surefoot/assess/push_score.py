@@ -7,32 +7,34 @@ from typing import Any
 
 import numpy as np
 
-from surefoot.assess.card import main_push
-from surefoot.assess.push_limits import Limits
-from surefoot.assess.sweep import Sweep, from_rows
-from surefoot.assess.unit import PushUnit
+from surefoot.assess.push_limits import PushLimits
+from surefoot.assess.scorecard import summary_push
+from surefoot.assess.sweep import Sweep, rows_to_sweep
+from surefoot.assess.work_units import PushUnit
 
-KINDS = {"survive": "survived", "strict": "strict"}
-MANY = 20  # seeds from which on a 5th percentile says more than the minimum
+CRITERIA = {"survive": "survived", "strict": "in_place"}
+MIN_PERCENTILE_SEEDS = 20  # seeds from which on a 5th percentile says more than the minimum
 
-Found = Mapping[str, dict[str, Any]]
+UnitResults = Mapping[str, dict[str, Any]]
 """What came of one contestant's units, by key."""
 
 
-def push_section(units: list[PushUnit], limits: Limits, found: Found) -> dict[str, Any]:
+def push_section(
+    units: list[PushUnit], limits: PushLimits, unit_results: UnitResults
+) -> dict[str, Any]:
     """Return what pushes of one condition came to.
 
     Args:
         units: One after the other: lengths and heights, directions, seeds.
         limits: Of the robot.
-        found: By key.
+        unit_results: By key.
     """
     groups: dict[tuple[float, float], dict[float, list[PushUnit]]] = {}
     for unit in units:
-        group = groups.setdefault((unit.duration, unit.lift), {})
-        group.setdefault(unit.degrees, []).append(unit)
-    tables = [_table(shape, group, limits, found) for shape, group in groups.items()]
-    main = main_table(tables)
+        group = groups.setdefault((unit.duration, unit.push_height), {})
+        group.setdefault(unit.direction_deg, []).append(unit)
+    tables = [_table(shape, group, limits, unit_results) for shape, group in groups.items()]
+    main = summary_table(tables)
     return {
         "statistic": main["statistic"],
         "survive_percent_of_limit_p5": main["survive_percent_of_limit_p5"],
@@ -42,31 +44,34 @@ def push_section(units: list[PushUnit], limits: Limits, found: Found) -> dict[st
     }
 
 
-def main_table(tables: list[dict[str, Any]]) -> dict[str, Any]:
+def summary_table(tables: list[dict[str, Any]]) -> dict[str, Any]:
     """Return the table of the pushes that the summary is about."""
     shapes = [(table["length_s"], table["height_m"]) for table in tables]
-    return tables[shapes.index(main_push(shapes))]
+    return tables[shapes.index(summary_push(shapes))]
 
 
 def statistic(seeds: int) -> str:
     """Return in words what is made of the seeds."""
-    if seeds >= MANY:
+    if seeds >= MIN_PERCENTILE_SEEDS:
         return f"5th percentile of {seeds} seeds"
     return f"minimum of {seeds} seeds" if seeds > 1 else "1 seed"
 
 
-def low_end(values: list[float]) -> float:
+def low_percentile(values: list[float]) -> float:
     """Return the 5th percentile of many values, the minimum of few."""
-    return float(np.percentile(values, 5.0)) if len(values) >= MANY else min(values)
+    return float(np.percentile(values, 5.0)) if len(values) >= MIN_PERCENTILE_SEEDS else min(values)
 
 
 def _table(
-    shape: tuple[float, float], group: dict[float, list[PushUnit]], limits: Limits, found: Found
+    shape: tuple[float, float],
+    group: dict[float, list[PushUnit]],
+    limits: PushLimits,
+    unit_results: UnitResults,
 ) -> dict[str, Any]:
-    rows = [_row(units, limits, found) for units in group.values()]
+    rows = [_row(units, limits, unit_results) for units in group.values()]
     worst = {
         f"{kind}_percent_of_limit_p5": min(row[kind]["percent_of_limit"] for row in rows)
-        for kind in KINDS
+        for kind in CRITERIA
     }
     length, height = shape
     units = next(iter(group.values()))
@@ -74,34 +79,34 @@ def _table(
         "length_s": length,
         "height_m": height,
         "statistic": statistic(len(units)),
-        "step_percent": units[0].finest,
+        "step_percent": units[0].finest_step,
         **worst,
         "directions": rows,
     }
 
 
-def _row(units: list[PushUnit], limits: Limits, found: Found) -> dict[str, Any]:
+def _row(units: list[PushUnit], limits: PushLimits, unit_results: UnitResults) -> dict[str, Any]:
     unit = units[0]
-    limit = limits.of(unit.condition, unit.degrees, unit.duration, unit.lift)
-    results = [found[one.key] for one in units]
+    limit = limits.push_limit(unit.condition, unit.direction_deg, unit.duration, unit.push_height)
+    results = [unit_results[one.key] for one in units]
     # What has no sweep has survived nothing.
-    sweeps = [from_rows(result["rows"]) if "rows" in result else Sweep() for result in results]
+    sweeps = [rows_to_sweep(result["rows"]) if "rows" in result else Sweep() for result in results]
     row: dict[str, Any] = {
-        "degrees": unit.degrees,
-        "limit_ns": limit.own,
+        "degrees": unit.direction_deg,
+        "limit_ns": limit.limit,
         "lip_ns": limit.lip,
         "quasi_static_ns": limit.quasi_static,
         "quasi_static_force_n": limit.quasi_static_force,
         "broken": sorted({result["broken"] for result in results if "broken" in result}),
     }
-    for kind, attribute in KINDS.items():
-        percents = [one.largest(attribute) for one in sweeps]
-        impulse = low_end(percents) / 100.0 * limit.own
+    for kind, attribute in CRITERIA.items():
+        percents = [one.largest_passed(attribute) for one in sweeps]
+        impulse = low_percentile(percents) / 100.0 * limit.limit
         row[kind] = {
-            "percent_of_limit": low_end(percents),
+            "percent_of_limit": low_percentile(percents),
             "percent_of_lip": 100.0 * impulse / limit.lip,
             "ns": impulse,
-            "ns_per_kg": impulse / limits.mass(unit.condition),
+            "ns_per_kg": impulse / limits.true_mass(unit.condition),
             "seeds_percent_of_limit": percents,
         }
     return row

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from surefoot.assess.plots import plots_of
-from surefoot.assess.report_tables import conditions_card, faults_card, push_card
-from surefoot.assess.sweep import told
-from surefoot.report_axes import draw_plots
-from surefoot.report_page import page_html, pictures_html, tiles_html
+from surefoot.assess.report_tables import conditions_html, faults_html, push_table_html
+from surefoot.assess.sweep import percent_text
+from surefoot.reports.page import page_html, plots_html, tiles_html
+from surefoot.reports.plots import draw_plots
 
 _STYLE = """<style>
 .rows td:nth-child(n) { text-align: right; color: var(--ink); white-space: nowrap; }
@@ -40,12 +40,12 @@ def write_assess_report(card: dict[str, Any], folder: Path, command: str) -> Pat
         f'<p class="soft">{escape(card["card"])} card, {escape(card["push"]["statistic"])}</p>',
         f"<pre>{escape(command)}</pre>",
         f'<div class="tiles" style="margin-top: 20px">{tiles_html(_tiles(card))}</div>',
-        _broken(card),
-        pictures_html(plots),
-        *(push_card(table, name) for name, table in _tables(card)),
-        conditions_card(card),
-        faults_card(card),
-        _films_card(card["films"]),
+        _failures_html(card),
+        plots_html(plots),
+        *(push_table_html(table, name) for name, table in _tables(card)),
+        conditions_html(card),
+        faults_html(card),
+        _films_html(card["films"]),
     ]
     page = folder / "index.html"
     page.write_text(page_html(f"{card['robot']} assessed", "\n".join(parts)), encoding="utf-8")
@@ -62,13 +62,13 @@ def _tiles(card: dict[str, Any]) -> list[tuple[str, str]]:
     tiles = [
         (
             f"of its own limit {words}, worst direction",
-            f"{told(push[f'{kind}_percent_of_limit_p5'])} %",
+            f"{percent_text(push[f'{kind}_percent_of_limit_p5'])} %",
         )
         for kind, words in (("survive", "survived"), ("strict", "stood still after"))
     ]
     stands = [condition["stand"] for condition in conditions]
-    good = sum(stand["passed"] == stand["runs"] for stand in stands)
-    tiles += [("conditions stood in", f"{good} of {len(stands)}")] if stands else []
+    passed = sum(stand["passed"] == stand["runs"] for stand in stands)
+    tiles += [("conditions stood in", f"{passed} of {len(stands)}")] if stands else []
     if faults is not None:
         tiles.append(
             ("faults passed", f"{faults['passed']} of {faults['passed'] + faults['failed']}")
@@ -76,7 +76,7 @@ def _tiles(card: dict[str, Any]) -> list[tuple[str, str]]:
     return tiles
 
 
-def _broken(card: dict[str, Any]) -> str:
+def _failures_html(card: dict[str, Any]) -> str:
     found = list(card["push"]["broken"])
     for condition in card["conditions"]:
         for section in (condition["stand"], condition["push"]):
@@ -90,18 +90,18 @@ def _broken(card: dict[str, Any]) -> str:
     return f'<section class="card"><h2>What the controller did not do</h2>{lines}</section>'
 
 
-def _films_card(films: Sequence[dict[str, str]]) -> str:
+def _films_html(films: Sequence[dict[str, str]]) -> str:
     if not films:
         return ""
     parts = []
     for film in films:
         caption = escape(film["caption"])
-        shown = (
+        content = (
             f'<img src="{escape(film["film"])}" alt="{caption}">'
             if "film" in film
             else f"<p>{escape(film['broken'])}</p>"
         )
-        parts.append(f'<div><p class="soft">{caption}</p>{shown}</div>')
+        parts.append(f'<div><p class="soft">{caption}</p>{content}</div>')
     return (
         '<section class="card"><h2>Films of the failures</h2>'
         f'<div class="films">{"".join(parts)}</div></section>'

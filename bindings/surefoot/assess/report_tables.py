@@ -6,86 +6,86 @@ from collections.abc import Sequence
 from html import escape
 from typing import Any
 
-from surefoot.assess.sweep import told
+from surefoot.assess.sweep import percent_text
 
 
-def push_card(table: dict[str, Any], name: str) -> str:
+def push_table_html(table: dict[str, Any], name: str) -> str:
     """Return the table of one length and height."""
     kinds = ("survive", "strict")
-    head = ["direction [deg]", "own limit [N.s]", "pendulum [N.s]", "quasi-static [N]"]
+    header = ["direction [deg]", "own limit [N.s]", "pendulum [N.s]", "quasi-static [N]"]
     units = ("N.s", "N.s/kg", "% of pendulum", "% of own")
-    head += [f"{kind} [{unit}]" for kind in kinds for unit in units]
+    header += [f"{kind} [{unit}]" for kind in kinds for unit in units]
     rows = []
     for row in table["directions"]:
         cells = [f"{row['degrees']:g}", f"{row['limit_ns']:.2f}", f"{row['lip_ns']:.2f}"]
         cells.append(f"{row['quasi_static_force_n']:.0f}")
         for kind in ("survive", "strict"):
-            one = row[kind]
+            result = row[kind]
             cells += [
-                f"{one['ns']:.2f}",
-                f"{one['ns_per_kg']:.3f}",
-                f"{one['percent_of_lip']:.0f}",
-                told(one["percent_of_limit"]),
+                f"{result['ns']:.2f}",
+                f"{result['ns_per_kg']:.3f}",
+                f"{result['percent_of_lip']:.0f}",
+                percent_text(result["percent_of_limit"]),
             ]
         rows.append([(cell, "") for cell in cells])
     where = f"{table['height_m']:+g} m from the centre of mass"
     title = f"{name}: pushes of {table['length_s']:g} s, {where}"
     text = f"{table['statistic']}, in steps of {table['step_percent']:g} % of its own limit"
-    return _table(title, text, head, rows)
+    return _table_html(title, text, header, rows)
 
 
-def conditions_card(card: dict[str, Any]) -> str:
+def conditions_html(card: dict[str, Any]) -> str:
     """Return the table of conditions, if there are any."""
     if not card["conditions"]:
         return ""
-    head = ["condition", "stood", "passed", "tilt [deg]", "height [mm]", "feet [mm]"]
-    head += ["survive [%]", "strict [%]"]
+    header = ["condition", "stood", "passed", "tilt [deg]", "height [mm]", "feet [mm]"]
+    header += ["survive [%]", "strict [%]"]
     rows = []
     for condition in card["conditions"]:
         stand, push = condition["stand"], condition["push"]
-        mark = "" if stand["passed"] == stand["runs"] else "fail"
-        cells = [(condition["name"], ""), (f"{stand['stood']} of {stand['runs']}", mark)]
-        cells.append((f"{stand['passed']} of {stand['runs']}", mark))
-        cells += [(_number(stand[name]), "") for name in ("tilt_deg", "height_mm", "foot_mm")]
+        css_class = "" if stand["passed"] == stand["runs"] else "fail"
+        cells = [(condition["name"], ""), (f"{stand['stood']} of {stand['runs']}", css_class)]
+        cells.append((f"{stand['passed']} of {stand['runs']}", css_class))
+        cells += [(_number_text(stand[name]), "") for name in ("tilt_deg", "height_mm", "foot_mm")]
         for kind in ("survive", "strict"):
             share = None if push is None else push[f"{kind}_percent_of_limit_p5"]
-            cells.append(("-" if share is None else told(share), ""))
+            cells.append(("-" if share is None else percent_text(share), ""))
         rows.append(cells)
     text = (
         "Quiet stands: the worst of all seeds and headings, from the pose that was handed over. "
         "Pushes: 0.1 s through the centre of mass, the worst direction, of the robot's own limit "
         "with that friction and mass."
     )
-    return _table("Conditions", text, head, rows)
+    return _table_html("Conditions", text, header, rows)
 
 
-def faults_card(card: dict[str, Any]) -> str:
+def faults_html(card: dict[str, Any]) -> str:
     """Return the table of faults, if any were injected."""
     faults = card["faults"]
     if faults is None:
         return ""
     rows = []
     for row, count in faults["rows"].items():
-        mark = "fail" if count["failed"] else ""
-        rows.append([(row, ""), (str(count["cells"]), ""), (str(count["failed"]), mark)])
+        css_class = "fail" if count["failed"] else ""
+        rows.append([(row, ""), (str(count["cells"]), ""), (str(count["failed"]), css_class)])
     text = "; ".join(f"{cell}: {why}" for cell, why in faults["failures"].items()) or "All passed."
-    return _table("Faults", text, ("row", "cells", "failed"), rows)
+    return _table_html("Faults", text, ("row", "cells", "failed"), rows)
 
 
-def _table(
-    title: str, text: str, head: Sequence[str], rows: Sequence[Sequence[tuple[str, str]]]
+def _table_html(
+    title: str, text: str, header: Sequence[str], rows: Sequence[Sequence[tuple[str, str]]]
 ) -> str:
     """Return a card with a table; rows are of (text, class)."""
-    first = "".join(f"<td><b>{escape(word)}</b></td>" for word in head)
+    header_cells = "".join(f"<td><b>{escape(word)}</b></td>" for word in header)
     body = "".join(
         "<tr>" + "".join(f'<td class="{kind}">{escape(cell)}</td>' for cell, kind in row) + "</tr>"
         for row in rows
     )
     return (
         f'<section class="card"><h2>{escape(title)}</h2><p class="soft">{escape(text)}</p>'
-        f'<div class="scroll"><table class="rows"><tr>{first}</tr>{body}</table></div></section>'
+        f'<div class="scroll"><table class="rows"><tr>{header_cells}</tr>{body}</table></div></section>'
     )
 
 
-def _number(value: float | None) -> str:
+def _number_text(value: float | None) -> str:
     return "-" if value is None else f"{value:.2f}"

@@ -8,47 +8,47 @@ from dataclasses import dataclass
 import numpy as np
 
 from surefoot._core import LowCmd
-from surefoot.assess.checked import Act
 from surefoot.assess.condition import Condition
-from surefoot.assess.ground import mover
-from surefoot.assess.rolling import without_rolling
+from surefoot.assess.condition_plant import ground_mover
+from surefoot.assess.controller_check import ControlFunction
+from surefoot.assess.foot_rolling import remove_rolling
+from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
-from surefoot.sim.rotations import Array
 from surefoot.sim.truth import has_fallen
 
 _LOSS_STREAM = 17  # of random numbers; the plant has 0 .. 3
 
-Watch = Callable[[Plant, int], None]
+TickCallback = Callable[[Plant, int], None]
 """Called with the plant and the number of the tick."""
 
 
 @dataclass(frozen=True)
-class Track:
+class TrueTrajectory:
     """What was seen. Row 0 is the robot as it was handed over; one row a control period.
 
     Attributes:
         base: (n, 7) position [m] and quaternion w x y z of the base, world.
         feet: (n, 4, 3) centres of the foot spheres, world [m].
-        unrolled: (n, 4, 3) the same less what they rolled: where feet slid or lifted to.
-        fell: Tick before which it had fallen, or None; then the track ends there.
+        feet_without_roll: (n, 4, 3) the same less what they rolled: where feet slid or lifted to.
+        fall_tick: Tick before which it had fallen, or None; then the track ends there.
         rate: Rows per second [Hz].
     """
 
     base: Array
     feet: Array
-    unrolled: Array
-    fell: int | None
+    feet_without_roll: Array
+    fall_tick: int | None
     rate: float
 
 
 def roll_out(
     plant: Plant,
     condition: Condition,
-    act: Act,
+    act: ControlFunction,
     duration: float,
-    watch: Watch | None = None,
-) -> Track:
-    """Run a contestant on a plant that was renew()ed.
+    on_tick: TickCallback | None = None,
+) -> TrueTrajectory:
+    """Run a contestant on a plant that was reseed()ed.
 
     A lost report is not heard: the contestant gets the last one again, as from the SDK's GetRecv;
     a lost command leaves the motors with the last one.
@@ -58,70 +58,72 @@ def roll_out(
         condition: Of the plant; its losses and movements are made here.
         act: LowState in, LowCmd out.
         duration: [s].
-        watch: Told of every tick; sees the plant as it was when the contestant was asked.
+        on_tick: Told of every tick; sees the plant as it was when the contestant was asked.
 
     Raises:
-        Broken: The contestant did not do what a controller does.
+        ControllerFailure: The contestant did not do what a controller does.
     """
     ticks = round(duration * plant.settings.control_rate)
-    lost = _losses(condition, plant.settings.seed, ticks)
-    move = mover(condition, plant)
-    seen = _Seen(plant, ticks + 1)
-    heard = plant.reset()
-    seen.look(0)
-    state, sent = heard, None
+    lost = _lost_frames(condition, plant.settings.seed, ticks)
+    move_ground = ground_mover(condition, plant)
+    recorder = _TrajectoryRecorder(plant, ticks + 1)
+    received = plant.reset()
+    recorder.record(0)
+    state, applied = received, None
     for k in range(ticks):
         if not lost[0, k]:
-            heard = state
-        command = act(heard)
-        if not lost[1, k] or sent is None:
-            sent = LowCmd.from_bytes(command.raw.tobytes()) if condition.loss_percent else command
-        if watch is not None:
-            watch(plant, k)
-        if move is not None:
-            move(k / plant.settings.control_rate - condition.quiet_s)
-        state = plant.step(sent)
-        seen.look(k + 1)
+            received = state
+        command = act(received)
+        if not lost[1, k] or applied is None:
+            applied = (
+                LowCmd.from_bytes(command.raw.tobytes()) if condition.loss_percent else command
+            )
+        if on_tick is not None:
+            on_tick(plant, k)
+        if move_ground is not None:
+            move_ground(k / plant.settings.control_rate - condition.quiet_s)
+        state = plant.step(applied)
+        recorder.record(k + 1)
         if has_fallen(plant.data, plant.handles):
-            return seen.track(k + 2, k + 1)
-    return seen.track(ticks + 1, None)
+            return recorder.trajectory(k + 2, k + 1)
+    return recorder.trajectory(ticks + 1, None)
 
 
-class _Seen:
+class _TrajectoryRecorder:
     """The truth of a run, row by row."""
 
     def __init__(self, plant: Plant, rows: int) -> None:
         self._plant = plant
         self._base = np.zeros((rows, 7))
         self._feet, self._forces = np.zeros((rows, 4, 3)), np.zeros((rows, 4, 3))
-        self._turns = np.zeros((rows, 4, 4))
+        self._attitudes = np.zeros((rows, 4, 4))
 
-    def look(self, row: int) -> None:
+    def record(self, row: int) -> None:
         """Write a row of the plant as it is."""
         data, handles = self._plant.data, self._plant.handles
         self._base[row] = data.qpos[:7]
         # take() into place is four times as fast as an index, and this is every tick; indices are
         # in range, and what would raise copies first.
         data.xpos.take(handles.foot_bodies, 0, self._feet[row], "clip")
-        data.xquat.take(handles.foot_bodies, 0, self._turns[row], "clip")
+        data.xquat.take(handles.foot_bodies, 0, self._attitudes[row], "clip")
         data.sensordata.take(handles.foot_forces, None, self._forces[row], "clip")
 
-    def track(self, rows: int, fell: int | None) -> Track:
+    def trajectory(self, rows: int, fall_tick: int | None) -> TrueTrajectory:
         """Return what the first rows show."""
         normal = self._plant.handles.ground_normal
         feet = self._feet[:rows]
-        unrolled = without_rolling(
+        feet_without_roll = remove_rolling(
             feet,
-            self._turns[:rows],
+            self._attitudes[:rows],
             self._forces[:rows] @ normal > 0.0,
             self._plant.robot.config.foot_radius,
             normal,
         )
         rate = self._plant.settings.control_rate
-        return Track(self._base[:rows], feet, unrolled, fell, rate)
+        return TrueTrajectory(self._base[:rows], feet, feet_without_roll, fall_tick, rate)
 
 
-def _losses(condition: Condition, seed: int, ticks: int) -> np.ndarray:
+def _lost_frames(condition: Condition, seed: int, ticks: int) -> np.ndarray:
     """Return (2, ticks) whether the report, the command of a tick is lost; never the first."""
     if condition.loss_percent == 0.0:
         return np.zeros((2, ticks), dtype=np.bool_)

@@ -9,86 +9,89 @@ from typing import Any
 from surefoot._core import Robot
 from surefoot.assess import plan
 from surefoot.assess.condition import Condition
-from surefoot.assess.push_limits import Limits
-from surefoot.assess.push_score import Found, push_section
+from surefoot.assess.push_limits import PushLimits
+from surefoot.assess.push_score import UnitResults, push_section
 from surefoot.assess.settings import AssessSettings
 from surefoot.assess.stand_score import stand_section
-from surefoot.bench.machine import describe_machine
-from surefoot.plain import plain
+from surefoot.files.json_values import json_value
+from surefoot.system.machine import describe_machine
 
-Results = dict[tuple[str, str], dict[str, Any]]
+StoredResults = dict[tuple[str, str], dict[str, Any]]
 """What is in the store, by contestant and key."""
 
 
 def score(
-    settings: AssessSettings, robot: Robot, limits: Limits, results: Results
+    settings: AssessSettings, robot: Robot, limits: PushLimits, results: StoredResults
 ) -> dict[str, Any]:
     """Return the filled card."""
-    card, name = settings.card, settings.contestant.name
-    found = of_contestant(results, name)
+    card, name = settings.card, settings.controller_under_test.name
+    unit_results = controller_results(results, name)
     filled = {
         "robot": robot.name,
         "controller": name,
         "card": card.name,
-        "pinned_pose": _pose(robot, limits),
-        "push": push_section(plan.pushes(card, limits), limits, found),
+        "pinned_pose": _stance_result(robot, limits),
+        "push": push_section(plan.push_units(card, limits), limits, unit_results),
         "conditions": [
-            _condition(settings, condition, limits, found)
+            _condition_result(settings, condition, limits, unit_results)
             for condition in card.conditions
-            if plan.stands(card, condition) or plan.condition_pushes(card, condition, limits)
+            if plan.stand_units(card, condition)
+            or plan.condition_push_units(card, condition, limits)
         ],
-        "faults": _faults(settings, found),
+        "faults": _fault_result(settings, unit_results),
         "references": {
             reference.name: push_section(
-                plan.reference_pushes(card, limits), limits, of_contestant(results, reference.name)
+                plan.reference_push_units(card, limits),
+                limits,
+                controller_results(results, reference.name),
             )
-            for reference in plan.references(settings)
+            for reference in plan.reference_controllers(settings)
         },
-        "settings": settings.described(robot),
+        "settings": settings.to_dict(robot),
         "versions": describe_machine()["versions"],
     }
-    result: dict[str, Any] = plain(filled)
+    result: dict[str, Any] = json_value(filled)
     return result
 
 
-def of_contestant(results: Results, name: str) -> Found:
+def controller_results(results: StoredResults, name: str) -> UnitResults:
     """Return what came of a contestant's units, by key."""
-    return {key: result for (who, key), result in results.items() if who == name}
+    return {key: result for (controller, key), result in results.items() if controller == name}
 
 
-def _pose(robot: Robot, limits: Limits) -> dict[str, Any]:
-    pinned = limits.pinned
+def _stance_result(robot: Robot, limits: PushLimits) -> dict[str, Any]:
+    stance = limits.stance
     return {
         "q_standing": list(robot.config.q_standing),
-        "mass_kg": pinned.mass,
-        "com_height_m": pinned.height,
-        "reach_forward_m": pinned.reach(0.0),
-        "reach_lateral_m": pinned.reach(90.0),
+        "mass_kg": stance.mass,
+        "com_height_m": stance.height,
+        "reach_forward_m": stance.edge_distance(0.0),
+        "reach_lateral_m": stance.edge_distance(90.0),
     }
 
 
-def _condition(
-    settings: AssessSettings, condition: Condition, limits: Limits, found: Found
+def _condition_result(
+    settings: AssessSettings, condition: Condition, limits: PushLimits, unit_results: UnitResults
 ) -> dict[str, Any]:
     card = settings.card
-    pushed = plan.condition_pushes(card, condition, limits)
-    usual = Condition(condition.name)
-    changed = {
+    push_units = plan.condition_push_units(card, condition, limits)
+    nominal = Condition(condition.name)
+    changed_fields = {
         field.name: getattr(condition, field.name)
         for field in fields(Condition)
-        if getattr(condition, field.name) != getattr(usual, field.name)
+        if getattr(condition, field.name) != getattr(nominal, field.name)
     }
     return {
         "name": condition.name,
-        "settings": changed,
-        "stand": stand_section(plan.stands(card, condition), found),
-        "push": push_section(pushed, limits, found) if pushed else None,
+        "settings": changed_fields,
+        "stand": stand_section(plan.stand_units(card, condition), unit_results),
+        "push": push_section(push_units, limits, unit_results) if push_units else None,
     }
 
 
-def _faults(settings: AssessSettings, found: Found) -> dict[str, Any] | None:
+def _fault_result(settings: AssessSettings, unit_results: UnitResults) -> dict[str, Any] | None:
     """Return the matrix of faults in brief; None where none was run."""
-    cells = {unit.cell: found[unit.key] for unit in plan.faults(settings)}
+    cells = {unit.cell: unit_results[unit.key] for unit in plan.fault_units(settings)}
     if not cells:
         return None
     failures = {

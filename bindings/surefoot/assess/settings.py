@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from surefoot._core import Error, Robot
-from surefoot.assess.card import Card, standard_card
-from surefoot.assess.contestant import Contestant, find_factory
-from surefoot.assess.ground import Source, describe
+from surefoot.assess.condition_plant import RobotSource, describe_source
+from surefoot.assess.controller_under_test import ControllerUnderTest, find_factory
+from surefoot.assess.scorecard import Scorecard, standard_scorecard
 from surefoot.assess.time_limit import time_limit
-from surefoot.robots import build_robot, identity
-from surefoot.sim.checks import number, whole
+from surefoot.robot.loading import build_robot, robot_identity
+from surefoot.robot.setting_checks import check_integer, check_number
 
-MOST_JOBS = 256
-A_DAY = 86400.0  # [s]
+MAX_JOBS = 256
+MAX_DEADLINE = 86400.0  # [s]
 
 
 @dataclass(frozen=True)
@@ -24,50 +24,52 @@ class AssessSettings:
 
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
-        contestant: Who is assessed.
+        controller_under_test: Who is assessed.
         card: What is asked.
         jobs: Processes. Everything runs in processes of its own, so that none can stop the rest.
         deadline: For one run of a few seconds [s] of wall time; who takes longer never returns.
         store: File that results are kept in, and taken from; None keeps them in memory.
     """
 
-    robot: Source = "go1"
-    contestant: Contestant = field(default_factory=Contestant)
-    card: Card = field(default_factory=lambda: standard_card("quick"))
+    robot: RobotSource = "go1"
+    controller_under_test: ControllerUnderTest = field(default_factory=ControllerUnderTest)
+    card: Scorecard = field(default_factory=lambda: standard_scorecard("quick"))
     jobs: int = 1
     deadline: float = 60.0
     store: str | None = None
 
     def __post_init__(self) -> None:
-        whole("jobs", self.jobs, 1, MOST_JOBS)
-        number("deadline", self.deadline, 0.1, A_DAY)
-        _is_a("contestant", self.contestant, Contestant)
-        _is_a("card", self.card, Card)
-        if self.contestant.factory is None:
-            with time_limit(self.deadline, f"controller '{self.contestant.name}': its import"):
-                find_factory(self.contestant)
+        check_integer("jobs", self.jobs, 1, MAX_JOBS)
+        check_number("deadline", self.deadline, 0.1, MAX_DEADLINE)
+        _check_type("controller_under_test", self.controller_under_test, ControllerUnderTest)
+        _check_type("card", self.card, Scorecard)
+        if self.controller_under_test.factory is None:
+            with time_limit(
+                self.deadline, f"controller '{self.controller_under_test.name}': its import"
+            ):
+                find_factory(self.controller_under_test)
         try:
-            pickle.dumps(self.contestant)
+            pickle.dumps(self.controller_under_test)
         except (pickle.PicklingError, AttributeError, TypeError) as problem:
             raise Error(
-                f"controller '{self.contestant.name}': cannot be handed to another process "
+                f"controller '{self.controller_under_test.name}': cannot be handed to another process "
                 f"({problem}); expected a function or class of a module"
             ) from None
 
     def build(self) -> Robot:
         """Return the robot; raises Error."""
-        return build_robot(describe(self.robot))
+        return build_robot(describe_source(self.robot))
 
-    def described(self, robot: Robot) -> dict[str, Any]:
+    def to_dict(self, robot: Robot) -> dict[str, Any]:
         """Return as plain data what makes two runs the same."""
         return {
-            **identity(describe(self.robot), robot),
-            "controller": self.contestant.name,
-            "gains": self.contestant.gains,
-            "card": self.card.described(),
+            **robot_identity(describe_source(self.robot), robot),
+            "controller": self.controller_under_test.name,
+            "gains": self.controller_under_test.gains,
+            "card": self.card.to_dict(),
         }
 
 
-def _is_a(name: str, value: Any, kind: type) -> None:
+def _check_type(name: str, value: Any, kind: type) -> None:
     if not isinstance(value, kind):
         raise Error(f"{name}: got {value!r}, expected a {kind.__name__}")

@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from typing import Any
 
-from surefoot.assess.push_score import Found
-from surefoot.assess.unit import StandUnit
+from surefoot.assess.push_score import UnitResults
+from surefoot.assess.work_units import StandUnit
 
 
-def stand_section(units: list[StandUnit], found: Found) -> dict[str, Any]:
+def stand_section(units: list[StandUnit], unit_results: UnitResults) -> dict[str, Any]:
     """Return what stands under one condition came to."""
-    results = [found[unit.key] for unit in units]
-    ran = [result for result in results if "broken" not in result]
+    results = [unit_results[unit.key] for unit in units]
+    completed = [result for result in results if "broken" not in result]
     by_heading = {
-        f"{heading:g}": _worst([found[u.key] for u in units if u.heading == heading])
+        f"{heading:g}": _worst([unit_results[u.key] for u in units if u.heading == heading])
         for heading in dict.fromkeys(unit.heading for unit in units)
     }
     return {
         "runs": len(results),
-        "passed": sum(result["passed"] for result in ran),
-        "stood": sum(result["stood"] for result in ran),
+        "passed": sum(result["passed"] for result in completed),
+        "stood": sum(result["stood"] for result in completed),
         **_worst(results),
         "headings_deg": by_heading,
         "broken": sorted({result["broken"] for result in results if "broken" in result}),

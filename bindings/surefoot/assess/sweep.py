@@ -8,14 +8,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from surefoot._core import Error
-from surefoot.assess.push_run import Outcome
+from surefoot.assess.push_outcome import PushOutcome
 
-LOWEST = 10.0  # [%] of the robot's own limit
-HIGHEST = 200.0  # [%]
-COARSE = 20.0  # [%]
-TURNS = 6  # seeds begin at LOWEST and up to so many times it, in turns
-FINE = 5.0, 2.5  # [%] one after the other
-FINEST = FINE[-1]
+MIN_LEVEL = 10.0  # [%] of the robot's own limit
+MAX_LEVEL = 200.0  # [%]
+COARSE_STEP = 20.0  # [%]
+START_LEVELS = 6  # seeds begin at LOWEST and up to so many times it, in turns
+FINE_STEPS = 5.0, 2.5  # [%] one after the other
+FINEST_STEP = FINE_STEPS[-1]
 
 
 @dataclass
@@ -23,96 +23,109 @@ class Sweep:
     """Pushes of rising strength, one direction, one seed.
 
     Attributes:
-        tried: Outcome of every level, percent of the robot's own limit.
+        outcomes: Outcome of every level, percent of the robot's own limit.
     """
 
-    tried: dict[float, Outcome] = field(default_factory=dict)
+    outcomes: dict[float, PushOutcome] = field(default_factory=dict)
 
-    def largest(self, kind: str) -> float:
+    def largest_passed(self, kind: str) -> float:
         """Return the largest level below which all that were tried passed, itself too; 0: none.
 
         Args:
-            kind: "survived" or "strict".
+            kind: "survived" or "in_place".
         """
         best = 0.0
-        for level in sorted(self.tried):
-            if not getattr(self.tried[level], kind):
+        for level in sorted(self.outcomes):
+            if not getattr(self.outcomes[level], kind):
                 break
             best = level
         return best
 
 
-def first_level(turn: int) -> float:
+def first_level(seed_index: int) -> float:
     """Return where a sweep begins [%]; TURNS of them try all multiples of LOWEST.
 
     Args:
-        turn: Index of the seed among the card's, from 0.
+        seed_index: Index of the seed among the card's, from 0.
     """
-    return LOWEST * (1 + turn % TURNS)
+    return MIN_LEVEL * (1 + seed_index % START_LEVELS)
 
 
-def told(percent: float) -> str:
+def percent_text(percent: float) -> str:
     """Return a limit as text; one that no sweep goes beyond may be more."""
-    return f"{percent:.1f}" + ("+" if percent >= HIGHEST else "")
+    return f"{percent:.1f}" + ("+" if percent >= MAX_LEVEL else "")
 
 
-def sweep(run: Callable[[float], Outcome], first: float = LOWEST, finest: float = FINEST) -> Sweep:
+def run_sweep(
+    run: Callable[[float], PushOutcome],
+    start_level: float = MIN_LEVEL,
+    finest_step: float = FINEST_STEP,
+) -> Sweep:
     """Push harder and harder: coarse until the robot does not survive, then fine where it tipped.
 
     Levels go up in steps of COARSE until one is not survived, to HIGHEST at most; then in each step
     of FINE from the last pass towards the first failure, upwards until one fails, for survival and
-    for the strict criterion apart. It is no bisection: a weak push that fails where a strong one
+    for the criterion "in place" apart. It is no bisection: a weak push that fails where a strong one
     passes ends the count there.
 
     Args:
         run: Runs one level, in percent of the robot's own limit.
-        first: Level to begin with.
-        finest: Last of FINE that is gone in.
+        start_level: Level to begin with.
+        finest_step: Last of FINE that is gone in.
 
     Raises:
         Error: A step that is none of FINE.
     """
-    if finest not in FINE:
-        raise Error(f"finest: got {finest:g} %, expected {' or '.join(f'{s:g}' for s in FINE)}")
+    if finest_step not in FINE_STEPS:
+        raise Error(
+            f"finest: got {finest_step:g} %, expected {' or '.join(f'{s:g}' for s in FINE_STEPS)}"
+        )
     done = Sweep()
-    for level in (*_steps(first, HIGHEST - FINEST, COARSE), HIGHEST):
-        done.tried[level] = run(level)
-        if not done.tried[level].survived:
+    for level in (*_levels(start_level, MAX_LEVEL - FINEST_STEP, COARSE_STEP), MAX_LEVEL):
+        done.outcomes[level] = run(level)
+        if not done.outcomes[level].survived:
             break
-    for kind in ("survived", "strict"):
-        for step in (step for step in FINE if step >= finest):
-            _climb(done, run, kind, step)
+    for kind in ("survived", "in_place"):
+        for step in (step for step in FINE_STEPS if step >= finest_step):
+            _refine(done, run, kind, step)
     return done
 
 
-def _climb(done: Sweep, run: Callable[[float], Outcome], kind: str, step: float) -> None:
+def _refine(done: Sweep, run: Callable[[float], PushOutcome], kind: str, step: float) -> None:
     """Go up from the last pass, to below the first failure."""
-    last = done.largest(kind)
-    above = [level for level in done.tried if level > last]
-    for level in _steps(last + step, min(above, default=last) - step, step):
-        if level not in done.tried:
-            done.tried[level] = run(level)
-        if not getattr(done.tried[level], kind):
+    last = done.largest_passed(kind)
+    levels_above = [level for level in done.outcomes if level > last]
+    for level in _levels(last + step, min(levels_above, default=last) - step, step):
+        if level not in done.outcomes:
+            done.outcomes[level] = run(level)
+        if not getattr(done.outcomes[level], kind):
             break
 
 
-def _steps(low: float, high: float, step: float) -> Iterator[float]:
+def _levels(low: float, high: float, step: float) -> Iterator[float]:
     for k in range(1 + math.floor((high - low) / step)):
         yield low + k * step
 
 
-def as_rows(done: Sweep) -> list[list[Any]]:
-    """Return a sweep as plain JSON: level, survived, strict, foot_mm, back_mm, back_deg."""
+def outcome_rows(done: Sweep) -> list[list[Any]]:
+    """Return a sweep as plain JSON: level, survived, strict, foot_mm, return_error_mm, return_error_deg."""
     return [
-        [level, o.survived, o.strict, _short(o.foot_mm), _short(o.back_mm), _short(o.back_deg)]
-        for level, o in sorted(done.tried.items())
+        [
+            level,
+            o.survived,
+            o.in_place,
+            _rounded(o.foot_mm),
+            _rounded(o.return_error_mm),
+            _rounded(o.return_error_deg),
+        ]
+        for level, o in sorted(done.outcomes.items())
     ]
 
 
-def from_rows(rows: list[list[Any]]) -> Sweep:
-    """Return the sweep of as_rows()."""
-    return Sweep({row[0]: Outcome(*row[1:]) for row in rows})
+def rows_to_sweep(rows: list[list[Any]]) -> Sweep:
+    """Return the sweep of outcome_rows()."""
+    return Sweep({row[0]: PushOutcome(*row[1:]) for row in rows})
 
 
-def _short(value: float | None) -> float | None:
+def _rounded(value: float | None) -> float | None:
     return None if value is None else round(value, 3)

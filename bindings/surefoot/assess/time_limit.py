@@ -11,7 +11,7 @@ from types import FrameType
 from surefoot._core import Error
 
 
-class Overdue(Error):
+class TimeLimitExceeded(Error):
     """What is within time_limit() took longer."""
 
 
@@ -27,13 +27,13 @@ def time_limit(seconds: float, what: str) -> Iterator[None]:
         yield
         return
 
-    def too_long(number: int, frame: FrameType | None) -> None:
-        raise Overdue(f"{what} took longer than {seconds:g} s, expected it to return")
+    def raise_exceeded(number: int, frame: FrameType | None) -> None:
+        raise TimeLimitExceeded(f"{what} took longer than {seconds:g} s, expected it to return")
 
-    before = signal.signal(signal.SIGALRM, too_long)
+    previous_handler = signal.signal(signal.SIGALRM, raise_exceeded)
     signal.setitimer(signal.ITIMER_REAL, seconds)
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, before)
+        signal.signal(signal.SIGALRM, previous_handler)

@@ -9,27 +9,27 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from surefoot._core import Error
-from surefoot.assess.contestant import Contestant
-from surefoot.assess.ground import Source
-from surefoot.assess.unit import Unit, run_unit
-from surefoot.processes import die_with_parent, spawn_context
+from surefoot.assess.condition_plant import RobotSource
+from surefoot.assess.controller_under_test import ControllerUnderTest
+from surefoot.assess.work_units import WorkUnit, run_unit
+from surefoot.system.worker_processes import die_with_parent, spawn_context
 
-_START = 120.0  # [s] more for a process that has yet to start and build its plants
-_BEAT = None  # sent at the start and after every run; a dictionary is the unit's result
-LOST = "lost"  # key of a result that is no result: what has it is tried again by who goes on
+_STARTUP_TIME = 120.0  # [s] more for a process that has yet to start and build its plants
+_HEARTBEAT = None  # sent at the start and after every run; a dictionary is the unit's result
+LOST_KEY = "lost"  # key of a result that is no result: what has it is tried again by who goes on
 
 
 @dataclass(frozen=True)
-class Work:
+class WorkItem:
     """A unit and who it is for.
 
     Attributes:
         unit: What to run.
-        contestant: Who with.
+        controller_under_test: Who with.
     """
 
-    unit: Unit
-    contestant: Contestant
+    unit: WorkUnit
+    controller_under_test: ControllerUnderTest
 
 
 class Worker:
@@ -38,76 +38,78 @@ class Worker:
     Attributes:
         pipe: To it; closed once it has ended.
         work: What it is at, or was.
-        until: When it has to be heard at the latest [s] of time.monotonic().
-        late: Was it not?
+        heartbeat_due: When it has to be heard at the latest [s] of time.monotonic().
+        timed_out: Was it not?
     """
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: RobotSource) -> None:
         context = spawn_context()
-        self.pipe, theirs = context.Pipe()
-        self.process = context.Process(target=_serve, args=(theirs, source), daemon=True)
+        self.pipe, child_pipe = context.Pipe()
+        self.process = context.Process(target=_run_worker, args=(child_pipe, source), daemon=True)
         self.process.start()
-        theirs.close()
-        self.work: Work | None = None
-        self.until = self._deadline = 0.0
-        self.late = self._begun = False
+        child_pipe.close()
+        self.work: WorkItem | None = None
+        self.heartbeat_due = self._deadline = 0.0
+        self.timed_out = self._started = False
 
-    def give(self, work: Work, deadline: float) -> None:
+    def assign(self, work: WorkItem, deadline: float) -> None:
         """Give it work to do; raises OSError if it has died."""
         self.pipe.send(work)
-        first = self.work is None
-        self.work, self._deadline = work, deadline * work.unit.patience
-        self.until = time.monotonic() + self._deadline + _START * first
+        is_first = self.work is None
+        self.work, self._deadline = work, deadline * work.unit.deadline_factor
+        self.heartbeat_due = time.monotonic() + self._deadline + _STARTUP_TIME * is_first
 
-    def hear(self) -> dict[str, Any] | None:
+    def receive(self) -> dict[str, Any] | None:
         """Return a result if that is what it sent, or what it died with; raises Error."""
         try:
-            heard: dict[str, Any] | None = self.pipe.recv()
+            message: dict[str, Any] | None = self.pipe.recv()
         except (EOFError, OSError):
-            return self._died()
-        if heard is _BEAT:
+            return self._result_of_death()
+        if message is _HEARTBEAT:
             # The first says that it runs; what it has yet to import and build has time of its own.
-            if self._begun:
-                self.until = time.monotonic() + self._deadline
-            self._begun = True
-        return heard
+            if self._started:
+                self.heartbeat_due = time.monotonic() + self._deadline
+            self._started = True
+        return message
 
-    def give_up(self) -> dict[str, Any]:
+    def give_up_leg(self) -> dict[str, Any]:
         """End one that was not heard in time; return its result."""
-        self.end()
-        self.late = True
-        return _lost(f"never returned: no run ended in {self._deadline:g} s")
+        self.kill()
+        self.timed_out = True
+        return _lost_result(f"never returned: no run ended in {self._deadline:g} s")
 
-    def end(self) -> None:
+    def kill(self) -> None:
         """Kill it."""
         self.process.kill()
         self.process.join()
         self.pipe.close()
 
-    def _died(self) -> dict[str, Any]:
+    def _result_of_death(self) -> dict[str, Any]:
         self.process.join()
         code = self.process.exitcode
-        self.end()
-        if not self._begun:
+        self.kill()
+        if not self._started:
             raise Error(
                 f"a process ended before it had begun, with exit status {code}; expected a main "
                 'module that others can import, with all it does under if __name__ == "__main__"'
             ) from None
-        return _lost(f"its process died with exit status {code}")
+        return _lost_result(f"its process died with exit status {code}")
 
 
-def _lost(why: str) -> dict[str, Any]:
-    return {"broken": why, LOST: True}
+def _lost_result(why: str) -> dict[str, Any]:
+    return {"broken": why, LOST_KEY: True}
 
 
-def _serve(pipe: Connection, source: Source) -> None:
+def _run_worker(pipe: Connection, source: RobotSource) -> None:
     """Do what comes through the pipe, until it closes."""
     die_with_parent()
     os.dup2(2, 1)  # what a controller prints is no part of our output, which may be JSON
-    pipe.send(_BEAT)
+    pipe.send(_HEARTBEAT)
     while True:
         try:
-            work: Work = pipe.recv()
+            work: WorkItem = pipe.recv()
         except EOFError:
             return
-        pipe.send(run_unit(work.unit, source, work.contestant, lambda: pipe.send(_BEAT)))
+        pipe.send(
+            run_unit(work.unit, source, work.controller_under_test, lambda: pipe.send(_HEARTBEAT))
+        )

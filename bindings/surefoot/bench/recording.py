@@ -36,18 +36,18 @@ def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
     The controller chooses its form as it does by itself, whatever form is timed later: every form
     is timed on the same reports.
     """
-    asked = SCENARIOS[scenario]
-    plant = asked.plant(settings.robot, settings.rate, settings.seed)
-    robot = asked.robot(plant.robot)
+    definition = SCENARIOS[scenario]
+    plant = definition.make_plant(settings.robot, settings.rate, settings.seed)
+    robot = definition.controller_robot(plant.robot)
     controller = StandController(robot)
     report = plant.reset()
     reports, references = [], []
-    for tick in range(round(asked.duration * settings.rate)):
+    for tick in range(round(definition.duration * settings.rate)):
         # A copy: whose memory the next report takes is the plant's business.
         reports.append(LowState.from_bytes(report.to_bytes()))
-        asked.steer(controller, tick / settings.rate)
-        if asked.body is not None:
-            references.append(asked.body(tick / settings.rate))
+        definition.apply_reference(controller, tick / settings.rate)
+        if definition.body_reference is not None:
+            references.append(definition.body_reference(tick / settings.rate))
         report = plant.step(controller.update(report))
         if plant.truth.fell:
             break

@@ -12,11 +12,11 @@ import numpy as np
 from matplotlib import style
 from matplotlib.figure import Figure
 
-from surefoot.bench.run import WHOLE, Bench
+from surefoot.bench.run import WHOLE_CALLS, Bench
 from surefoot.bench.text import bench_text
-from surefoot.report_axes import BLUE, GREY, ORANGE, STYLE
+from surefoot.reports.plots import BLUE, GREY, ORANGE, STYLE
 
-_COLOURS = dict(zip(WHOLE, (BLUE, ORANGE, GREY), strict=True))
+_COLOURS = dict(zip(WHOLE_CALLS, (BLUE, ORANGE, GREY), strict=True))
 _PAGE = """<!doctype html><meta charset="utf-8"><title>{title}</title>
 <style>body {{ font: 15px/1.5 system-ui, sans-serif; max-width: 1100px; margin: 24px auto;
 padding: 0 16px; color: #1f252b }} img {{ width: 100% }} pre {{ overflow-x: auto; 
@@ -51,8 +51,8 @@ def _draw(bench: Bench, scenario: str) -> Figure:
         figure = Figure(figsize=(11, 3.6), layout="constrained")
         counts, tail, parts = figure.subplots(1, 3)
         series = bench.series[scenario]
-        longest = max(float(np.percentile(series[name].wall, 99.0)) for name in WHOLE)
-        for name in WHOLE:
+        longest = max(float(np.percentile(series[name].wall, 99.0)) for name in WHOLE_CALLS)
+        for name in WHOLE_CALLS:
             wall = np.sort(series[name].wall)
             counts.hist(wall, bins=100, range=(0, longest), histtype="step", color=_COLOURS[name])
             above = 1.0 - np.arange(len(wall)) / len(wall)

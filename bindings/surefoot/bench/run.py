@@ -6,15 +6,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from surefoot.bench.figures import describe
-from surefoot.bench.machine import describe_machine
-from surefoot.bench.native import Series, run_native
 from surefoot.bench.recording import Recording, record
 from surefoot.bench.settings import BenchSettings
+from surefoot.bench.tick_program import Series, run_tick_program
+from surefoot.bench.timing_statistics import series_statistics
+from surefoot.system.machine import describe_machine
 
-WHOLE = ("tick", "state_to_torque", "null")
+WHOLE_CALLS = ("tick", "state_to_torque", "null")
 PACED = "paced"
-_UNASKED = "not asked for: --peers"
+_NO_PEERS_REASON = "not asked for: --peers"
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = 
         say(f"recording {scenario}")
         recordings[scenario] = record(settings, scenario)
         say(f"timing {scenario}")
-        all_series[scenario], program = run_native(
+        all_series[scenario], program = run_tick_program(
             recordings[scenario], settings.form, settings.ticks
         )
     first = next(iter(recordings.values()))
@@ -56,10 +56,10 @@ def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = 
         "rate": settings.rate,
         "seed": settings.seed,
         "scenarios": {
-            name: _scenario(recordings[name], series) for name, series in all_series.items()
+            name: _scenario_summary(recordings[name], series) for name, series in all_series.items()
         },
         **{f"ratio_{name}": None for name in RATIOS},
-        "ratio_reason": _UNASKED,
+        "ratio_reason": _NO_PEERS_REASON,
         "machine": {**describe_machine(), **program},
     }
     return Bench(figures, all_series, recordings)
@@ -68,18 +68,20 @@ def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = 
 RATIOS = ("state_to_torque_over_tsid", "tick_over_tsid", "state_to_torque_over_placo")
 
 
-def _scenario(recording: Recording, series: dict[str, Series]) -> dict[str, Any]:
+def _scenario_summary(recording: Recording, series: dict[str, Series]) -> dict[str, Any]:
     reports = len(recording.reports)
-    stages = {k: _stage(s, reports) for k, s in series.items() if k not in (*WHOLE, PACED)}
+    stages = {
+        k: _stage_summary(s, reports) for k, s in series.items() if k not in (*WHOLE_CALLS, PACED)
+    }
     return {
         "reports": reports,
         "fell": recording.fell,
-        **{name: describe(series[name], reports) for name in WHOLE},
-        PACED: describe(series[PACED], len(series[PACED].wall)),
+        **{name: series_statistics(series[name], reports) for name in WHOLE_CALLS},
+        PACED: series_statistics(series[PACED], len(series[PACED].wall)),
         "stages_wall_us": stages,
     }
 
 
-def _stage(series: Series, reports: int) -> dict[str, float]:
-    figures = describe(series, reports)
+def _stage_summary(series: Series, reports: int) -> dict[str, float]:
+    figures = series_statistics(series, reports)
     return {**figures["wall_us"], "slowest": figures["slowest_us"]}

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from surefoot._core import Error, Form
+from surefoot._core import Error, QpForm
 from surefoot.bench.problems import SCENARIOS
-from surefoot.robot_files import RobotDescription
+from surefoot.robot.description import RobotDescription
 from surefoot.stand.settings import check_rate
 
-TICKS = 20_000
-LEAST_TICKS, MOST_TICKS = 100, 2_000_000
-USUAL = ("quiet", "motion", "push50", "push80", "weak")
+DEFAULT_TICKS = 20_000
+MIN_TICKS, MAX_TICKS = 100, 2_000_000
+DEFAULT_SCENARIOS = ("quiet", "motion", "push50", "push80", "weak")
 
 
 @dataclass(frozen=True)
@@ -29,15 +29,15 @@ class BenchSettings:
     """
 
     robot: str | RobotDescription = "go1"
-    ticks: int = TICKS
-    form: Form = Form.AUTO
+    ticks: int = DEFAULT_TICKS
+    form: QpForm = QpForm.AUTO
     rate: float = 500.0
     seed: int = 1
-    scenarios: tuple[str, ...] = USUAL
+    scenarios: tuple[str, ...] = DEFAULT_SCENARIOS
 
     def __post_init__(self) -> None:
-        if not LEAST_TICKS <= self.ticks <= MOST_TICKS:
-            raise Error(f"ticks: got {self.ticks}, expected {LEAST_TICKS} to {MOST_TICKS}")
+        if not MIN_TICKS <= self.ticks <= MAX_TICKS:
+            raise Error(f"ticks: got {self.ticks}, expected {MIN_TICKS} to {MAX_TICKS}")
         check_rate(self.rate)
         for name in self.scenarios:
             if name not in SCENARIOS:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from surefoot.bench.figures import PERCENTILES
+from surefoot.bench.timing_statistics import PERCENTILES
 
-ROWS = {
+ROW_MEANINGS = {
     "tick": "LowState to LowCmd: StandController::update()",
     "state_to_torque": "WholeBodyController::update() alone",
     "paced": "LowState to LowCmd, one report a period: a second of it, asleep in between",
@@ -27,10 +27,10 @@ def bench_text(b: dict[str, Any]) -> str:
     for name, scenario in b["scenarios"].items():
         fell = ", and the robot falls" if scenario["fell"] else ""
         lines += ["", f"{name}: {scenario['reports']} reports{fell}"]
-        lines += _table([_HEAD, *(_row(row, scenario[row]) for row in ROWS)])
+        lines += _table([_HEADER, *(_row(row, scenario[row]) for row in ROW_MEANINGS)])
         lines.append("  " + _stages(scenario["stages_wall_us"]))
         lines.append("  " + _first_pass(scenario["tick"]["first_pass"]))
-    failed = any(s[row]["failures"] for s in b["scenarios"].values() for row in ROWS)
+    failed = any(s[row]["failures"] for s in b["scenarios"].values() for row in ROW_MEANINGS)
     return "\n".join([*lines, "", *([FAILED] if failed else []), NOTE])
 
 
@@ -45,13 +45,13 @@ def machine_line(m: dict[str, Any]) -> str:
     return ", ".join([*parts, m["system"], versions, *build])
 
 
-_CPU = ("p50", "p99", "p99.9", "max")
-_HEAD = [
+_CPU_PERCENTILES = ("p50", "p99", "p99.9", "max")
+_HEADER = [
     "[us]",
     "n",
     *PERCENTILES,
     "slowest",
-    *(f"cpu {name}" for name in _CPU),
+    *(f"cpu {name}" for name in _CPU_PERCENTILES),
     "> 1 ms",
     "iterations",
     "heap",
@@ -70,13 +70,13 @@ def _row(name: str, figures: dict[str, Any]) -> list[str]:
         str(wall["n"]),
         *(f"{wall[k]:.1f}" for k in PERCENTILES),
         f"{figures['slowest_us']:.1f}",
-        *(f"{cpu[k]:.1f}" for k in _CPU),
+        *(f"{cpu[k]:.1f}" for k in _CPU_PERCENTILES),
         str(figures["missed"]["1kHz"]),
         f"{mean:.2f}, max {max(counts)}" if max(counts) else "-",
         str(figures["allocations"]),
         str(figures["page_faults"]),
         str(figures["failures"]),
-        ROWS[name],
+        ROW_MEANINGS[name],
     ]
 
 

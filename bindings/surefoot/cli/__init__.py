@@ -24,26 +24,26 @@ def main(argv: Sequence[str] | None = None) -> int:
         Exit status: 0 done, 1 a file could not be written, 2 a wrong argument, 3 the robot fell,
         130 interrupted. What was wrong is one line on stderr.
     """
-    words = list(sys.argv[1:] if argv is None else argv)
+    argv = list(sys.argv[1:] if argv is None else argv)
     try:
-        arguments = parse_arguments(words)
-        arguments.words = words
+        arguments = parse_arguments(argv)
+        arguments.argv = argv
         status = arguments.run(arguments) or DONE
         sys.stdout.flush()
     except SystemExit as end:  # argparse, after --help, --version or its own error line
         return int(end.code or 0)
     except Error as problem:
-        return _complain(str(problem), WRONG_ARGUMENT)
+        return _print_error(str(problem), WRONG_ARGUMENT)
     except BrokenPipeError:  # surefoot gains | head
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OSError as problem:
-        return _complain(str(problem), 1)
+        return _print_error(str(problem), 1)
     except KeyboardInterrupt:
-        return _complain("interrupted", INTERRUPTED)
+        return _print_error("interrupted", INTERRUPTED)
     return int(status)
 
 
-def _complain(text: str, status: int) -> int:
+def _print_error(text: str, status: int) -> int:
     print("surefoot: error:", " ".join(text.split()), file=sys.stderr)
     return status

@@ -24,7 +24,7 @@ from surefoot.cli.stand import stand
 from surefoot.cli.stand_options import add_stand_options
 from surefoot.cli.tables import list_gains, list_robots
 from surefoot.cli.tune import add_tune_options
-from surefoot.robot_table import suggest
+from surefoot.robot.robot_toml import suggest
 
 
 class _Parser(argparse.ArgumentParser):
@@ -44,12 +44,12 @@ class _Parser(argparse.ArgumentParser):
         return found, unknown
 
 
-def parse_arguments(words: Sequence[str]) -> argparse.Namespace:
+def parse_arguments(argv: Sequence[str]) -> argparse.Namespace:
     """Read the arguments; `run` of what comes back is the subcommand's function.
 
     Exits with status 2 and one line on stderr if they make no sense.
     """
-    return _build_parser().parse_args(_bind_negatives(words))
+    return _build_parser().parse_args(_join_negative_values(argv))
 
 
 def _build_parser() -> _Parser:
@@ -100,12 +100,12 @@ def _add_export_options(parser: _Parser) -> None:
     add_file_options(parser, "ROBOT")
 
 
-def _bind_negatives(words: Sequence[str]) -> list[str]:
+def _join_negative_values(argv: Sequence[str]) -> list[str]:
     """Join '--slope' '-5:90' to '--slope=-5:90', which argparse would take for an option."""
-    bound: list[str] = []
-    for word in words:
-        if bound and re.match(r"--[a-z-]+$", bound[-1]) and re.match(r"-[\d.]", word):
-            bound[-1] += "=" + word
+    joined: list[str] = []
+    for word in argv:
+        if joined and re.match(r"--[a-z-]+$", joined[-1]) and re.match(r"-[\d.]", word):
+            joined[-1] += "=" + word
         else:
-            bound.append(word)
-    return bound
+            joined.append(word)
+    return joined

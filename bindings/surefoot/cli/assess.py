@@ -9,23 +9,23 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from surefoot.cli.progress import kept_in, progress_bar
-from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.simulation import (
-    check_json_place,
-    check_place,
-    check_report_place,
+from surefoot.cli.environment import (
+    check_json_path,
+    check_output_path,
+    check_report_folder,
     choose_graphics,
     missing_module,
     write_json,
 )
-from surefoot.gain_files import gain_values, load_gains
-from surefoot.robots import build_robot
+from surefoot.cli.progress import progress_bar, report_kept_results
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.robot.gain_files import gain_values, load_gains
+from surefoot.robot.loading import build_robot
 
 if TYPE_CHECKING:
     from surefoot.assess import AssessSettings
 
-_TEXT = """\
+_EPILOG = """\
 Pushes all around, then conditions of ground, payload, link and motors, with real sensors at 500 Hz,
 each with many seeds; impulses are compared with the linear inverted pendulum's limit and with the
 robot's own. With --store an assessment that was ended, however, goes on where it was.
@@ -37,7 +37,7 @@ argument, scenario or store, 130 interrupted"""
 def add_assess_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot assess."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = _TEXT
+    parser.epilog = _EPILOG
     add_robot_options(parser, "go1")
     add = parser.add_argument
     add(
@@ -71,9 +71,9 @@ def assess(arguments: argparse.Namespace) -> None:
         OSError: A file could not be written.
     """
     choose_graphics()
-    check_json_place(arguments.json)
-    check_place("--store", arguments.store)
-    check_report_place(arguments.report, "assess", "surefoot.assess.report")
+    check_json_path(arguments.json)
+    check_output_path("--store", arguments.store)
+    check_report_folder(arguments.report, "assess", "surefoot.assess.report")
     try:
         from surefoot.assess import assess_text, run_assess
 
@@ -81,9 +81,9 @@ def assess(arguments: argparse.Namespace) -> None:
     except ModuleNotFoundError as problem:
         raise missing_module("assess", problem) from None
     folder = None if arguments.report is None else Path(arguments.report)
-    with kept_in(arguments.store):
+    with report_kept_results(arguments.store):
         result = run_assess(settings, progress_bar(), folder)
-    command = shlex.join(["surefoot", *arguments.words])
+    command = shlex.join(["surefoot", *arguments.argv])
     result = {"command": command, **result}
     write_json(arguments.json, result)
     if folder is not None:
@@ -96,8 +96,13 @@ def assess(arguments: argparse.Namespace) -> None:
 
 def _settings(arguments: argparse.Namespace) -> AssessSettings:
     from surefoot._core import Error
-    from surefoot.assess import AssessSettings, Contestant, read_card, standard_card
-    from surefoot.assess.settings import MOST_JOBS
+    from surefoot.assess import (
+        AssessSettings,
+        ControllerUnderTest,
+        read_scorecard,
+        standard_scorecard,
+    )
+    from surefoot.assess.settings import MAX_JOBS
 
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # there is a default
@@ -113,14 +118,14 @@ def _settings(arguments: argparse.Namespace) -> AssessSettings:
     if arguments.scenario is not None and arguments.quick:
         raise Error("--scenario: got --quick too, expected one of them")
     if arguments.scenario is not None:
-        card = read_card(Path(arguments.scenario))
+        card = read_scorecard(Path(arguments.scenario))
     else:
-        card = standard_card("quick" if arguments.quick else "full")
+        card = standard_scorecard("quick" if arguments.quick else "full")
     return AssessSettings(
         robot,
-        Contestant(arguments.controller, gains),
+        ControllerUnderTest(arguments.controller, gains),
         card,
-        arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS),
+        arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MAX_JOBS),
         arguments.deadline,
         arguments.store,
     )

@@ -9,8 +9,8 @@ from pathlib import Path
 from surefoot.cli.bench_export import bench_export
 from surefoot.cli.bench_options import check_options
 from surefoot.cli.bench_solvers import bench_solvers
+from surefoot.cli.environment import check_json_path, choose_graphics, missing_module, write_json
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
 from surefoot.cli.stand import read_form
 from surefoot.cli.stand_options import add_form_option
 
@@ -54,28 +54,28 @@ def bench(arguments: argparse.Namespace) -> None:
     try:
         from surefoot.bench import BenchSettings, bench_text, run_bench, write_bench_report
         from surefoot.bench.peers import PeerOptions, add_peers, peers_text
-        from surefoot.bench.settings import TICKS, USUAL
+        from surefoot.bench.settings import DEFAULT_SCENARIOS, DEFAULT_TICKS
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
-    scenarios = tuple(arguments.scenario or USUAL)
+    scenarios = tuple(arguments.scenario or DEFAULT_SCENARIOS)
     form = read_form(arguments.form)
-    ticks = TICKS if arguments.ticks is None else arguments.ticks
+    ticks = DEFAULT_TICKS if arguments.ticks is None else arguments.ticks
     settings = BenchSettings(robot, ticks, form, scenarios=scenarios)
-    check_json_place(arguments.json)
-    result = run_bench(settings, _say)
+    check_json_path(arguments.json)
+    result = run_bench(settings, _print_progress)
     if arguments.peers:
-        add_peers(result, settings, PeerOptions(urdf=robot.urdf, say=_say))
+        add_peers(result, settings, PeerOptions(urdf=robot.urdf, report_progress=_print_progress))
     write_json(arguments.json, result.figures)
     if arguments.report is not None:
-        command = ["surefoot", *arguments.words]
-        _say(f"report {write_bench_report(result, Path(arguments.report), command)}")
+        command = ["surefoot", *arguments.argv]
+        _print_progress(f"report {write_bench_report(result, Path(arguments.report), command)}")
     if arguments.json != "-":
         print(bench_text(result.figures))
         if arguments.peers:
             print("\n" + peers_text(result.figures["peers"]))
 
 
-def _say(line: str) -> None:
+def _print_progress(line: str) -> None:
     print(line, file=sys.stderr, flush=True)

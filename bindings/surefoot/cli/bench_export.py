@@ -6,23 +6,23 @@ import argparse
 import sys
 from pathlib import Path
 
-from surefoot.cli.bench_options import asked_forms
+from surefoot.cli.bench_options import requested_forms
+from surefoot.cli.environment import missing_module
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.cli.simulation import missing_module
 
 
 def bench_export(arguments: argparse.Namespace) -> None:
     """Record scenarios and write their programs; raises Error."""
     try:
         from surefoot.bench.problems import export_qpbenchmark, record_problems
-        from surefoot.bench.problems.record import NAMES
+        from surefoot.bench.problems.record import SCENARIO_NAMES
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
     folder = Path(arguments.export)
-    forms = asked_forms(arguments)
-    for scenario in arguments.scenario or NAMES:
+    forms = requested_forms(arguments)
+    for scenario in arguments.scenario or SCENARIO_NAMES:
         for form in forms:
             sequences = record_problems(robot, scenario, form)
             if arguments.qpbenchmark:

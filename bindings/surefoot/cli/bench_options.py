@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 
-from surefoot._core import Error, Form
+from surefoot._core import Error, QpForm
 from surefoot.cli.stand import read_form
 
 # What each way of running it has no use for.
-_USELESS = {
+_INEFFECTIVE_OPTIONS = {
     "--export": ("--solvers", "--ticks", "--peers", "--json", "--report"),
     "--solvers": ("--ticks", "--peers", "--report", "--urdf", "--config", "--qpbenchmark"),
     "--solvers FILE.npz": ("--robot", "--scenario", "--form"),
@@ -18,25 +18,25 @@ _USELESS = {
 
 def check_options(arguments: argparse.Namespace) -> None:
     """Raise Error of an option that would have no effect."""
-    ways = ["bench"]
+    commands = ["bench"]
     if arguments.export is not None:
-        ways = ["--export"]
+        commands = ["--export"]
     elif arguments.solvers is not None:
-        ways = ["--solvers", "--solvers FILE.npz"] if arguments.solvers else ["--solvers"]
-    for way in ways:
-        for option in _USELESS[way]:
+        commands = ["--solvers", "--solvers FILE.npz"] if arguments.solvers else ["--solvers"]
+    for command in commands:
+        for option in _INEFFECTIVE_OPTIONS[command]:
             if _is_given(arguments, option):
-                raise Error(f"{option}: has no effect with {_name(way)}")
+                raise Error(f"{option}: has no effect with {_command_name(command)}")
 
 
-def asked_forms(arguments: argparse.Namespace) -> tuple[Form, ...]:
+def requested_forms(arguments: argparse.Namespace) -> tuple[QpForm, ...]:
     """Return the form of --form; both, if it is auto."""
     form = read_form(arguments.form)
-    return (Form.CONDENSED, Form.GENERAL) if form == Form.AUTO else (form,)
+    return (QpForm.CONDENSED, QpForm.GENERAL) if form == QpForm.AUTO else (form,)
 
 
-def _name(way: str) -> str:
-    return "bench alone, expected --export DIR too" if way == "bench" else way
+def _command_name(command: str) -> str:
+    return "bench alone, expected --export DIR too" if command == "bench" else command
 
 
 def _is_given(arguments: argparse.Namespace, option: str) -> bool:

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from surefoot.cli.bench_options import asked_forms
-from surefoot.cli.simulation import check_json_place, missing_module, write_json
+from surefoot.cli.bench_options import requested_forms
+from surefoot.cli.environment import check_json_path, missing_module, write_json
 
 if TYPE_CHECKING:
-    from surefoot.bench.problems import Sequence
+    from surefoot.bench.problems import QpSequence
 
 SCENARIOS = ("quiet", "push80", "weak", "limp")
 
@@ -23,17 +23,17 @@ def bench_solvers(arguments: argparse.Namespace) -> None:
         from surefoot.bench.solvers import run_solvers, solvers_text
     except ModuleNotFoundError as problem:
         raise missing_module("bench", problem) from None
-    check_json_place(arguments.json)
+    check_json_path(arguments.json)
     for scenario in arguments.scenario or ():
         check_scenario(scenario)  # before anything is compiled
-    asked_forms(arguments)
+    requested_forms(arguments)
     result = run_solvers(_sequences(arguments))
     write_json(arguments.json, result)
     if arguments.json != "-":
         print(solvers_text(result))
 
 
-def _sequences(arguments: argparse.Namespace) -> Iterator[Sequence]:
+def _sequences(arguments: argparse.Namespace) -> Iterator[QpSequence]:
     from surefoot.bench.problems import load_sequence, record_problems
 
     for path in arguments.solvers:
@@ -41,5 +41,5 @@ def _sequences(arguments: argparse.Namespace) -> Iterator[Sequence]:
     if arguments.solvers:
         return
     for scenario in arguments.scenario or SCENARIOS:
-        for form in asked_forms(arguments):
+        for form in requested_forms(arguments):
             yield from record_problems(arguments.robot or "go1", scenario, form)

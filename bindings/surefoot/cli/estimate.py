@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import argparse
 
-from surefoot.cli.progress import progress_bar
-from surefoot.cli.robot_choice import chosen_robot
-from surefoot.cli.simulation import (
-    check_json_place,
-    check_report_place,
-    check_table_place,
+from surefoot.cli.environment import (
+    check_json_path,
+    check_report_folder,
+    check_table_path,
     write_json,
 )
+from surefoot.cli.progress import progress_bar
+from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.stand import read_gains
 from surefoot.estimate import read_log, run_estimator, summarise, write_trajectory
 from surefoot.estimate.text import summary_text
-from surefoot.robots import build_robot
+from surefoot.robot.loading import build_robot
 
 
 def estimate(arguments: argparse.Namespace) -> None:
@@ -25,9 +25,9 @@ def estimate(arguments: argparse.Namespace) -> None:
         Error: A wrong argument, or a log that is refused.
         OSError: A file could not be written.
     """
-    check_json_place(arguments.json)
-    check_table_place("--trajectory", arguments.trajectory)
-    check_report_place(arguments.report, "estimate --report", "surefoot.estimate.report")
+    check_json_path(arguments.json)
+    check_table_path("--trajectory", arguments.trajectory)
+    check_report_folder(arguments.report, "estimate --report", "surefoot.estimate.report")
     description = chosen_robot(arguments, default="go1")
     assert description is not None  # there is a default
     gains = read_gains(arguments.gains, description)
@@ -40,7 +40,7 @@ def estimate(arguments: argparse.Namespace) -> None:
     if arguments.report is not None:
         from surefoot.estimate.report import write_report
 
-        page = write_report(result, summary, arguments.report, ["surefoot", *arguments.words])
+        page = write_report(result, summary, arguments.report, ["surefoot", *arguments.argv])
     if arguments.json != "-":
         print(summary_text(summary))
         if arguments.report is not None:

@@ -6,10 +6,10 @@ import argparse
 import textwrap
 
 from surefoot.cli.robot_choice import add_robot_options
-from surefoot.estimate.columns import COLUMNS, Column
-from surefoot.estimate.trajectory import NAMES
+from surefoot.estimate.trajectory import TRAJECTORY_COLUMNS
+from surefoot.sensor_log.columns import COLUMNS, Column
 
-_FORMAT = """\
+_EPILOG = """\
 a log has one row a report and these columns, SI units, feet and legs FR FL RR RL, each hip thigh
 calf:
 
@@ -31,9 +31,9 @@ interrupted"""
 def add_estimate_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot estimate."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = _FORMAT.format(
+    parser.epilog = _EPILOG.format(
         columns=_table([(_column_name(column), _column_text(column)) for column in COLUMNS]),
-        trajectory=_table(list(NAMES.items())),
+        trajectory=_table(list(TRAJECTORY_COLUMNS.items())),
     )
     add = parser.add_argument
     add("log", metavar="LOG.csv|LOG.npz", help="what the sensors of a robot said")
@@ -45,7 +45,7 @@ def add_estimate_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _column_name(column: Column) -> str:
-    return f"{'*' if column.needed else ''}{column.name} ({column.width})"
+    return f"{'*' if column.required else ''}{column.name} ({column.width})"
 
 
 def _column_text(column: Column) -> str:

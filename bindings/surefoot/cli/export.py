@@ -6,7 +6,7 @@ import argparse
 
 from surefoot._core import Error
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.robots import build_robot
+from surefoot.robot.loading import build_robot
 
 
 def export(arguments: argparse.Namespace) -> None:

@@ -11,22 +11,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from surefoot._core import fault_table
-from surefoot.cli.progress import kept_in, progress_bar
-from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.simulation import (
-    check_json_place,
-    check_place,
-    check_report_place,
+from surefoot.cli.environment import (
+    check_json_path,
+    check_output_path,
+    check_report_folder,
     choose_graphics,
     missing_module,
     write_json,
 )
+from surefoot.cli.progress import progress_bar, report_kept_results
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 
 if TYPE_CHECKING:
     from surefoot.faults import FaultSettings
 
 FAILED = 4
-_TEXT = """\
+_EPILOG = """\
 Every row of the fault catalogue is injected (off, stuck, garbage, wrong, slow, delayed,
 intermittent, where that makes sense) while the robot lies, rises, stands and is pushed; sensors are
 real, at 500 Hz. A cell passes if every command is finite, within torque, rate and power limits, and
@@ -41,7 +41,7 @@ or store, 130 interrupted"""
 def add_faults_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot faults."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = _TEXT
+    parser.epilog = _EPILOG
     add_robot_options(parser, "go1")
     add = parser.add_argument
     add("--seed", type=int, default=0, metavar="N", help="of sensors, motors, lying pose (0)")
@@ -78,12 +78,12 @@ def faults(arguments: argparse.Namespace) -> int | None:
         OSError: A file could not be written.
     """
     if arguments.names:
-        print(names_text())
+        print(fault_names_text())
         return None
     choose_graphics()
-    check_json_place(arguments.json)
-    check_place("--store", arguments.store)
-    check_report_place(arguments.report, "faults", "surefoot.faults.report")
+    check_json_path(arguments.json)
+    check_output_path("--store", arguments.store)
+    check_report_folder(arguments.report, "faults", "surefoot.faults.matrix.matrix_report")
     try:
         from surefoot.faults import choose_cells, faults_text, list_text, run_faults
     except ModuleNotFoundError as problem:
@@ -92,13 +92,13 @@ def faults(arguments: argparse.Namespace) -> int | None:
     if arguments.list:
         print(list_text(choose_cells(settings.only, settings.taken_over)))
         return None
-    with kept_in(arguments.store):
+    with report_kept_results(arguments.store):
         result = run_faults(settings, None if bar is None else lambda n, of: bar("faults", n, of))
-    command = shlex.join(["surefoot", *arguments.words])
+    command = shlex.join(["surefoot", *arguments.argv])
     result = {"command": command, **result}
     write_json(arguments.json, result)
     if arguments.report is not None:
-        from surefoot.faults.report import write_faults_report
+        from surefoot.faults.matrix.matrix_report import write_faults_report
 
         page = write_faults_report(result, Path(arguments.report), command)
         print(f"report {page}", file=sys.stderr)
@@ -107,22 +107,22 @@ def faults(arguments: argparse.Namespace) -> int | None:
     return FAILED if result["failed"] else None
 
 
-def names_text() -> str:
+def fault_names_text() -> str:
     """Return fault_table() as an operator reads it."""
     blocks = []
     for info in fault_table():
-        reaction = f"{info.reaction.name.lower()} within {1000 * info.detect:.0f} ms"
-        head = f"{info.name:<18} {reaction}; ends {info.clears}"
+        reaction = f"{info.reaction.name.lower()} within {1000 * info.detection_time:.0f} ms"
+        head = f"{info.name:<18} {reaction}; ends {info.cleared_by}"
         blocks += [head, textwrap.indent(textwrap.fill(info.meaning, 88), "    ")]
     return "\n".join(blocks)
 
 
 def _settings(arguments: argparse.Namespace) -> FaultSettings:
     from surefoot.faults import FaultSettings
-    from surefoot.faults.settings import MOST_JOBS
+    from surefoot.faults.matrix.matrix_settings import MAX_JOBS
 
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
-    jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MOST_JOBS)
+    jobs = arguments.jobs if arguments.jobs is not None else min(os.cpu_count() or 1, MAX_JOBS)
     only, taken_over = tuple(arguments.only), arguments.taken_over
     return FaultSettings(robot, arguments.seed, jobs, only, arguments.store, taken_over)

@@ -26,7 +26,7 @@ def progress_bar() -> Callable[[str, int, int], None] | None:
 
 
 @contextmanager
-def kept_in(store: str | None) -> Iterator[None]:
+def report_kept_results(store: str | None) -> Iterator[None]:
     """Say where the results of a long run are if it is ended by Ctrl-C."""
     try:
         yield

@@ -5,15 +5,15 @@ from __future__ import annotations
 import argparse
 from dataclasses import asdict
 
+from surefoot.cli.environment import check_json_path, write_json
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.simulation import check_json_place, write_json
-from surefoot.replay import Replay, Tape, play, read_tape
-from surefoot.replay.build import build_id
-from surefoot.robots import build_robot
+from surefoot.replay import Recording, Replay, play, read_recording
+from surefoot.replay.build_id import build_id
+from surefoot.robot.loading import build_robot
 
 DIFFERS = 4
-_TEXT = """\
+_EPILOG = """\
 The log has all that went into the controller: its gains and options, every LowState, and what was
 asked of it in between. Bits are promised on the same build of the library and the same machine.
 
@@ -24,7 +24,7 @@ or a log that cannot be replayed, 130 interrupted"""
 def add_replay_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot replay."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = _TEXT
+    parser.epilog = _EPILOG
     parser.add_argument("log", metavar="LOG.npz", help="that surefoot stand --log wrote")
     add_robot_options(parser, "the one that the log names")
     parser.add_argument("--json", metavar="FILE|-", help="write the result as JSON; - is stdout")
@@ -37,21 +37,21 @@ def replay(arguments: argparse.Namespace) -> int | None:
         Error: A wrong argument, or a log that cannot be replayed.
         OSError: A file could not be written.
     """
-    check_json_place(arguments.json)
-    tape = read_tape(arguments.log)
-    description = chosen_robot(arguments, default=tape.robot)
+    check_json_path(arguments.json)
+    recording = read_recording(arguments.log)
+    description = chosen_robot(arguments, default=recording.robot)
     assert description is not None  # there is a default
-    result = play(tape, build_robot(description), progress_bar())
-    write_json(arguments.json, _record(tape, result))
+    result = play(recording, build_robot(description), progress_bar())
+    write_json(arguments.json, _record(recording, result))
     if arguments.json != "-":
-        print(replay_text(tape, result))
+        print(replay_text(recording, result))
     return None if result.first is None else DIFFERS
 
 
-def replay_text(tape: Tape, result: Replay) -> str:
+def replay_text(recording: Recording, result: Replay) -> str:
     """Return what is said of a replay."""
-    what = f"{len(tape.commands)} commands of a {tape.kind} on {tape.robot}"
-    other = f"\nthe log is of build {tape.build}, this is {build_id()}: bits may differ"
+    what = f"{len(recording.commands)} commands of a {recording.kind} on {recording.robot}"
+    other = f"\nthe log is of build {recording.build}, this is {build_id()}: bits may differ"
     build = "" if result.same_build else other
     if result.first is None:
         return f"identical: {what}{build}"
@@ -62,14 +62,14 @@ def replay_text(tape: Tape, result: Replay) -> str:
     )
 
 
-def _record(tape: Tape, result: Replay) -> dict[str, object]:
+def _record(recording: Recording, result: Replay) -> dict[str, object]:
     return {
         "identical": result.first is None,
-        "kind": tape.kind,
-        "robot": tape.robot,
-        "commands": len(tape.commands),
+        "kind": recording.kind,
+        "robot": recording.robot,
+        "commands": len(recording.commands),
         "differing": result.differing,
         "first": None if result.first is None else asdict(result.first),
         "build": build_id(),
-        "build_of_log": tape.build,
+        "build_of_log": recording.build,
     }

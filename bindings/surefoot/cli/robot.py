@@ -7,9 +7,9 @@ import sys
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error
+from surefoot.cli.environment import check_json_path, choose_graphics, missing_module, write_json
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.cli.simulation import check_json_place, choose_graphics, missing_module, write_json
-from surefoot.terminal import Speaker
+from surefoot.system.terminal import LinePrinter
 
 if TYPE_CHECKING:
     from surefoot.virtual_robot import VirtualRobotSettings
@@ -26,11 +26,11 @@ def robot(arguments: argparse.Namespace) -> None:
         raise missing_module("robot", problem) from None
     if arguments.json == "-":
         raise Error("--json: got '-', expected a file: stdout has the status lines")
-    check_json_place(arguments.json)
+    check_json_path(arguments.json)
     if arguments.lying:  # not to stdout: programs read the port from its first line
         print("dropping it until it lies well, its legs clear: some seconds ...", file=sys.stderr)
     options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
-    record = run_robot(read_settings(arguments), options, Speaker(sys.stdout))
+    record = run_robot(read_settings(arguments), options, LinePrinter(sys.stdout))
     write_json(arguments.json, record, indent=None)
 
 

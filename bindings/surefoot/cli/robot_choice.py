@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from surefoot._core import Error
-from surefoot.robot_files import RobotDescription, describe_robot
+from surefoot.robot.description import RobotDescription, describe_robot
 
 
 def add_robot_options(parser: argparse.ArgumentParser | argparse._ArgumentGroup, text: str) -> None:

@@ -15,7 +15,7 @@ _REMOTE_HELP = (
     'plays on the wireless remote: lines "TIME press A", "TIME release A", "TIME lx 0.5"; '
     "without it the terminal's keyboard does, if there is one"
 )
-STATUS = (
+_EPILOG = (
     "exit status: 0 the end, also by Ctrl-C or SIGTERM; 1 the port is taken or not permitted, or a "
     "file could not be written; 2 a wrong argument. Times are simulated, since the start"
 )
@@ -23,7 +23,7 @@ STATUS = (
 
 def add_virtual_robot_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot robot."""
-    parser.epilog = STATUS
+    parser.epilog = _EPILOG
     _add_robot_group(parser)
     _add_link_group(parser)
     add = parser.add_argument_group("what happens to it").add_argument

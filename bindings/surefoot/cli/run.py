@@ -16,16 +16,16 @@ from surefoot._core import (
     StandRunner,
     Start,
 )
+from surefoot.cli.environment import check_json_path, write_json
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.run_log import LOG_TIME, check_log, write_run_log
-from surefoot.cli.run_operator import keys
+from surefoot.cli.run_monitor import supervise
+from surefoot.cli.run_operator import key_help
 from surefoot.cli.run_text import closing_text, no_robot_text, run_summary
-from surefoot.cli.run_watch import supervise
-from surefoot.cli.simulation import check_json_place, write_json
 from surefoot.cli.stand import read_form, read_gains
 from surefoot.protocol import default_generation
-from surefoot.robots import build_robot
-from surefoot.terminal import Speaker, has_keyboard
+from surefoot.robot.loading import build_robot
+from surefoot.system.terminal import LinePrinter, has_keyboard
 
 ENDED_DAMPED = 3
 NO_ROBOT = 1
@@ -38,23 +38,23 @@ def run(arguments: argparse.Namespace) -> int:
         Exit status: 0 it stood, and lay down because it was asked to, 1 no robot of the right
         generation answered, 3 anything else.
     """
-    check_json_place(arguments.json)
+    check_json_path(arguments.json)
     check_log(arguments.log, arguments.log_time)
     _check_operator(arguments)
     runner, robot, generation = _make_runner(arguments)
-    say = Speaker(sys.stderr if arguments.json == "-" else sys.stdout)
-    say(
+    print_line = LinePrinter(sys.stderr if arguments.json == "-" else sys.stdout)
+    print_line(
         f"{arguments.host}:{arguments.port} from port {runner.local_port}, {generation}, "
-        f"{arguments.rate:g} Hz, power level {arguments.power_level}; {keys(arguments.rise)}; "
+        f"{arguments.rate:g} Hz, power level {arguments.power_level}; {key_help(arguments.rise)}; "
         "Ctrl-C "
         + ("lies down and ends, twice it damps at once" if arguments.rise else "ends by damping")
     )
-    end = supervise(runner, robot, say, arguments.rise, arguments.yes)
+    end = supervise(runner, robot, print_line, arguments.rise, arguments.yes)
     result = run_summary(end, robot, generation, runner.real_time)
     write_json(arguments.json, result)
-    say(closing_text(result))
+    print_line(closing_text(result))
     if arguments.log is not None:
-        _keep_log(arguments.log, runner.log(), say)
+        _write_log(arguments.log, runner.log(), print_line)
     where = f"{arguments.host}:{arguments.port}"
     if end.reason in ("no_state", "wrong_generation"):
         print("surefoot: error:", no_robot_text(where, end, generation), file=sys.stderr)
@@ -62,17 +62,17 @@ def run(arguments: argparse.Namespace) -> int:
     return 0 if end.stood_to_end else ENDED_DAMPED
 
 
-def _keep_log(file: str, log: RunLog, say: Callable[[str], None]) -> None:
+def _write_log(file: str, log: RunLog, print_line: Callable[[str], None]) -> None:
     """Write the log if something was heard; one that cannot be written is told, no more."""
     if not len(log):
-        say(f"no log: no LowState came; {file} is not written")
+        print_line(f"no log: no LowState came; {file} is not written")
         return
     try:
-        lasted = write_run_log(file, log)
+        logged_time = write_run_log(file, log)
     except OSError as error:
         print(f"surefoot: error: --log: {error}", file=sys.stderr)
         return
-    say(f"log of {lasted:.1f} s: {file}")
+    print_line(f"log of {logged_time:.1f} s: {file}")
 
 
 def _check_operator(arguments: argparse.Namespace) -> None:

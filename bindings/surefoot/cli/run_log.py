@@ -7,25 +7,25 @@ from pathlib import Path
 import numpy as np
 
 from surefoot._core import Error, FaultId, Mode, RunLog
-from surefoot.cli.simulation import check_place
+from surefoot.cli.environment import check_output_path
 from surefoot.estimate import SensorLog, write_log
-from surefoot.estimate.columns import RUN
-from surefoot.estimate.sensor_columns import sensor_columns
-from surefoot.low_cmd_layout import LOW_CMD
-from surefoot.low_state_layout import MOTORS
+from surefoot.messages.low_cmd_layout import LOW_CMD
+from surefoot.messages.low_state_layout import MOTOR_COUNT
+from surefoot.sensor_log.columns import RUN_PREFIX
+from surefoot.sensor_log.sensor_columns import sensor_columns
 
 LOG_TIME = 60.0  # [s]
 
 
-def check_log(place: str | None, time: float | None) -> None:
+def check_log(path: str | None, time: float | None) -> None:
     """Raise Error for a place where no NPZ file can be written, or a time of none."""
-    if place is None and time is not None:
+    if path is None and time is not None:
         raise Error("--log-time: got it without --log, expected both")
     if time is not None and not time > 0.0:
         raise Error(f"--log-time: got {time:g}, expected above 0, up to 600 [s]")
-    check_place("--log", place)
-    if place is not None and Path(place).suffix.lower() != ".npz":
-        raise Error(f"--log: got '{place}', expected a name that ends in .npz")
+    check_output_path("--log", path)
+    if path is not None and Path(path).suffix.lower() != ".npz":
+        raise Error(f"--log: got '{path}', expected a name that ends in .npz")
 
 
 def write_run_log(path: str, log: RunLog) -> float:
@@ -36,20 +36,20 @@ def write_run_log(path: str, log: RunLog) -> float:
     time, reports, commands = log.time, log.reports, log.commands
     extras = {
         "time": time,
-        "heard": log.heard,
-        "mode": _names(Mode, log.mode),
-        "damping": _names(FaultId, log.damping),
-        "tau": commands.view(LOW_CMD)[:, 0]["motorCmd"]["tau"][:, :MOTORS],
+        "heard": log.has_new_state,
+        "mode": _enum_names(Mode, log.mode),
+        "damping": _enum_names(FaultId, log.damping_fault),
+        "tau": commands.view(LOW_CMD)[:, 0]["motorCmd"]["tau"][:, :MOTOR_COUNT],
         "reports": reports,
         "commands": commands,
     }
-    since = time - time[0]
-    columns = sensor_columns(reports) | {"time": since[:, None]}
+    elapsed = time - time[0]
+    columns = sensor_columns(reports) | {"time": elapsed[:, None]}
     if _restarted(columns["tick"][:, 0]):  # one clock for both of the robot's lives
         del columns["tick"]
-    sensors = SensorLog("surefoot run", columns, since, clock="time")
-    write_log(path, sensors, {f"{RUN}{name}": values for name, values in extras.items()})
-    return float(since[-1])
+    sensors = SensorLog("surefoot run", columns, elapsed, clock="time")
+    write_log(path, sensors, {f"{RUN_PREFIX}{name}": values for name, values in extras.items()})
+    return float(elapsed[-1])
 
 
 def _restarted(ticks: np.ndarray) -> bool:
@@ -57,6 +57,6 @@ def _restarted(ticks: np.ndarray) -> bool:
     return bool((np.diff(ticks.astype(np.uint32)).astype(np.int32) < 0).any())
 
 
-def _names(kind: type[Mode] | type[FaultId], values: np.ndarray) -> np.ndarray:
+def _enum_names(kind: type[Mode] | type[FaultId], values: np.ndarray) -> np.ndarray:
     names = {member.value: name.lower() for name, member in kind.__members__.items()}
     return np.array([names[value] for value in values.tolist()])

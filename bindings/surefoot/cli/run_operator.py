@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from surefoot._core import ArmingCheck, Mode, RequestStatus, Robot, RunSnapshot, StandRunner
-from surefoot.cli.run_keys import Keys
-from surefoot.low_state_layout import LEGS
-from surefoot.terminal import has_keyboard
+from surefoot.cli.run_keyboard import KeyboardLines
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.system.terminal import has_keyboard
 
-_REFUSALS = {
+_REFUSAL_REASONS = {
     RequestStatus.NO_STATE: "no valid LowState comes",
     RequestStatus.NOT_ARMED: "not armed: a + Enter arms",
     RequestStatus.LATCHED: "damping is latched: a + Enter arms again",
     RequestStatus.BUSY: "busy: torques are on their way; once more in a moment",
 }
-_FROM_HERE = {
+_NEXT_KEY = {
     Mode.PASSIVE: "u rises",
     Mode.RISE: "d lies down",
     Mode.STAND: "d lies down",
@@ -24,7 +24,7 @@ _FROM_HERE = {
 }
 
 
-def keys(rise: bool) -> str:
+def key_help(rise: bool) -> str:
     """Return what can be typed; `rise`: to a robot that lies, else to one that stands."""
     if not has_keyboard():
         return "no terminal, no keys"
@@ -39,96 +39,103 @@ class Operator:
         runner: Is asked.
         robot: What it runs on, for names and limits.
         rise: As for keys().
-        say: Called with a line about what was refused.
+        print_line: Called with a line about what was refused.
     """
 
     def __init__(
-        self, runner: StandRunner, robot: Robot, rise: bool, say: Callable[[str], None]
+        self, runner: StandRunner, robot: Robot, rise: bool, print_line: Callable[[str], None]
     ) -> None:
-        self._runner, self._robot, self._rise, self._say = runner, robot, rise, say
-        self._keys = Keys(say)
+        self._runner, self._robot, self._rise, self._print_line = runner, robot, rise, print_line
+        self._keys = KeyboardLines(print_line)
 
-    def look(self, now: RunSnapshot) -> None:
+    def update(self, snapshot: RunSnapshot) -> None:
         """Obey what has been typed since the last look."""
         for line in self._keys.lines():
-            self.obey(line.lower(), now)
+            self.handle_line(line.lower(), snapshot)
 
-    def forget(self) -> bool:
+    def discard_typed(self) -> bool:
         """Leave out what has been typed and not been read; return whether there is a keyboard."""
-        return self._keys.forget()
+        return self._keys.discard_typed()
 
-    def obey(self, word: str, now: RunSnapshot) -> None:
+    def handle_line(self, word: str, snapshot: RunSnapshot) -> None:
         """Do what a line asks for; say why not. Any line with an x in it damps."""
-        up = Mode.STAND if now.mode == Mode.SIT else Mode.RISE
+        up = Mode.STAND if snapshot.mode == Mode.SIT else Mode.RISE
         if "x" in word or word == "stop":
             self._runner.damp()
         elif word in ("a", "arm", "r"):
-            if now.armed:
-                self._say(f"{now.time:7.2f} s armed already: {_FROM_HERE[now.mode]}")
+            if snapshot.armed:
+                self._print_line(
+                    f"{snapshot.time:7.2f} s armed already: {_NEXT_KEY[snapshot.mode]}"
+                )
             else:
-                self._tell("arming", self._runner.arm(), now)
+                self._print_refusal("arming", self._runner.arm(), snapshot)
         elif word in ("u", "rise"):
-            self._tell("up", self._runner.request(up), now)
+            self._print_refusal("up", self._runner.request(up), snapshot)
         elif word in ("d", "sit"):
-            self._tell("down", self._runner.request(Mode.SIT), now)
+            self._print_refusal("down", self._runner.request(Mode.SIT), snapshot)
         elif word == "q":
-            self._say(f"{now.time:7.2f} s joints [rad] {joints_text(now)}")
+            self._print_line(f"{snapshot.time:7.2f} s joints [rad] {joints_text(snapshot)}")
         else:
-            self._say(f"{now.time:7.2f} s '{word}' is no key: {keys(self._rise)}")
+            self._print_line(f"{snapshot.time:7.2f} s '{word}' is no key: {key_help(self._rise)}")
 
-    def _tell(self, what: str, status: RequestStatus, now: RunSnapshot) -> None:
+    def _print_refusal(self, what: str, status: RequestStatus, snapshot: RunSnapshot) -> None:
         if status == RequestStatus.ACCEPTED:
             return
-        why = _REFUSALS.get(status, "")
+        why = _REFUSAL_REASONS.get(status, "")
         if status == RequestStatus.NOT_READY:
-            why = self._not_ready(now)
+            why = self._not_ready(snapshot)
         if status == RequestStatus.OUT_OF_ORDER:
-            why = f"not while {now.phase}: {_FROM_HERE[now.mode]}"
-        self._say(f"{now.time:7.2f} s {what} refused: {why}")
+            why = f"not while {snapshot.phase}: {_NEXT_KEY[snapshot.mode]}"
+        self._print_line(f"{snapshot.time:7.2f} s {what} refused: {why}")
 
-    def _not_ready(self, now: RunSnapshot) -> str:
-        failing = [name for name, check in now.arming.checks.items() if fails(check)]
+    def _not_ready(self, snapshot: RunSnapshot) -> str:
+        failing = [name for name, check in snapshot.arming.checks.items() if is_failing(check)]
         if failing:
             return f"arming checks fail: {', '.join(failing)}"
-        return f"arming checks have passed for {now.arming.held:.1f} s, and must for 1"
+        return f"arming checks have passed for {snapshot.arming.passed_for:.1f} s, and must for 1"
 
 
-def joints_text(now: RunSnapshot) -> str:
+def joints_text(snapshot: RunSnapshot) -> str:
     """Return the joints' angles as reported, leg by leg: hip, thigh, calf."""
     legs = zip(LEGS, range(0, 12, 3), strict=True)
     return "; ".join(
-        f"{leg} {' '.join(f'{angle:.3f}' for angle in now.joints[first : first + 3])}"
+        f"{leg} {' '.join(f'{angle:.3f}' for angle in snapshot.joint_angles[first : first + 3])}"
         for leg, first in legs
     )
 
 
-class Readiness:
+class ArmingMonitor:
     """Says what keeps a robot that is down from being armed, and when nothing does any more.
 
     Args:
         robot: Its names and limits.
-        say: Called with a line for each failing check.
+        print_line: Called with a line for each failing check.
     """
 
-    def __init__(self, robot: Robot, say: Callable[[str], None]) -> None:
-        self._robot, self._say = robot, say
+    def __init__(self, robot: Robot, print_line: Callable[[str], None]) -> None:
+        self._robot, self._print_line = robot, print_line
         self._failing, self._ready, self._armed = "", False, False
 
-    def look(self, now: RunSnapshot, due: bool) -> None:
+    def update(self, snapshot: RunSnapshot, due: bool) -> None:
         """Say what has changed; `due`: say what fails once more."""
         # A robot that is silent is braked before it is known whether it is to be let go of.
-        if (now.phase, now.mode) not in (("passive", Mode.PASSIVE), ("damping", Mode.DAMPING)):
+        if (snapshot.phase, snapshot.mode) not in (
+            ("passive", Mode.PASSIVE),
+            ("damping", Mode.DAMPING),
+        ):
             self._failing, self._ready = "", False
             return
-        failing = " ".join(name for name, check in now.arming.checks.items() if fails(check))
+        failing = " ".join(
+            name for name, check in snapshot.arming.checks.items() if is_failing(check)
+        )
         if failing and (due or failing != self._failing):
-            for line in now.arming.failures(self._robot).splitlines():
-                self._say(f"{now.time:7.2f} s not ready: {line}")
-        if now.arming.ready and not (self._ready and self._armed == now.armed):
-            self._say(f"{now.time:7.2f} s ready{', armed' if now.armed else ''}")
-        self._failing, self._ready, self._armed = failing, now.arming.ready, now.armed
+            for line in snapshot.arming.failures(self._robot).splitlines():
+                self._print_line(f"{snapshot.time:7.2f} s not ready: {line}")
+        if snapshot.arming.ready and not (self._ready and self._armed == snapshot.armed):
+            self._print_line(f"{snapshot.time:7.2f} s ready{', armed' if snapshot.armed else ''}")
+        self._failing, self._ready, self._armed = failing, snapshot.arming.ready, snapshot.armed
 
 
-def fails(check: ArmingCheck) -> bool:
+def is_failing(check: ArmingCheck) -> bool:
     """Return whether a check keeps the robot from being armed."""
     return bool(check.applies and not check.passed)

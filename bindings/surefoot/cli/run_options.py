@@ -7,7 +7,7 @@ import argparse
 from surefoot.cli.robot_choice import add_robot_options
 from surefoot.cli.stand_options import add_form_option
 
-RUN_STATUS = (
+_EPILOG = (
     "exit status: 0 the robot stood, and lay down because it was asked to, 1 no robot of the right "
     "generation answered, 2 a wrong argument, 3 anything else: it never stood, was laid down by a "
     "fault, or let go of"
@@ -17,7 +17,7 @@ RUN_STATUS = (
 def add_run_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot run."""
     add_robot_options(parser, "go1")
-    parser.epilog = RUN_STATUS
+    parser.epilog = _EPILOG
     add = parser.add_argument
     _add_start_group(parser)
     add("--host", default="127.0.0.1", metavar="ADDRESS", help="of the robot (127.0.0.1)")

@@ -7,86 +7,75 @@ from collections.abc import Callable
 from typing import Any
 
 from surefoot._core import RiseStage, Robot, RunSnapshot, fault_table
-from surefoot.low_state_layout import LEGS
+from surefoot.messages.low_state_layout import LEGS
 
-_ON_THE_GROUND = {
+_GROUND_STAGE_TEXT = {
     RiseStage.HOLD_LEGS: "legs hold themselves",
     RiseStage.FOLD: "legs fold",
     RiseStage.WEIGH: "legs are weighed",
     RiseStage.PRESS: "rear legs press",
 }
-MOTORS = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
+MOTOR_NAMES = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
 
 
-class Notices:
+class LinkWarnings:
     """Says once, when it is seen first, what should not be on the wire."""
 
-    def __init__(self, say: Callable[[str], None]) -> None:
-        self._say, self._said = say, set[str]()
+    def __init__(self, print_line: Callable[[str], None]) -> None:
+        self._print_line, self._printed = print_line, set[str]()
 
-    def look(self, now: RunSnapshot) -> None:
+    def update(self, snapshot: RunSnapshot) -> None:
         """Look at the counts."""
-        link = now.link
-        odd = {
+        link = snapshot.link
+        warnings = {
             "someone else sends to our port; not listened to": link.strangers,
             "more datagrams wait than are read in a tick: the peer floods": link.floods,
-            f"a datagram was not taken: {now.reject}": link.corrupt + link.wrong_length,
+            f"a datagram was not taken: {snapshot.last_reject}": link.corrupt + link.wrong_length,
             "the system does not send: is there a route?": link.send_failed,
         }
-        for text, count in odd.items():
+        for text, count in warnings.items():
             kind = text.split(":")[0]
-            if count and kind not in self._said:
-                self._said.add(kind)
-                self._say(f"{now.time:7.2f} s {text}")
+            if count and kind not in self._printed:
+                self._printed.add(kind)
+                self._print_line(f"{snapshot.time:7.2f} s {text}")
 
 
-class Faults:
+class FaultMonitor:
     """Says what the supervisor finds wrong, as often as it begins."""
 
-    def __init__(self, say: Callable[[str], None]) -> None:
-        self._say, self._counts = say, dict[str, int]()
+    def __init__(self, print_line: Callable[[str], None]) -> None:
+        self._print_line, self._counts = print_line, dict[str, int]()
 
-    def look(self, now: RunSnapshot) -> None:
+    def update(self, snapshot: RunSnapshot) -> None:
         """Look at the faults."""
         for info in fault_table():
-            count = now.faults.count(info.id)
+            count = snapshot.faults.count(info.id)
             if count > self._counts.get(info.name, 0):
-                motor = now.faults.motor(info.id)
-                where = f" at {MOTORS[motor]}" if motor >= 0 else ""
-                self._say(f"{now.time:7.2f} s fault {info.name}{where}: {info.meaning}")
+                motor = snapshot.faults.motor(info.id)
+                where = f" at {MOTOR_NAMES[motor]}" if motor >= 0 else ""
+                self._print_line(f"{snapshot.time:7.2f} s fault {info.name}{where}: {info.meaning}")
             self._counts[info.name] = count
 
 
-def why_damped(now: RunSnapshot) -> str:
-    """Return what the damping is for."""
-    if now.reason == "stale":
-        return f"stale: no LowState for {1000 * now.gap:.0f} ms"
-    if now.reason == "away":
-        return f"away: this program stood still for {1000 * now.gap:.0f} ms"
-    if now.reason == "controller":
-        return f"the controller found {now.fault.name}"
-    if now.reason == "power_protect":
-        return f"power protection: {now.damped_power:.0f} W"
-    if now.reason == "fault":
-        return f"the supervisor found {now.damping.name.lower()}"
-    return now.reason
-
-
-def status_line(now: RunSnapshot) -> str:
+def status_line(snapshot: RunSnapshot) -> str:
     """Return how it is, on one line."""
-    link = now.link
-    how = ""  # height and tilt are the controller's, which knows them while it stands
-    if now.phase == "standing":
-        how = f"height {now.height:.3f} m, tilt {math.degrees(now.tilt):.1f} deg, "
-    elif now.phase in ("rising", "sitting"):
-        way = f"{100 * now.way_up:.0f} % of the way up, "
-        how = way if now.stage == RiseStage.UP else f"{_ON_THE_GROUND[now.stage]}, "
-    elif now.phase == "passive":
-        how = "armed, " if now.armed else "not armed, "
+    link = snapshot.link
+    detail = ""  # height and tilt are the controller's, which knows them while it stands
+    if snapshot.phase == "standing":
+        detail = f"height {snapshot.height:.3f} m, tilt {math.degrees(snapshot.tilt):.1f} deg, "
+    elif snapshot.phase in ("rising", "sitting"):
+        progress = f"{100 * snapshot.rise_progress:.0f} % of the way up, "
+        detail = (
+            progress
+            if snapshot.rise_stage == RiseStage.UP
+            else f"{_GROUND_STAGE_TEXT[snapshot.rise_stage]}, "
+        )
+    elif snapshot.phase == "passive":
+        detail = "armed, " if snapshot.armed else "not armed, "
     return (
-        f"{now.time:7.2f} s {now.phase:8} {how}power {now.power:.0f} W; states {link.valid}, lost "
+        f"{snapshot.time:7.2f} s {snapshot.phase:8} {detail}power {snapshot.measured_power:.0f} W; states {link.valid}, lost "
         f"{link.lost}, bad {link.corrupt + link.wrong_length + link.wrong_generation}, age "
-        f"{1000 * now.age:.0f} ms; tick {now.tick_p50:.0f} us, {now.tick_p999:.0f} p99.9"
+        f"{1000 * snapshot.state_age:.0f} ms; tick {snapshot.tick_p50:.0f} us, {snapshot.tick_p999:.0f} p99.9"
     )
 
 
@@ -99,7 +88,7 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
         "phase": end.phase,
         "reason": end.reason,
         "mode": end.mode.name,
-        "damping": end.damping.name,
+        "damping": end.damping_fault.name,
         "faults": {
             info.name: end.faults.count(info.id)
             for info in fault_table()
@@ -109,23 +98,23 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
         "stood": end.stood,
         "stood_to_end": end.stood_to_end,
         "not_ready": end.arming.failures(robot).splitlines(),
-        "stuck": end.stuck,
-        "fault": end.fault.name,
-        "reject": end.reject,
+        "stuck": end.rise_failed,
+        "fault": end.controller_fault.name,
+        "reject": end.last_reject,
         "time_s": end.time,
         "ticks": end.ticks,
-        "usable_ticks": end.usable,
-        "bridged_ticks": end.bridged,
-        "saturated_ticks": end.saturated,
-        "missed_periods": end.missed,
+        "usable_ticks": end.usable_ticks,
+        "bridged_ticks": end.ticks_without_state,
+        "saturated_ticks": end.saturated_ticks,
+        "missed_periods": end.missed_periods,
         "dampings": end.dampings,
-        "pauses": end.pauses,
+        "pauses": end.resumed_dampings,
         "rearms": end.rearms,
         "refused_rearms": end.refused_rearms,
         "greatest_power_w": end.greatest_power,
         "height_m": end.height,
         "tilt_deg": math.degrees(end.tilt),
-        "age_s": end.age if math.isfinite(end.age) else None,
+        "age_s": end.state_age if math.isfinite(end.state_age) else None,
         "link": {name: getattr(end.link, name) for name in names},
         "us": {name: getattr(end, name) for name in times},
         "real_time": real_time,
@@ -156,9 +145,9 @@ def closing_text(result: dict[str, Any]) -> str:
 def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
     """Return why no robot was controlled."""
     if end.reason == "wrong_generation":
-        return f"the robot at {where} does not speak {generation}: {end.reject}; see --sdk"
+        return f"the robot at {where} does not speak {generation}: {end.last_reject}; see --sdk"
     if end.link.received:
-        return f"no valid LowState from {where}: {end.reject}"
+        return f"no valid LowState from {where}: {end.last_reject}"
     if where.startswith("127."):
         return f"nobody answers at {where}; a virtual robot is started with surefoot robot"
     return (

@@ -6,22 +6,22 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from surefoot._core import Error, Form, Gains
-from surefoot.cli.progress import progress_bar
-from surefoot.cli.robot_choice import chosen_robot
-from surefoot.cli.simulation import (
-    check_json_place,
-    check_report_place,
-    check_table_place,
+from surefoot._core import Error, Gains, QpForm
+from surefoot.cli.environment import (
+    check_json_path,
+    check_report_folder,
+    check_table_path,
     choose_graphics,
     missing_module,
     write_json,
 )
+from surefoot.cli.progress import progress_bar
+from surefoot.cli.robot_choice import chosen_robot
 from surefoot.estimate import write_log
-from surefoot.gain_files import load_gains
-from surefoot.replay import tape_columns
-from surefoot.robot_table import suggest
-from surefoot.robots import RobotDescription, build_robot
+from surefoot.replay import recording_columns
+from surefoot.robot.gain_files import load_gains
+from surefoot.robot.loading import RobotDescription, build_robot
+from surefoot.robot.robot_toml import suggest
 
 if TYPE_CHECKING:
     from surefoot.stand import StandSettings
@@ -38,25 +38,25 @@ def stand(arguments: argparse.Namespace) -> int:
     """
     choose_graphics()
     try:
-        from surefoot.stand import SensorRecorder, run_stand, stand_tape, summarise
+        from surefoot.stand import SensorRecorder, run_stand, stand_recording, summarise
         from surefoot.stand.text import summary_text
     except ModuleNotFoundError as problem:
         raise missing_module("stand", problem) from None
     settings = read_settings(arguments)
-    check_json_place(arguments.json)
-    check_table_place("--log", arguments.log)
-    check_report_place(arguments.report, "stand", "surefoot.stand.report")
+    check_json_path(arguments.json)
+    check_table_path("--log", arguments.log)
+    check_report_folder(arguments.report, "stand", "surefoot.stand.report")
     progress = progress_bar()
     sensors = None if arguments.log is None else SensorRecorder()
     log = run_stand(settings, progress, sensors)
     if sensors is not None:
-        write_log(arguments.log, sensors.log(), tape_columns(stand_tape(log, sensors)))
+        write_log(arguments.log, sensors.log(), recording_columns(stand_recording(log, sensors)))
     summary = summarise(log)
     write_json(arguments.json, summary)
     if arguments.report is not None:
         from surefoot.stand.report import write_report
 
-        command = ["surefoot", *arguments.words]
+        command = ["surefoot", *arguments.argv]
         page = write_report(log, summary, Path(arguments.report), command, progress)
     if arguments.json != "-":
         print(summary_text(summary))
@@ -74,8 +74,8 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
     check_rate(arguments.rate)
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
-    slope, heading = _numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
-    payload, *position = _numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
+    slope, heading = _parse_numbers("--slope", arguments.slope, "DEG[:HEADING]", (1, 2), 2)
+    payload, *position = _parse_numbers("--payload", arguments.payload, "KG[:X:Y:Z]", (1, 4), 4)
     plant = PlantSettings(
         sensors=arguments.sensors,
         foot_force=arguments.foot_force,
@@ -102,13 +102,13 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
         gains=read_gains(arguments.gains, robot),
         motor_damping=arguments.motor_damping,
         form=read_form(arguments.form),
-        predict=arguments.predict_ms / 1000.0,
+        predicted_delay=arguments.predict_ms / 1000.0,
     )
 
 
-def read_form(text: str) -> Form:
+def read_form(text: str) -> QpForm:
     """Return the form of a name of --form; raises Error."""
-    names = {form.name.lower(): form for form in Form}
+    names = {form.name.lower(): form for form in QpForm}
     if text not in names:
         valid = ", ".join(names)
         raise Error(f"--form: got '{text}'{suggest(text, names)}; valid names: {valid}")
@@ -122,7 +122,7 @@ def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
     return load_gains(file, build_robot(robot).config.gains)
 
 
-def _numbers(
+def _parse_numbers(
     option: str, text: str, form: str, counts: tuple[int, ...], size: int
 ) -> tuple[float, ...]:
     """Read numbers between colons and fill up with zeros to `size`; raises Error."""

@@ -16,7 +16,7 @@ _REFERENCE_HELP = (
     "pitch, yaw [deg], all from the pose the robot stands in; s. Axes that are not named stay as "
     "asked before. Example: roll=10@4.0, height=-0.02,yaw=5@6. Repeat for more"
 )
-STAND_STATUS = (
+_EPILOG = (
     "exit status: 0 the robot stood, 3 it fell (results are written all the same), 1 a file could "
     "not be written, 2 a wrong argument, 130 interrupted"
 )
@@ -24,7 +24,7 @@ STAND_STATUS = (
 
 def add_stand_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot stand."""
-    parser.epilog = STAND_STATUS
+    parser.epilog = _EPILOG
     _add_plant_options(parser)
     _add_flaw_options(parser)
     _add_controller_options(parser)

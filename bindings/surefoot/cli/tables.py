@@ -9,7 +9,7 @@ import numpy as np
 
 from surefoot._core import Gains, gain_table, get_gain
 from surefoot.cli.robot_choice import chosen_robot
-from surefoot.robots import available_robots, build_robot, describe_robot
+from surefoot.robot.loading import available_robots, build_robot, describe_robot
 
 
 def list_robots(arguments: argparse.Namespace) -> None:
@@ -23,8 +23,8 @@ def list_robots(arguments: argparse.Namespace) -> None:
             (
                 name,
                 f"{robot.mass:.1f}",
-                _triple(robot.config.tau_max),
-                _triple(robot.config.dq_max),
+                _leg_values(robot.config.tau_max),
+                _leg_values(robot.config.dq_max),
                 str(source),
             )
         )
@@ -51,13 +51,13 @@ def list_gains(arguments: argparse.Namespace) -> None:
     print_table(("name", "value", "unit", "range", "meaning"), rows)
 
 
-def print_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Print columns as wide as they need to be."""
-    widths = [max(len(line[k]) for line in (head, *rows)) for k in range(len(head))]
-    for line in (head, ["-" * width for width in widths], *rows):
+    widths = [max(len(line[k]) for line in (header, *rows)) for k in range(len(header))]
+    for line in (header, ["-" * width for width in widths], *rows):
         cells = (cell.ljust(width) for cell, width in zip(line, widths, strict=True))
         print("  ".join(cells).rstrip())
 
 
-def _triple(values: np.ndarray) -> str:
+def _leg_values(values: np.ndarray) -> str:
     return " ".join(f"{value:.1f}" for value in values[:3])

@@ -6,7 +6,7 @@ import argparse
 
 from surefoot.cli import tune_design, tune_live, tune_search
 
-_WAYS = (
+_SUBCOMMANDS = (
     ("live", tune_live, "serve a page with sliders over a simulated robot, or one on UDP"),
     ("search", tune_search, "search gains over simulated disturbances, on every core"),
     ("design", tune_design, "compute gains and margins from frequencies, damping and delay"),
@@ -15,10 +15,10 @@ _WAYS = (
 
 def add_tune_options(parser: argparse.ArgumentParser) -> None:
     """Add the subcommands of surefoot tune."""
-    ways = parser.add_subparsers(metavar="WAY", required=True)
-    for name, way, text in _WAYS:
-        command = ways.add_parser(
+    subparsers = parser.add_subparsers(metavar="WAY", required=True)
+    for name, module, text in _SUBCOMMANDS:
+        command = subparsers.add_parser(
             name, help=text, description=text[0].upper() + text[1:] + ".", allow_abbrev=False
         )
-        command.set_defaults(run=way.run)
-        way.add_options(command)
+        command.set_defaults(run=module.run)
+        module.add_options(command)

@@ -6,7 +6,12 @@ import argparse
 import shlex
 from pathlib import Path
 
-from surefoot.cli.simulation import check_json_place, check_place, check_report_place, write_json
+from surefoot.cli.environment import (
+    check_json_path,
+    check_output_path,
+    check_report_folder,
+    write_json,
+)
 from surefoot.cli.tune_design_options import add_options, read_settings
 
 __all__ = ["add_options", "run"]
@@ -15,27 +20,27 @@ __all__ = ["add_options", "run"]
 def run(arguments: argparse.Namespace) -> int | None:
     """Design, print, and write what was asked for; raises Error."""
     # These need no CasADi, so that a machine without it gets one line that says so.
-    from surefoot.tune.design.design import design_gains
-    from surefoot.tune.design.loop import load_casadi
+    from surefoot.tune.design.closed_loop import load_casadi
+    from surefoot.tune.design.gain_design import design_gains
     from surefoot.tune.design.text import design_summary, design_text
 
     load_casadi()
-    check_json_place(arguments.json)
-    check_place("--toml", arguments.toml)
-    check_report_place(arguments.report, "tune design", "surefoot.tune.design.report")
+    check_json_path(arguments.json)
+    check_output_path("--toml", arguments.toml)
+    check_report_folder(arguments.report, "tune design", "surefoot.tune.design.report")
     design = design_gains(read_settings(arguments))
     summary = design_summary(design)
     if arguments.toml is not None:
-        from surefoot.gain_files import save_gains
+        from surefoot.robot.gain_files import save_gains
 
-        command = shlex.join(["surefoot", *arguments.words])
+        command = shlex.join(["surefoot", *arguments.argv])
         save_gains(arguments.toml, design.gains, design.body.robot.name, command)
     write_json(arguments.json, summary)
     page = None
     if arguments.report is not None:
         from surefoot.tune.design.report import write_report
 
-        page = write_report(design, summary, Path(arguments.report), arguments.words)
+        page = write_report(design, summary, Path(arguments.report), arguments.argv)
     if arguments.json != "-":
         print(design_text(design))
         for name, place in (("gains", arguments.toml), ("report", page)):

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 from surefoot._core import Error, Gains
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.robot_files import RobotDescription
+from surefoot.robot.description import RobotDescription
 
 if TYPE_CHECKING:
     from surefoot.tune.design import DesignSettings, Timing
 
-_GOAL = "FREQ[:DAMPING]"
+_GOAL_METAVAR = "FREQ[:DAMPING]"
 _AXES = {
     "height": "of the centre of mass",
     "sway": "of the centre of mass, forward and sideways",
@@ -36,13 +36,13 @@ def _add_goal_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument_group("what is asked for").add_argument
     add(
         "--bandwidth",
-        metavar=_GOAL,
+        metavar=_GOAL_METAVAR,
         help="natural frequency [Hz] and damping of every axis that has none of its own; without "
         "it the others keep the robot's gains",
     )
     add("--damping", type=float, default=0.8, metavar="ZETA", help="where none is said (0.8)")
     for name, text in _AXES.items():
-        add(f"--{name}", metavar=_GOAL, help=text)
+        add(f"--{name}", metavar=_GOAL_METAVAR, help=text)
     add(
         "--trust-imu",
         type=float,
@@ -84,11 +84,11 @@ def _add_loop_options(parser: argparse.ArgumentParser) -> None:
 def read_settings(arguments: argparse.Namespace) -> DesignSettings:
     """Turn arguments into settings; raises Error."""
     from surefoot.tune.design.goals import parse_goal
-    from surefoot.tune.design.measure import FRICTION_SCALES
     from surefoot.tune.design.ranges import check_range
     from surefoot.tune.design.settings import DesignSettings
+    from surefoot.tune.design.standing_body import FRICTION_SCALE_RANGE
 
-    check_range("--joint-friction-scale", arguments.joint_friction_scale, *FRICTION_SCALES)
+    check_range("--joint-friction-scale", arguments.joint_friction_scale, *FRICTION_SCALE_RANGE)
     robot = chosen_robot(arguments, default="go1")
     assert robot is not None  # there is a default
     goals = {}
@@ -113,13 +113,18 @@ def read_settings(arguments: argparse.Namespace) -> DesignSettings:
 
 def _timing(arguments: argparse.Namespace) -> Timing:
     from surefoot.tune.design.ranges import check_range
-    from surefoot.tune.design.timing import MOTOR_LAGS, RATES, Timing, check_asked
+    from surefoot.tune.design.timing import (
+        MOTOR_LAG_RANGE,
+        RATE_RANGE,
+        Timing,
+        check_requested_delay,
+    )
 
     rate, delay, lag = arguments.rate, arguments.delay_ms, arguments.motor_lag_ms
     # Here, by the options' names and in their units; the model's own are seconds.
-    check_range("--rate", rate, *RATES, "Hz")
-    check_asked(rate, delay / 1000.0, "--rate", "--delay-ms")
-    least, most = (1000.0 * end for end in MOTOR_LAGS)
+    check_range("--rate", rate, *RATE_RANGE, "Hz")
+    check_requested_delay(rate, delay / 1000.0, "--rate", "--delay-ms")
+    least, most = (1000.0 * end for end in MOTOR_LAG_RANGE)
     check_range("--motor-lag-ms", lag, least, most, "ms")
     return Timing(rate, delay / 1000.0, lag / 1000.0)
 
@@ -127,7 +132,7 @@ def _timing(arguments: argparse.Namespace) -> Timing:
 def _start(arguments: argparse.Namespace, robot: RobotDescription) -> Gains | None:
     if arguments.gains is None:
         return None
-    from surefoot.gain_files import load_gains
-    from surefoot.robots import build_robot
+    from surefoot.robot.gain_files import load_gains
+    from surefoot.robot.loading import build_robot
 
     return load_gains(arguments.gains, build_robot(robot).config.gains)

@@ -10,13 +10,13 @@ import webbrowser
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error, Gains
+from surefoot.cli.environment import choose_graphics, missing_module
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.simulation import choose_graphics, missing_module
-from surefoot.gain_files import load_gains
 from surefoot.protocol import default_generation
-from surefoot.robot_files import RobotDescription
-from surefoot.robots import build_robot
-from surefoot.terminal import Speaker
+from surefoot.robot.description import RobotDescription
+from surefoot.robot.gain_files import load_gains
+from surefoot.robot.loading import build_robot
+from surefoot.system.terminal import LinePrinter
 
 if TYPE_CHECKING:
     from surefoot.tune.live.session import Session
@@ -62,7 +62,7 @@ def run(arguments: argparse.Namespace) -> None:
     gains = None if arguments.gains is None else load_gains(arguments.gains, own.config.gains)
     files = GainFolder(arguments.folder, own)
     server = open_server(arguments.bind, arguments.port, f"surefoot tune live: {own.name}")
-    ended, session = _heed_signals(), None
+    stop_event, session = _stop_on_signals(), None
     try:
         session = _open_session(arguments, description, gains)
         page = Page(server, session, files, arguments.plain)
@@ -73,11 +73,11 @@ def run(arguments: argparse.Namespace) -> None:
         raise
     page.start()
     url = f"http://{arguments.bind}:{server.get_port()}"
-    Speaker(sys.stdout)(f"serving {url} ({own.name}); Ctrl-C ends")
+    LinePrinter(sys.stdout)(f"serving {url} ({own.name}); Ctrl-C ends")
     if arguments.open and not webbrowser.open(url):
-        Speaker(sys.stderr)(f"no browser could be opened; see {url}")
+        LinePrinter(sys.stderr)(f"no browser could be opened; see {url}")
     try:
-        while not ended.wait(0.5):  # a wait without an end would not let signals through
+        while not stop_event.wait(0.5):  # a wait without an end would not let signals through
             page.check()
     finally:
         page.stop()
@@ -93,8 +93,8 @@ def _open_session(
         from surefoot.tune.live.simulation import Simulation
 
         return Simulation(description, gains)
-    from surefoot.tune.live.linked_robot import LinkedRobot
-    from surefoot.tune.live.robot_process import Place
+    from surefoot.tune.live.control_process import RobotAddress
+    from surefoot.tune.live.udp_session import UdpSession
 
     host, _, port = arguments.host.partition(":")
     if not port:
@@ -105,13 +105,13 @@ def _open_session(
     if not 0 <= level <= 10:
         raise Error(f"--power-level: got {level}, expected 0 to 10")
     generation = arguments.sdk or default_generation(description.name)
-    place = Place(host, int(port), generation, level)
-    return LinkedRobot(description, place, gains)
+    address = RobotAddress(host, int(port), generation, level)
+    return UdpSession(description, address, gains)
 
 
-def _heed_signals() -> threading.Event:
+def _stop_on_signals() -> threading.Event:
     """Return what Ctrl-C, SIGTERM and a closed terminal set from now on: a server's ends."""
-    ended = threading.Event()
+    stop_event = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, lambda *_: ended.set())
-    return ended
+        signal.signal(number, lambda *_: stop_event.set())
+    return stop_event

@@ -12,22 +12,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from surefoot._core import Gains
-from surefoot.cli.robot_choice import add_robot_options, chosen_robot
-from surefoot.cli.simulation import (
-    check_json_place,
-    check_place,
-    check_report_place,
+from surefoot.cli.environment import (
+    check_json_path,
+    check_output_path,
+    check_report_folder,
     choose_graphics,
     missing_module,
     write_json,
 )
-from surefoot.gain_files import load_gains, save_gains
-from surefoot.robots import build_robot
+from surefoot.cli.robot_choice import add_robot_options, chosen_robot
+from surefoot.robot.gain_files import load_gains, save_gains
+from surefoot.robot.loading import build_robot
 
 if TYPE_CHECKING:
     from surefoot.tune.search.settings import SearchSettings
 
-_TEXT = """\
+_EPILOG = """\
 Every trial is judged by the same runs (seeds of sensors, motors, payload, ground and three pushes
 each); the result is judged by others. Without --gain frequency and damping of five tasks are
 searched: sway, height, tilt, yaw, foot, as sway_frequency and so on. With --store a search that
@@ -40,7 +40,7 @@ argument, store or cluster, 130 interrupted"""
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot tune search."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    parser.epilog = _TEXT
+    parser.epilog = _EPILOG
     add_robot_options(parser, "go1")
     add = parser.add_argument
     add("--from", dest="start", metavar="FILE.toml", help="gains to start from (the robot's own)")
@@ -77,14 +77,14 @@ def run(arguments: argparse.Namespace) -> None:
         OSError: A file could not be written.
     """
     choose_graphics()
-    check_json_place(arguments.json)
-    check_place("--toml", arguments.toml)
-    check_place("--store", arguments.store)
-    check_report_place(arguments.report, "tune search", "surefoot.tune.search.report")
+    check_json_path(arguments.json)
+    check_output_path("--toml", arguments.toml)
+    check_output_path("--store", arguments.store)
+    check_report_folder(arguments.report, "tune search", "surefoot.tune.search.report")
     warnings.filterwarnings("ignore", module="optuna")
     try:
         from surefoot.tune.search.run import run_search
-        from surefoot.tune.search.summary import origin, summarise, summary_text
+        from surefoot.tune.search.summary import gains_provenance, summarise, summary_text
     except ModuleNotFoundError as problem:
         raise missing_module("tune search", problem, "tune") from None
     description = chosen_robot(arguments, default="go1")
@@ -98,11 +98,11 @@ def run(arguments: argparse.Namespace) -> None:
         print(f"surefoot: the trials that were done are {kept}", file=sys.stderr)
         raise
     summary = summarise(result)
-    command = shlex.join(["surefoot", *arguments.words])
+    command = shlex.join(["surefoot", *arguments.argv])
     write_json(arguments.json, summary)
     if arguments.toml is not None:
         name = summary["robot"] if isinstance(summary["robot"], str) else None
-        save_gains(arguments.toml, result.best.gains, name, origin(summary, command))
+        save_gains(arguments.toml, result.best.gains, name, gains_provenance(summary, command))
     page = None
     if arguments.report is not None:
         from surefoot.tune.search.report import write_report
@@ -115,7 +115,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _settings(arguments: argparse.Namespace, own: Gains) -> SearchSettings:
-    from surefoot.tune.search.settings import MOST_JOBS, SearchSettings
+    from surefoot.tune.search.settings import MAX_JOBS, SearchSettings
     from surefoot.tune.search.space import default_space, parse_parameter
 
     start = own if arguments.start is None else load_gains(arguments.start, own)
@@ -128,7 +128,7 @@ def _settings(arguments: argparse.Namespace, own: Gains) -> SearchSettings:
         robot,
         start,
         trials=arguments.trials,
-        jobs=arguments.jobs or min(os.cpu_count() or 1, MOST_JOBS),
+        jobs=arguments.jobs or min(os.cpu_count() or 1, MAX_JOBS),
         cluster=arguments.cluster,
         objectives=tuple(arguments.objective.split(",")),
         space=tuple(space),

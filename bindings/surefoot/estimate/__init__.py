@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from surefoot.estimate.columns import COLUMNS, Column
+from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.fields import FIELDS
-from surefoot.estimate.read import read_log
-from surefoot.estimate.result import Estimate
 from surefoot.estimate.run import run_estimator
-from surefoot.estimate.sensor_log import SensorLog
 from surefoot.estimate.summary import summarise
 from surefoot.estimate.trajectory import trajectory, write_trajectory
-from surefoot.estimate.write import write_log
-from surefoot.summary_field import Field
+from surefoot.reports.summary_field import Field
+from surefoot.sensor_log.columns import COLUMNS, Column
+from surefoot.sensor_log.read import read_log
+from surefoot.sensor_log.sensor_log import SensorLog
+from surefoot.sensor_log.write import write_log
 
 __all__ = [
     "COLUMNS",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from surefoot.summary_field import Field
+from surefoot.reports.summary_field import Field
 
 _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
     "Log": (
@@ -52,7 +52,7 @@ _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
         (
             "verdicts",
             "",
-            "surefoot.Verdict on each sensor: now (at the end) and the share of time in each",
+            "surefoot.SensorVerdict on each sensor: now (at the end) and the share of time in each",
         ),
     ),
     "Contact": (

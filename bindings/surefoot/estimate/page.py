@@ -7,10 +7,10 @@ from typing import Any
 
 from surefoot.estimate.fields import FIELDS
 from surefoot.estimate.plots import PLOTS
-from surefoot.estimate.text import bad_sensors, doubts, headline, log_line, spread
-from surefoot.report_page import numbers_html, page_html, pictures_html, tiles_html
+from surefoot.estimate.text import bad_sensors, headline, log_line, values_with_std, warning_lines
+from surefoot.reports.page import page_html, plots_html, summary_table_html, tiles_html
 
-SHOWN = 20  # lines of a list on the page; summary.json has all
+MAX_LIST_LINES = 20  # lines of a list on the page; summary.json has all
 
 
 def render_page(summary: dict[str, Any], command: str) -> str:
@@ -21,15 +21,17 @@ def render_page(summary: dict[str, Any], command: str) -> str:
         command: What made it; "" if no command did.
     """
     title = headline(summary)
-    mark = "bad" if not summary["statuses"].get("OK") else "fair" if doubts(summary) else "good"
-    notes = "".join(f"<p>Doubt: {escape(text)}</p>" for text in doubts(summary))
+    mark = (
+        "bad" if not summary["statuses"].get("OK") else "fair" if warning_lines(summary) else "good"
+    )
+    notes = "".join(f"<p>Doubt: {escape(text)}</p>" for text in warning_lines(summary))
     body = f"""<h1><span class="mark {mark}"></span>{escape(title)}</h1>
 <p class="soft">{escape(log_line(summary))}</p>
 {notes}
 {f"<pre>{escape(command)}</pre>" if command else ""}
 <div class="tiles card">{_tiles(summary)}</div>
-{pictures_html(PLOTS)}
-{numbers_html(FIELDS, _shortened(summary))}"""
+{plots_html(PLOTS)}
+{summary_table_html(FIELDS, _page_summary(summary))}"""
     return page_html(title, body)
 
 
@@ -39,8 +41,8 @@ def _tiles(s: dict[str, Any]) -> str:
     bad = bad_sensors(s)
     nis = s["nis_per_dimension"]
     tiles = (
-        ("position at the end", spread(s["position"], s["position_std"], "m", 2)),
-        ("roll, pitch, yaw at the end", spread(s["rpy_deg"], s["rpy_std_deg"], "deg", 1)),
+        ("position at the end", values_with_std(s["position"], s["position_std"], "m", 2)),
+        ("roll, pitch, yaw at the end", values_with_std(s["rpy_deg"], s["rpy_std_deg"], "deg", 1)),
         ("path", f"{s['path_length']:.2f} m"),
         ("sensors known to be bad", str(len(bad))),
         ("contact transitions", str(len(s["contact_transitions"]))),
@@ -51,7 +53,7 @@ def _tiles(s: dict[str, Any]) -> str:
     return tiles_html(tiles)
 
 
-def _shortened(summary: dict[str, Any]) -> dict[str, Any]:
+def _page_summary(summary: dict[str, Any]) -> dict[str, Any]:
     """Return the summary with long lists cut and nested ones in words."""
     shown = dict(summary)
     verdicts = summary["verdicts"].items()
@@ -62,8 +64,12 @@ def _shortened(summary: dict[str, Any]) -> dict[str, Any]:
     }
     for name in ("contact_transitions", "slip_events"):
         entries = [", ".join(f"{k} {v}" for k, v in entry.items()) for entry in summary[name]]
-        more = [f"... and {len(entries) - SHOWN} more"] if len(entries) > SHOWN else []
-        shown[name] = entries[:SHOWN] + more
+        more = (
+            [f"... and {len(entries) - MAX_LIST_LINES} more"]
+            if len(entries) > MAX_LIST_LINES
+            else []
+        )
+        shown[name] = entries[:MAX_LIST_LINES] + more
     delays = summary["contact_delays"]
     if delays is not None:
         shown["contact_delays"] = {

@@ -7,10 +7,10 @@ from itertools import chain
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from surefoot.estimate.result import Estimate
-from surefoot.estimate.thinning import shown_rows
-from surefoot.report_axes import BLUE, ORANGE, at_least, finish_time, grid
-from surefoot.row_rotations import Array
+from surefoot.estimate.estimate_result import Estimate
+from surefoot.estimate.plot_rows import rows_to_plot
+from surefoot.geometry.batch_rotations import Array
+from surefoot.reports.plots import BLUE, ORANGE, finish_time_axis, subplot_grid, widen_y_axis
 
 
 def three_bands(
@@ -31,15 +31,15 @@ def three_bands(
         truth: (m, 3), or None.
         span: What the y axes show at least, to either side of 0.
     """
-    rows = shown_rows(estimate)
-    figure, axes = grid(3, 1, 5.2)
+    rows = rows_to_plot(estimate)
+    figure, axes = subplot_grid(3, 1, 5.2)
     for k, ax in enumerate(chain.from_iterable(axes)):
         if truth is not None:
             ax.plot(estimate.time[rows], truth[rows, k], color=BLUE, label="true")
         band(ax, estimate.time[rows], values[rows, k], std[rows, k], label="estimated, 2 sigma")
-        at_least(ax, span)
+        widen_y_axis(ax, span)
         ax.set_ylabel(labels[k])
-    finish_time(figure, axes, float(estimate.time[-1]))
+    finish_time_axis(figure, axes, float(estimate.time[-1]))
     return figure
 
 

@@ -7,20 +7,30 @@ from itertools import chain
 import numpy as np
 from matplotlib.figure import Figure
 
+from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.plot_bands import band, three_bands
 from surefoot.estimate.plot_contact import draw_contact, draw_verdicts
-from surefoot.estimate.result import Estimate
-from surefoot.estimate.thinning import shown_rows
-from surefoot.estimate.truth_summary import heading_offset, true_rows, true_rpy, turned
-from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot, at_least, finish_time, grid
-from surefoot.row_rotations import Array
+from surefoot.estimate.plot_rows import rows_to_plot
+from surefoot.estimate.truth_summary import heading_offset, rotate_by_yaw, true_rows, true_rpy
+from surefoot.geometry.batch_rotations import Array
+from surefoot.reports.plots import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    Plot,
+    finish_time_axis,
+    subplot_grid,
+    widen_y_axis,
+)
 
 AXES = ("x", "y", "z")
 
 
 def draw_path(estimate: Estimate) -> Figure:
     """Draw the way over ground with the ellipse of its end, and the height."""
-    rows = shown_rows(estimate)
+    rows = rows_to_plot(estimate)
     p, std = estimate.q[rows, :3], estimate.std[rows, 6:9]
     figure = Figure(figsize=(9.2, 3.6), layout="constrained")
     ground, height = figure.subplots(1, 2)
@@ -57,15 +67,15 @@ def draw_attitude(estimate: Estimate) -> Figure:
 def draw_velocity(estimate: Estimate) -> Figure:
     """Draw the base's velocity in world axes."""
     truth = true_rows(estimate, "truth_v")
-    truth = None if truth is None else turned(truth, -heading_offset(estimate))
+    truth = None if truth is None else rotate_by_yaw(truth, -heading_offset(estimate))
     labels = tuple(f"{axis} [m/s]" for axis in AXES)
     return three_bands(estimate, estimate.v_world, estimate.std[:, 3:6], labels, truth, 0.02)
 
 
 def draw_biases(estimate: Estimate) -> Figure:
     """Draw the biases of gyroscope and accelerometer."""
-    rows = shown_rows(estimate)
-    figure, axes = grid(2, 1, 4.2)
+    rows = rows_to_plot(estimate)
+    figure, axes = subplot_grid(2, 1, 4.2)
     sensors = (
         ("gyroscope [rad/s]", estimate.gyroscope_bias, estimate.std[:, 9:12]),
         ("accelerometer [m/s²]", estimate.accelerometer_bias, estimate.std[:, 12:15]),
@@ -73,26 +83,26 @@ def draw_biases(estimate: Estimate) -> Figure:
     for ax, (label, values, std) in zip(chain.from_iterable(axes), sensors, strict=True):
         for k, color in enumerate((BLUE, ORANGE, GREEN)):
             band(ax, estimate.time[rows], values[rows, k], std[rows, k], color, AXES[k])
-        at_least(ax, 0.01)
+        widen_y_axis(ax, 0.01)
         ax.set_ylabel(label)
-    finish_time(figure, axes, float(estimate.time[-1]))
+    finish_time_axis(figure, axes, float(estimate.time[-1]))
     return figure
 
 
 def draw_nis(estimate: Estimate) -> Figure:
     """Draw the normalised innovation squared over its dimension, and how many feet it is of."""
-    figure, axes = grid(1, 1, 2.6)
+    figure, axes = subplot_grid(1, 1, 2.6)
     ax = axes[0][0]
     with np.errstate(invalid="ignore", divide="ignore"):
         share = np.where(estimate.nis_dimension > 0, estimate.nis / estimate.nis_dimension, np.nan)
-    rows = shown_rows(estimate)
+    rows = rows_to_plot(estimate)
     ax.plot(estimate.time[rows], share[rows], ".", ms=1.5, color=BLUE, label="one row")
     ax.axhline(1.0, color=GREY, label="as believed")
     refused = np.nansum(estimate.refused, axis=1) > 0
     ax.plot(estimate.time[refused], 0.0 * estimate.time[refused], "|", color=RED, label="refused")
     ax.set_ylim(0.0, max(2.0, 1.1 * float(np.nanmax(share[rows], initial=1.0))))
     ax.set_ylabel("NIS / dimension")
-    finish_time(figure, axes, float(estimate.time[-1]))
+    finish_time_axis(figure, axes, float(estimate.time[-1]))
     return figure
 
 
@@ -102,7 +112,7 @@ def _true_path(estimate: Estimate) -> Array | None:
     if truth is None or not np.isfinite(truth).any():
         return None
     first = int(np.flatnonzero(np.isfinite(truth).all(axis=1))[0])
-    moved = turned(truth - truth[first], -heading_offset(estimate))
+    moved = rotate_by_yaw(truth - truth[first], -heading_offset(estimate))
     return np.asarray(moved + estimate.q[first, :3])
 
 

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from surefoot.estimate.estimate_result import Estimate
 from surefoot.estimate.page import render_page
 from surefoot.estimate.plots import PLOTS
-from surefoot.estimate.result import Estimate
-from surefoot.report_axes import draw_plots
+from surefoot.reports.plots import draw_plots
 
 
 def write_report(

@@ -10,14 +10,14 @@ import numpy.typing as npt
 
 from surefoot._core import Gains, LowState, Robot, StateEstimator, Status
 from surefoot.estimate.checks import check_log
-from surefoot.estimate.clock import LONGEST_STEP
-from surefoot.estimate.columns import FEET
-from surefoot.estimate.derive import METHOD, derive_velocities
-from surefoot.estimate.frames import finite_rows, frames
-from surefoot.estimate.recorder import Recorder
-from surefoot.estimate.result import Estimate
-from surefoot.estimate.sensor_log import SensorLog
-from surefoot.row_rotations import Array
+from surefoot.estimate.estimate_recorder import EstimateRecorder
+from surefoot.estimate.estimate_result import Estimate
+from surefoot.estimate.joint_velocities import METHOD, derive_velocities
+from surefoot.estimate.low_states import finite_rows, low_state_blocks
+from surefoot.geometry.batch_rotations import Array
+from surefoot.sensor_log.clock import MAX_STEP
+from surefoot.sensor_log.columns import FOOT_COLUMNS
+from surefoot.sensor_log.sensor_log import SensorLog
 
 Progress = Callable[[str, int, int], None]
 _ZEROS = "zeros: the log has none"
@@ -46,15 +46,17 @@ def run_estimator(
     if gains is not None:
         estimator.set_gains(gains)
     warnings = [*log.warnings, *check_log(robot, log)]
-    derived = {name: _ZEROS for name in ("quaternion", "tauEst", *FEET) if name not in log.columns}
+    derived = {
+        name: _ZEROS for name in ("quaternion", "tauEst", *FOOT_COLUMNS) if name not in log.columns
+    }
     dq = log.columns.get("dq")
     if dq is None:
         dq = derive_velocities(log.time, log.columns["q"])
         derived["dq"] = METHOD
     _, non_finite = finite_rows(log)
-    rows, new = _new_rows(log)
-    recorder = Recorder(robot, len(rows))
-    _feed(estimator, log, dq, rows, recorder, progress)
+    rows, new = _rows_with_new_time(log)
+    recorder = EstimateRecorder(robot, len(rows))
+    _run_rows(estimator, log, dq, rows, recorder, progress)
     if not np.any(recorder.status == Status.OK.value):
         names = sorted({Status(int(value)).name for value in recorder.status})
         warnings.append(f"no row was taken by the estimator: {', '.join(names)}")
@@ -70,37 +72,37 @@ def run_estimator(
         derived=derived,
         non_finite=non_finite,
         duplicates=len(new) - int(new.sum()),
-        unclocked=log.rows - len(new),
-        gaps=int((steps > LONGEST_STEP + 1e-9).sum()),
+        rows_without_time=log.rows - len(new),
+        gaps=int((steps > MAX_STEP + 1e-9).sum()),
         longest_gap=float(steps.max(initial=0.0)),
         warnings=tuple(warnings),
         **recorder.arrays(),
     )
 
 
-def _new_rows(log: SensorLog) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
+def _rows_with_new_time(log: SensorLog) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
     """Return the rows to take, and of those with a time whether each is new."""
     timed = np.flatnonzero(np.isfinite(log.time))
     new = np.concatenate([[True], np.diff(log.time[timed]) > 0.0])
     return timed[new], new
 
 
-def _feed(
+def _run_rows(
     estimator: StateEstimator,
     log: SensorLog,
     dq: Array,
     rows: npt.NDArray[np.int64],
-    recorder: Recorder,
+    recorder: EstimateRecorder,
     progress: Progress | None,
 ) -> None:
     # Feet's forces are integers in a LowState: a NaN in them would arrive as a number.
-    told = np.ones(log.rows, dtype=np.bool_)
-    for name in FEET:
+    foot_forces_finite = np.ones(log.rows, dtype=np.bool_)
+    for name in FOOT_COLUMNS:
         if name in log.columns:
-            told &= np.isfinite(log.columns[name]).all(axis=1)
+            foot_forces_finite &= np.isfinite(log.columns[name]).all(axis=1)
     state = LowState()
     raw = state.raw
-    blocks = frames(log, dq)
+    blocks = low_state_blocks(log, dq)
     first = end = 0
     block = np.zeros((0, 0), dtype=np.uint8)
     time, last = log.time.tolist(), log.time[rows[0]] - log.period
@@ -110,10 +112,10 @@ def _feed(
             end = first + len(block)
             if progress is not None:
                 progress("estimate", k, len(rows))
-        if not told[row]:
+        if not foot_forces_finite[row]:
             continue
         raw[:] = block[row - first]
-        dt = min(time[row] - last, LONGEST_STEP)
+        dt = min(time[row] - last, MAX_STEP)
         start = perf_counter_ns()
         status = estimator.update(state, dt)
         recorder.record(k, status, estimator, 1e-3 * (perf_counter_ns() - start))

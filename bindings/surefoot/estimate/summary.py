@@ -8,37 +8,37 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import Status, Verdict
-from surefoot.estimate.columns import BY_NAME, CLOCKS
-from surefoot.estimate.derive import METHOD
-from surefoot.estimate.events import row_lengths, slip_events, transitions
-from surefoot.estimate.result import SENSOR_NAMES, Estimate
+from surefoot._core import SensorVerdict, Status
+from surefoot.estimate.contact_events import row_durations, slip_events, transitions
+from surefoot.estimate.estimate_result import SENSOR_NAMES, Estimate
+from surefoot.estimate.joint_velocities import METHOD
 from surefoot.estimate.truth_summary import truth_summary
-from surefoot.low_state_layout import LEGS
-from surefoot.plain import plain
-from surefoot.row_rotations import Array
+from surefoot.files.json_values import json_value
+from surefoot.geometry.batch_rotations import Array
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.sensor_log.columns import CLOCK_COLUMNS, COLUMN_BY_NAME
 
-PATH_STEP = 0.1  # [s] between points of the path whose length is told
+PATH_INTERVAL = 0.1  # [s] between points of the path whose length is told
 
 
 def summarise(estimate: Estimate) -> dict[str, Any]:
     """Return every field of fields.FIELDS as plain JSON types; what has no value is None."""
     parts = (
         _log(estimate),
-        _end(estimate),
+        _end_state(estimate),
         _sensors(estimate),
         _contact(estimate),
         truth_summary(estimate),
     )
-    return {name: plain(value) for part in parts for name, value in part.items()}
+    return {name: json_value(value) for part in parts for name, value in part.items()}
 
 
 def _log(estimate: Estimate) -> dict[str, Any]:
     log = estimate.log
     names = [*log.columns]
-    other_clock = set(CLOCKS) - {log.clock}
+    other_clock = set(CLOCK_COLUMNS) - {log.clock}
     counts = Counter(Status(int(value)).name for value in estimate.status)
-    counts["NON_FINITE"] += estimate.unclocked
+    counts["NON_FINITE"] += estimate.rows_without_time
     return {
         "version": importlib.metadata.version("surefoot"),
         "robot": estimate.robot.name,
@@ -47,10 +47,12 @@ def _log(estimate: Estimate) -> dict[str, Any]:
         "duration": float(estimate.time[-1] - estimate.time[0]),
         "rate": 1.0 / log.period,
         "clock": log.clock,
-        "columns_used": [n for n in names if not BY_NAME[n].is_truth and n not in other_clock],
+        "columns_used": [
+            n for n in names if not COLUMN_BY_NAME[n].is_truth and n not in other_clock
+        ],
         "columns_derived": {"dq": METHOD} if "dq" in estimate.derived else {},
         "columns_missing": [name for name in estimate.derived if name != "dq"],
-        "truth_columns": [name for name in names if BY_NAME[name].is_truth],
+        "truth_columns": [name for name in names if COLUMN_BY_NAME[name].is_truth],
         "ignored_columns": [*log.ignored, *(name for name in names if name in other_clock)],
         "warnings": list(estimate.warnings),
         "non_finite_rows": estimate.non_finite,
@@ -69,7 +71,7 @@ def _percentiles(values: Array) -> dict[str, float] | None:
     return {"p50": p50, "p90": p90, "p99": p99, "max": values.max()}
 
 
-def _end(estimate: Estimate) -> dict[str, Any]:
+def _end_state(estimate: Estimate) -> dict[str, Any]:
     valid = estimate.valid
     height = estimate.q[valid, 2]
     return {
@@ -95,20 +97,20 @@ def path_length(time: Array, position: Array) -> float:
     """
     if len(time) < 2:
         return 0.0
-    points = np.unique(np.searchsorted(time, np.arange(time[0], time[-1], PATH_STEP)))
+    points = np.unique(np.searchsorted(time, np.arange(time[0], time[-1], PATH_INTERVAL)))
     corners = np.vstack([position[points], position[-1:]])
     return float(np.linalg.norm(np.diff(corners, axis=0), axis=1).sum())
 
 
 def _sensors(estimate: Estimate) -> dict[str, Any]:
-    lengths = row_lengths(estimate)
+    durations = row_durations(estimate)
     verdicts = {}
     for k, name in enumerate(SENSOR_NAMES):
         codes = estimate.verdicts[:, k]
         verdicts[name] = {
-            "now": Verdict(int(codes[-1])).name,
+            "now": SensorVerdict(int(codes[-1])).name,
             "share": {
-                Verdict(int(code)).name: lengths[codes == code].sum() / lengths.sum()
+                SensorVerdict(int(code)).name: durations[codes == code].sum() / durations.sum()
                 for code in np.unique(codes)
             },
         }
@@ -127,18 +129,18 @@ def _sensors(estimate: Estimate) -> dict[str, Any]:
 def _contact(estimate: Estimate) -> dict[str, Any]:
     found = transitions(estimate.time, estimate.contact)
     valid = estimate.valid
-    lengths = row_lengths(estimate)[valid]
+    durations = row_durations(estimate)[valid]
     feet = {}
     for leg, foot in enumerate(LEGS):
         on = estimate.contact[valid, leg] > 0.5
         feet[foot] = {
             "transitions": sum(change.leg == leg for change in found),
-            "share": lengths[on].sum() / lengths.sum() if len(lengths) else None,
+            "share": durations[on].sum() / durations.sum() if len(durations) else None,
         }
     return {
         "contact": feet,
         "contact_transitions": [
-            {"time": change.time, "foot": LEGS[change.leg], "contact": change.on}
+            {"time": change.time, "foot": LEGS[change.leg], "contact": change.begins}
             for change in found
         ],
         "slip_events": slip_events(estimate),

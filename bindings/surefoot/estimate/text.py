@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from surefoot.estimate.columns import CLOCKS
+from surefoot.sensor_log.columns import CLOCK_COLUMNS
 
 
 def headline(s: dict[str, Any]) -> str:
@@ -27,10 +27,10 @@ def log_line(s: dict[str, Any]) -> str:
     return ", ".join(parts)
 
 
-def doubts(s: dict[str, Any]) -> list[str]:
+def warning_lines(s: dict[str, Any]) -> list[str]:
     """Return what ought to be looked at: warnings, columns that were ignored, rows refused."""
     lines = list(s["warnings"])
-    ignored = [name for name in s["ignored_columns"] if name not in CLOCKS]  # one is enough
+    ignored = [name for name in s["ignored_columns"] if name not in CLOCK_COLUMNS]  # one is enough
     if ignored:
         lines.append(f"ignored columns: {', '.join(ignored)}")
     refused = {name: count for name, count in s["statuses"].items() if name != "OK"}
@@ -48,11 +48,11 @@ def bad_sensors(s: dict[str, Any]) -> list[str]:
 
 def summary_text(s: dict[str, Any]) -> str:
     """Return a summary for people to read."""
-    lines = [("log", log_line(s)), *(("doubt", text) for text in doubts(s))]
+    lines = [("log", log_line(s)), *(("doubt", text) for text in warning_lines(s))]
     lines += [
-        ("end", f"position {spread(s['position'], s['position_std'], 'm', 3)}"),
-        ("", f"velocity {spread(s['velocity'], s['velocity_std'], 'm/s', 3)}"),
-        ("", f"roll pitch yaw {spread(s['rpy_deg'], s['rpy_std_deg'], 'deg', 2)}"),
+        ("end", f"position {values_with_std(s['position'], s['position_std'], 'm', 3)}"),
+        ("", f"velocity {values_with_std(s['velocity'], s['velocity_std'], 'm/s', 3)}"),
+        ("", f"roll pitch yaw {values_with_std(s['rpy_deg'], s['rpy_std_deg'], 'deg', 2)}"),
     ]
     bad = bad_sensors(s)
     lines.append(("sensors", ", ".join(bad) if bad else "none is known to be bad"))
@@ -65,7 +65,9 @@ def summary_text(s: dict[str, Any]) -> str:
     return "\n".join([f"{headline(s)}.", *(f"  {name:<9} {text}" for name, text in lines)])
 
 
-def spread(values: Sequence[float | None], std: Sequence[float | None], unit: str, n: int) -> str:
+def values_with_std(
+    values: Sequence[float | None], std: Sequence[float | None], unit: str, n: int
+) -> str:
     """Return values with their standard deviations in words."""
     if any(value is None for value in [*values, *std]):
         return "unknown"

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from surefoot._core import Status
-from surefoot.estimate.result import Estimate
-from surefoot.estimate.tables import check_table_name, write_table
+from surefoot.estimate.estimate_result import Estimate
+from surefoot.files.tables import check_table_name, write_table
 
-NAMES = {
+TRAJECTORY_COLUMNS = {
     "time": "[s] from the log's first row",
     "status": "of the row: surefoot.Status by name; any but OK repeats the last state",
     "p": "base, world [m]",
@@ -49,7 +49,7 @@ def trajectory(estimate: Estimate) -> dict[str, np.ndarray]:
         "contact": estimate.contact,
         "slip": estimate.slip,
     }
-    return {name: columns[name] for name in NAMES}
+    return {name: columns[name] for name in TRAJECTORY_COLUMNS}
 
 
 def write_trajectory(path: str | Path, estimate: Estimate) -> None:

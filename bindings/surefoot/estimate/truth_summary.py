@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from surefoot.estimate.events import Transition, transitions
-from surefoot.estimate.result import Estimate
-from surefoot.low_state_layout import LEGS
-from surefoot.row_rotations import Array, matrices_from_xyzw, rpy_from_matrices
+from surefoot.estimate.contact_events import Transition, transitions
+from surefoot.estimate.estimate_result import Estimate
+from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rpy_from_matrices
+from surefoot.messages.low_state_layout import LEGS
 
 GRAVITY = 9.81
-EARLIEST, LATEST = -0.1, 0.3  # [s] of a transition told after a true one
-LOAD = 1.0  # [N] on a foot that stands, where the log has forces only
+MATCH_BEFORE, MATCH_AFTER = -0.1, 0.3  # [s] of a transition told after a true one
+MIN_CONTACT_FORCE = 1.0  # [N] on a foot that stands, where the log has forces only
 
 
 def truth_summary(estimate: Estimate) -> dict[str, Any]:
@@ -51,7 +51,7 @@ def heading_offset(estimate: Estimate) -> float:
     return float(rpy[first, 2] - estimate.rpy[first, 2])
 
 
-def turned(values: Array, yaw: float) -> Array:
+def rotate_by_yaw(values: Array, yaw: float) -> Array:
     """Return vectors (n, 3) turned about world z by an angle [rad]."""
     c, s = np.cos(yaw), np.sin(yaw)
     return np.asarray(values @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]))
@@ -65,7 +65,7 @@ def _velocity_rmse(estimate: Estimate) -> float | None:
     truth = true_rows(estimate, "truth_v")
     if truth is None:
         return None
-    error = turned(estimate.v_world, heading_offset(estimate)) - truth
+    error = rotate_by_yaw(estimate.v_world, heading_offset(estimate)) - truth
     length: float | None = _rms(np.linalg.norm(error, axis=1))
     return length
 
@@ -91,7 +91,7 @@ def _force_rmse(estimate: Estimate) -> dict[str, Any] | None:
     truth = true_rows(estimate, "truth_foot_forces")
     if truth is None:
         return None
-    share = (estimate.torque_forces - truth[:, 2::3]) / (estimate.robot.mass * GRAVITY)
+    share = (estimate.foot_forces_from_torques - truth[:, 2::3]) / (estimate.robot.mass * GRAVITY)
     return {leg: _rms(share[:, k]) for k, leg in enumerate(LEGS)}
 
 
@@ -100,32 +100,38 @@ def _delays(estimate: Estimate) -> dict[str, Any] | None:
     forces = true_rows(estimate, "truth_foot_forces")
     if standing is None and forces is not None:
         load = np.linalg.norm(forces.reshape(-1, 4, 3), axis=2)
-        standing = np.where(np.isfinite(load), load > LOAD, np.nan)
+        standing = np.where(np.isfinite(load), load > MIN_CONTACT_FORCE, np.nan)
     if standing is None:
         return None
-    true, told = transitions(estimate.time, standing), transitions(estimate.time, estimate.contact)
-    return {leg: _match(true, told, k) for k, leg in enumerate(LEGS)}
+    true, estimated = (
+        transitions(estimate.time, standing),
+        transitions(estimate.time, estimate.contact),
+    )
+    return {leg: _match_transitions(true, estimated, k) for k, leg in enumerate(LEGS)}
 
 
-def _match(true: list[Transition], told: list[Transition], leg: int) -> dict[str, Any]:
+def _match_transitions(
+    true: list[Transition], estimated: list[Transition], leg: int
+) -> dict[str, Any]:
     """Give each true transition the nearest one that was told of it."""
-    left = [change for change in told if change.leg == leg]
+    unmatched = [change for change in estimated if change.leg == leg]
     delays = []
-    mine = [change for change in true if change.leg == leg]
-    for change in mine:
-        near = [
+    true_transitions = [change for change in true if change.leg == leg]
+    for change in true_transitions:
+        candidates = [
             other
-            for other in left
-            if other.on == change.on and EARLIEST <= other.time - change.time <= LATEST
+            for other in unmatched
+            if other.begins == change.begins
+            and MATCH_BEFORE <= other.time - change.time <= MATCH_AFTER
         ]
-        if near:
-            best = min(near, key=lambda other: abs(other.time - change.time))
-            left.remove(best)
+        if candidates:
+            best = min(candidates, key=lambda other: abs(other.time - change.time))
+            unmatched.remove(best)
             delays.append(best.time - change.time)
     return {
-        "true": len(mine),
-        "missed": len(mine) - len(delays),
-        "false": len(left),
+        "true": len(true_transitions),
+        "missed": len(true_transitions) - len(delays),
+        "false": len(unmatched),
         "mean_s": float(np.mean(delays)) if delays else None,
         "max_s": max(delays) if delays else None,
     }

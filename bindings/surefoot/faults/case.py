@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from surefoot.faults.fault import Fault
-from surefoot.faults.reaction import REFUSE, Expectation
+from surefoot.faults.expectation import REFUSE, Expectation
+from surefoot.faults.kinds.fault import Fault
 
 MODES = ("lying", "rising", "standing", "pushed")
-UP = ("rising", "standing", "pushed")
-STANDING = ("standing", "pushed")
+OFF_GROUND_MODES = ("rising", "standing", "pushed")
+STANDING_MODES = ("standing", "pushed")
 
 
 @dataclass(frozen=True)
@@ -19,21 +19,21 @@ class Case:
 
     Attributes:
         injection: One of injections.INJECTIONS.
-        what: In words.
-        make: Makes the fault, anew for every run.
-        expect: By mode; modes that are not in it make no sense.
-        says: Must be in the text of the arming checks that failed, where arming is refused.
+        description: In words.
+        make_fault: Makes the fault, anew for every run.
+        expectations: By mode; modes that are not in it make no sense.
+        refusal_text: Must be in the text of the arming checks that failed, where arming is refused.
         level: Of the power protection, where not the robot's usual one.
-        gentle: Must it go down slowly, even where the motors damp?
+        slow_descent: Must it go down slowly, even where the motors damp?
     """
 
     injection: str
-    what: str
-    make: Callable[[], Fault]
-    expect: Mapping[str, Expectation]
-    says: str = ""
+    description: str
+    make_fault: Callable[[], Fault]
+    expectations: Mapping[str, Expectation]
+    refusal_text: str = ""
     level: int | None = None
-    gentle: bool = False
+    slow_descent: bool = False
 
 
 @dataclass(frozen=True)
@@ -53,30 +53,30 @@ class Row:
 
 def case(
     injection: str,
-    what: str,
-    make: Callable[[], Fault],
+    description: str,
+    make_fault: Callable[[], Fault],
     up: Expectation,
     lying: Expectation | None = REFUSE,
     rising: Expectation | None = None,
     modes: tuple[str, ...] = MODES,
-    says: str = "",
+    refusal_text: str = "",
     level: int | None = None,
-    gentle: bool = False,
+    slow_descent: bool = False,
     pushed: Expectation | None = None,
 ) -> Case:
     """Return a case.
 
     Args:
         injection: See Case.
-        what: See Case.
-        make: See Case.
+        description: See Case.
+        make_fault: See Case.
         up: Expected while rising, standing and pushed.
         lying: Expected while lying; None where that makes no sense.
         rising: Expected while rising, where it is something else.
         modes: In which it makes sense.
-        says: See Case.
+        refusal_text: See Case.
         level: See Case.
-        gentle: See Case.
+        slow_descent: See Case.
         pushed: Expected while pushed, where it is something else.
     """
     expected = {mode: up for mode in modes}
@@ -88,4 +88,4 @@ def case(
         del expected["lying"]
         if lying is not None:
             expected = {"lying": lying, **expected}
-    return Case(injection, what, make, expected, says, level, gentle)
+    return Case(injection, description, make_fault, expected, refusal_text, level, slow_descent)

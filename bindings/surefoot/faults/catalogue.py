@@ -8,7 +8,7 @@ from fnmatch import fnmatchcase
 
 from surefoot._core import Error
 from surefoot.faults.case import Case, Row
-from surefoot.faults.reaction import Expectation
+from surefoot.faults.expectation import Expectation
 from surefoot.faults.rows import (
     attitude,
     body,
@@ -17,15 +17,15 @@ from surefoot.faults.rows import (
     imu,
     joints,
     link,
+    low_state,
     motors,
     operation,
     power,
-    report,
     wiring,
 )
 
 ROWS: tuple[Row, ...] = (
-    *(*healthy.ROWS, *report.ROWS, *link.ROWS, *attitude.ROWS, *imu.ROWS, *feet.ROWS),
+    *(*healthy.ROWS, *low_state.ROWS, *link.ROWS, *attitude.ROWS, *imu.ROWS, *feet.ROWS),
     *(*joints.ROWS, *wiring.ROWS, *motors.ROWS, *power.ROWS, *body.ROWS, *operation.ROWS),
 )
 
@@ -53,14 +53,14 @@ class Cell:
         return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"
 
     @property
-    def begins_standing(self) -> bool:
+    def starts_standing(self) -> bool:
         """Can a robot that is taken over as it stands come to where it begins?"""
-        return self.mode in ("standing", "pushed") and not self.case.make().from_start
+        return self.mode in ("standing", "pushed") and not self.case.make_fault().from_start
 
     @property
-    def expect(self) -> Expectation:
+    def expectation(self) -> Expectation:
         """What is expected."""
-        return self.case.expect[self.mode]
+        return self.case.expectations[self.mode]
 
 
 def all_cells() -> list[Cell]:
@@ -70,7 +70,7 @@ def all_cells() -> list[Cell]:
         numbers: dict[str, int] = {}
         for case in row.cases:
             number = numbers[case.injection] = numbers.get(case.injection, 0) + 1
-            cells += [Cell(row, case, number, mode) for mode in case.expect]
+            cells += [Cell(row, case, number, mode) for mode in case.expectations]
     return cells
 
 
@@ -84,16 +84,16 @@ def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list
     Raises:
         Error: A pattern that fits none.
     """
-    cells = [cell for cell in all_cells() if cell.begins_standing or not taken_over]
+    cells = [cell for cell in all_cells() if cell.starts_standing or not taken_over]
     if not patterns:
         return cells
     for pattern in patterns:
-        if not any(_fits(cell, pattern) for cell in cells):
+        if not any(_matches(cell, pattern) for cell in cells):
             raise Error(
                 f"--only: got '{pattern}', expected a row or ROW/INJECTION/MODE with * and ?; "
-                f"{_near(cells, pattern)}"
+                f"{_suggestions(cells, pattern)}"
             )
-    return [cell for cell in cells if any(_fits(cell, pattern) for pattern in patterns)]
+    return [cell for cell in cells if any(_matches(cell, pattern) for pattern in patterns)]
 
 
 def find_cell(name: str) -> Cell:
@@ -101,7 +101,7 @@ def find_cell(name: str) -> Cell:
     return choose_cells([name])[0]
 
 
-def _near(cells: Sequence[Cell], pattern: str) -> str:
+def _suggestions(cells: Sequence[Cell], pattern: str) -> str:
     """Return what there is: of the row that a pattern begins with, or, without one, rows."""
     row = [cell.id for cell in cells if fnmatchcase(cell.row.id, pattern.partition("/")[0])]
     if row:
@@ -109,5 +109,5 @@ def _near(cells: Sequence[Cell], pattern: str) -> str:
     return f"rows: {', '.join(dict.fromkeys(cell.row.id for cell in cells))}"
 
 
-def _fits(cell: Cell, pattern: str) -> bool:
+def _matches(cell: Cell, pattern: str) -> bool:
     return fnmatchcase(cell.id, pattern) or fnmatchcase(cell.row.id, pattern)

@@ -1,18 +1,18 @@
 """Replay: what a controller was told, told to a fresh one; are its commands the same?"""
 
-from surefoot.replay.file import read_tape, tape_columns, write_tape
 from surefoot.replay.play import Difference, Replay, play
 from surefoot.replay.recorder import Recorder
-from surefoot.replay.tape import Call, Tape
+from surefoot.replay.recording import Call, Recording
+from surefoot.replay.recording_file import read_recording, recording_columns, write_recording
 
 __all__ = [
     "Call",
     "Difference",
     "Recorder",
+    "Recording",
     "Replay",
-    "Tape",
     "play",
-    "read_tape",
-    "tape_columns",
-    "write_tape",
+    "read_recording",
+    "recording_columns",
+    "write_recording",
 ]

@@ -7,54 +7,54 @@ from dataclasses import dataclass
 from typing import Any
 
 from surefoot._core import BodyReference, Error, Mode, RequestStatus
-from surefoot.gain_files import gain_values, gains_of
+from surefoot.robot.gain_files import gain_values, gains_from_values
 
 _AXES = ("x", "y", "height", "roll", "pitch", "yaw")
 
 
 @dataclass(frozen=True)
-class _Kind:
+class _CallCodec:
     """How a call's argument becomes plain data, and what it was; None: it has none."""
 
-    plain: Callable[[Any], Any] | None = None
-    back: Callable[[Any], Any] | None = None
+    to_json: Callable[[Any], Any] | None = None
+    from_json: Callable[[Any], Any] | None = None
 
 
 CALLS = {
-    "arm": _Kind(),
-    "request": _Kind(lambda mode: mode.name, lambda name: Mode[name]),
-    "stop": _Kind(),
-    "heartbeat": _Kind(),
-    "reset": _Kind(),
-    "set_body_reference": _Kind(
+    "arm": _CallCodec(),
+    "request": _CallCodec(lambda mode: mode.name, lambda name: Mode[name]),
+    "stop": _CallCodec(),
+    "heartbeat": _CallCodec(),
+    "reset": _CallCodec(),
+    "set_body_reference": _CallCodec(
         lambda body: {axis: getattr(body, axis) for axis in _AXES},
         lambda axes: BodyReference(**axes),
     ),
-    "set_gains": _Kind(gain_values, gains_of),
+    "set_gains": _CallCodec(gain_values, gains_from_values),
 }
 """By the name of the controller's method."""
 
 
-def plain_argument(name: str, *arguments: Any) -> Any:
+def json_argument(name: str, *arguments: Any) -> Any:
     """Return a call's argument as JSON knows it; raises Error for a call that no tape keeps."""
-    kind = _kind(name)
-    if len(arguments) != (kind.plain is not None):
-        expected = "none" if kind.plain is None else "one"
+    codec = _codec(name)
+    if len(arguments) != (codec.to_json is not None):
+        expected = "none" if codec.to_json is None else "one"
         raise Error(f"call '{name}': got {len(arguments)} arguments, expected {expected}")
     try:
-        return kind.plain(*arguments) if kind.plain is not None else None
+        return codec.to_json(*arguments) if codec.to_json is not None else None
     except (AttributeError, TypeError):
         raise Error(f"call '{name}': got {arguments[0]!r}, which {name}() does not take") from None
 
 
-def carry_out(controller: Any, name: str, argument: Any) -> str:
+def repeat_call(controller: Any, name: str, argument: Any) -> str:
     """Make a call again and return the name of what it answers, "" for nothing; raises Error."""
-    kind = _kind(name)
+    codec = _codec(name)
     method = getattr(controller, name, None)
     if method is None:
         raise Error(f"log: got call '{name}', which {type(controller).__name__} has not")
     try:
-        arguments = () if kind.back is None else (kind.back(argument),)
+        arguments = () if codec.from_json is None else (codec.from_json(argument),)
     except (KeyError, TypeError, AttributeError) as problem:
         raise Error(f"log: call '{name}': got argument {argument!r} ({problem})") from None
     return answer_name(method(*arguments))
@@ -65,7 +65,7 @@ def answer_name(answer: Any) -> str:
     return answer.name if isinstance(answer, RequestStatus) else ""
 
 
-def _kind(name: str) -> _Kind:
+def _codec(name: str) -> _CallCodec:
     if name not in CALLS:
         raise Error(f"call: got '{name}', expected one of {', '.join(CALLS)}")
     return CALLS[name]

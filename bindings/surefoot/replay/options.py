@@ -10,34 +10,34 @@ from surefoot._core import Error, StandOptions
 Options = TypeVar("Options")
 
 
-def plain_options(options: Any) -> dict[str, Any]:
+def json_options(options: Any) -> dict[str, Any]:
     """Return every option by name; enums by theirs, options within options the same way."""
-    return {name: _plain(getattr(options, name)) for name in _names(options)}
+    return {name: _json_value(getattr(options, name)) for name in _names(options)}
 
 
-def options_of(values: dict[str, Any], start: Options) -> Options:
-    """Write options by name into `start`, which has all of them, and return it; raises Error."""
-    if set(values) != set(_names(start)):
-        differing = ", ".join(sorted(set(values) ^ set(_names(start))))
+def options_from_json(values: dict[str, Any], options: Options) -> Options:
+    """Write options by name into `options`, which has all of them, and return it; raises Error."""
+    if set(values) != set(_names(options)):
+        differing = ", ".join(sorted(set(values) ^ set(_names(options))))
         raise Error(f"log: got other options than this version has: {differing}")
     for name, value in values.items():
-        own = getattr(start, name)
-        if isinstance(own, StandOptions):
-            value = options_of(value, StandOptions())
-        elif isinstance(own, Enum):
-            if value not in type(own).__members__:
-                names = ", ".join(type(own).__members__)
+        current = getattr(options, name)
+        if isinstance(current, StandOptions):
+            value = options_from_json(value, StandOptions())
+        elif isinstance(current, Enum):
+            if value not in type(current).__members__:
+                names = ", ".join(type(current).__members__)
                 raise Error(f"log: option '{name}': got {value!r}, expected one of {names}")
-            value = type(own)[value]
-        setattr(start, name, value)
-    return start
+            value = type(current)[value]
+        setattr(options, name, value)
+    return options
 
 
 def _names(options: Any) -> list[str]:
     return [name for name in dir(options) if not name.startswith("_")]
 
 
-def _plain(value: Any) -> Any:
+def _json_value(value: Any) -> Any:
     if isinstance(value, StandOptions):
-        return plain_options(value)
+        return json_options(value)
     return value.name if isinstance(value, Enum) else value

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Error, LowState, Robot
-from surefoot.low_cmd_layout import LOW_CMD
-from surefoot.low_state_layout import LOW_STATE
-from surefoot.replay.build import build_id
-from surefoot.replay.calls import carry_out
-from surefoot.replay.tape import Bytes, Call, Tape
+from surefoot.messages.low_cmd_layout import LOW_CMD
+from surefoot.messages.low_state_layout import LOW_STATE
+from surefoot.replay.build_id import build_id
+from surefoot.replay.calls import repeat_call
+from surefoot.replay.recording import Bytes, Call, Recording
 
 Progress = Callable[[str, int, int], None]
 
@@ -54,49 +54,51 @@ class Replay:
     same_build: bool
 
 
-def play(tape: Tape, robot: Robot, progress: Progress | None = None) -> Replay:
+def play(recording: Recording, robot: Robot, progress: Progress | None = None) -> Replay:
     """Play a tape to its end, whatever differs on the way.
 
     Args:
-        tape: What to play.
+        recording: What to play.
         robot: The model that the tape's controller had.
         progress: Told how far it is.
 
     Raises:
         Error: No tape, another robot, gains or options that are refused.
     """
-    if not isinstance(tape, Tape):
-        raise Error(f"tape: got {type(tape).__name__}, expected what read_tape(FILE) returns")
-    controller = tape.make(robot)
+    if not isinstance(recording, Recording):
+        raise Error(
+            f"tape: got {type(recording).__name__}, expected what read_recording(FILE) returns"
+        )
+    controller = recording.make(robot)
     calls: dict[int, list[Call]] = {}
-    for call in tape.calls:
+    for call in recording.calls:
         calls.setdefault(call.row, []).append(call)
-    commands = np.zeros_like(tape.commands)
+    commands = np.zeros_like(recording.commands)
     answers: list[Difference] = []
-    state, ticks = LowState(), tape.reports.view(LOW_STATE)[:, 0]["tick"]
+    state, ticks = LowState(), recording.samples.view(LOW_STATE)[:, 0]["tick"]
 
-    def call_again(k: int) -> None:
+    def repeat_calls(k: int) -> None:
         for call in calls.get(k, ()):
-            answer = carry_out(controller, call.name, call.argument)
+            answer = repeat_call(controller, call.name, call.argument)
             if answer != call.answer:
                 field = f"answer of {call.name}()"
                 tick = int(ticks[min(k, len(ticks) - 1)])
                 answers.append(Difference(k, tick, field, call.answer, answer))
 
-    for k, report in enumerate(tape.reports):
-        call_again(k)
-        state.raw[:] = report
+    for k, sample in enumerate(recording.samples):
+        repeat_calls(k)
+        state.raw[:] = sample
         commands[k] = controller.update(state).raw
         if progress is not None:
             progress("replay", k + 1, len(commands))
-    call_again(len(commands))  # after the last update
-    rows = np.flatnonzero((commands != tape.commands).any(axis=1))
-    found = answers[:1]
-    if len(rows) and not (found and found[0].row <= rows[0]):
+    repeat_calls(len(commands))  # after the last update
+    rows = np.flatnonzero((commands != recording.commands).any(axis=1))
+    differences = answers[:1]
+    if len(rows) and not (differences and differences[0].row <= rows[0]):
         k = int(rows[0])
-        found = [_difference(k, int(ticks[k]), tape.commands[k], commands[k])]
-    first = found[0] if found else None
-    return Replay(commands, len(rows), first, tape.build == build_id())
+        differences = [_difference(k, int(ticks[k]), recording.commands[k], commands[k])]
+    first = differences[0] if differences else None
+    return Replay(commands, len(rows), first, recording.build == build_id())
 
 
 def _difference(row: int, tick: int, logged: Bytes, replayed: Bytes) -> Difference:
@@ -104,20 +106,22 @@ def _difference(row: int, tick: int, logged: Bytes, replayed: Bytes) -> Differen
     byte = int(np.flatnonzero(logged != replayed)[0])
     name, kind, start = field_at(LOW_CMD, byte)
     span = slice(start, start + kind.itemsize)
-    then, now = (np.ascontiguousarray(c[span]).view(kind)[0].item() for c in (logged, replayed))
-    return Difference(row, tick, name.removeprefix("."), then, now)
+    logged_value, replayed_value = (
+        np.ascontiguousarray(c[span]).view(kind)[0].item() for c in (logged, replayed)
+    )
+    return Difference(row, tick, name.removeprefix("."), logged_value, replayed_value)
 
 
 def field_at(layout: np.dtype[Any], byte: int) -> tuple[str, np.dtype[Any], int]:
     """Return name, type and first byte of the number that a byte of a packed struct is in."""
     if layout.subdtype is not None:
         element = layout.subdtype[0]
-        index, rest = divmod(byte, element.itemsize)
-        name, kind, start = field_at(element, rest)
+        index, offset = divmod(byte, element.itemsize)
+        name, kind, start = field_at(element, offset)
         return f"[{index}]{name}", kind, index * element.itemsize + start
     for part, entry in (layout.fields or {}).items():
-        inner, begin = entry[0], entry[1]
-        if begin <= byte < begin + inner.itemsize:
-            name, kind, start = field_at(inner, byte - begin)
-            return f".{part}{name}", kind, begin + start
+        inner, field_start = entry[0], entry[1]
+        if field_start <= byte < field_start + inner.itemsize:
+            name, kind, start = field_at(inner, byte - field_start)
+            return f".{part}{name}", kind, field_start + start
     return "", layout, 0

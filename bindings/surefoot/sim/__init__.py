@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from surefoot.sim.flaws import Flaws
-from surefoot.sim.hands import Lift
+from surefoot.sim.physics.external_lift import Lift
 from surefoot.sim.plant import Plant
 from surefoot.sim.settings import PlantSettings, Push
 from surefoot.sim.truth import Truth

@@ -8,8 +8,8 @@ from statistics import NormalDist
 import numpy as np
 
 from surefoot._core import Error
-from surefoot.sim.checks import number
-from surefoot.sim.rotations import Array
+from surefoot.geometry.rotations import Array
+from surefoot.robot.setting_checks import check_number
 
 Bias = tuple[float, float, float] | float | None
 
@@ -41,39 +41,39 @@ class Flaws:
     def __post_init__(self) -> None:
         _check_bias("gyro_bias", self.gyro_bias, 1.0)
         _check_bias("accelerometer_bias", self.accelerometer_bias, 10.0)
-        number("torque_error", self.torque_error, 0.0, 0.9)
-        number("torque_scale", self.torque_scale, 0.0, 10.0)
-        number("trunk_mass_scale", self.trunk_mass_scale, 0.01, 100.0)
-        _three("trunk_com_shift", self.trunk_com_shift, 1.0)
+        check_number("torque_error", self.torque_error, 0.0, 0.9)
+        check_number("torque_scale", self.torque_scale, 0.0, 10.0)
+        check_number("trunk_mass_scale", self.trunk_mass_scale, 0.01, 100.0)
+        _check_vector("trunk_com_shift", self.trunk_com_shift, 1.0)
 
 
-def draw_bias(bias: Bias, usual: float, rng: np.random.Generator) -> Array:
+def draw_bias(bias: Bias, half_width: float, rng: np.random.Generator) -> Array:
     """Return a bias (3,) in IMU axes; every kind takes as many numbers out of the stream.
 
     Args:
         bias: As Flaws has it.
-        usual: Half the width of the uniform draw that None stands for.
+        half_width: Half the width of the uniform draw that None stands for.
         rng: Draws it.
     """
     uniform = rng.uniform(-1.0, 1.0, 3)
     if bias is None:
-        return usual * uniform
+        return half_width * uniform
     if isinstance(bias, tuple):
         return np.array(bias)
     return np.array([bias * NormalDist().inv_cdf((1.0 + float(u)) / 2.0) for u in uniform])
 
 
-def _check_bias(name: str, bias: Bias, most: float) -> None:
+def _check_bias(name: str, bias: Bias, maximum: float) -> None:
     if bias is None:
         return
     if isinstance(bias, tuple):
-        _three(name, bias, most)
+        _check_vector(name, bias, maximum)
     else:
-        number(name, bias, 0.0, most)
+        check_number(name, bias, 0.0, maximum)
 
 
-def _three(name: str, values: tuple[float, ...], most: float) -> None:
+def _check_vector(name: str, values: tuple[float, ...], maximum: float) -> None:
     if not isinstance(values, tuple) or len(values) != 3:
         raise Error(f"{name}: got {values!r}, expected x, y, z")
     for value in values:
-        number(name, value, -most, most)
+        check_number(name, value, -maximum, maximum)

@@ -9,23 +9,35 @@ import mujoco
 import numpy as np
 
 from surefoot._core import Error, LowCmd, LowState
-from surefoot.robots import RobotDescription, build_robot, describe_robot, load_pinocchio_model
-from surefoot.sim.adapter import Adapter
-from surefoot.sim.handles import find_handles
-from surefoot.sim.hands import Lift
-from surefoot.sim.hanging import hang
-from surefoot.sim.lying import DROPS, LOOK_TIME, REST_TIME, drop, hopeful, rests
-from surefoot.sim.model import build_model
-from surefoot.sim.motors import Law, Motors, command_law, damping_law
-from surefoot.sim.physics import make_physics
-from surefoot.sim.rotations import Array
-from surefoot.sim.sensors import Sensors
+from surefoot.geometry.rotations import Array
+from surefoot.robot.loading import (
+    RobotDescription,
+    build_robot,
+    describe_robot,
+    load_pinocchio_model,
+)
+from surefoot.sim.hardware.motors import MotorLaw, Motors, command_law, damping_law
+from surefoot.sim.hardware.sensors import Sensors
+from surefoot.sim.hardware.wire_format import MotorCommands, WireFormat
+from surefoot.sim.lip_push_limit import lip_push_limit
+from surefoot.sim.model.mujoco_handles import find_handles
+from surefoot.sim.model.mujoco_model import build_model
+from surefoot.sim.physics.external_lift import Lift
+from surefoot.sim.physics.hanging import fix_base
+from surefoot.sim.physics.lying_pose import (
+    FIRST_CHECK_TIME,
+    LYING_SETTLE_TIME,
+    MAX_DROPS,
+    drop_robot,
+    is_settled,
+    may_settle,
+)
+from surefoot.sim.physics.mujoco_steps import make_physics
+from surefoot.sim.physics.physics_loop import PhysicsLoop
+from surefoot.sim.physics.standing_pose import SETTLE_TIME, place_standing, standing_law
+from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 from surefoot.sim.settings import PlantSettings, Push, direction_degrees
-from surefoot.sim.stance import SETTLE_TIME, place, standing_law
-from surefoot.sim.support import lip_limit
-from surefoot.sim.timeline import Timeline
 from surefoot.sim.truth import Truth, measure_truth
-from surefoot.sim.wire import Command, Wire
 
 _MOTOR_STREAM = 3  # of random numbers; the sensors have 0 .. 2
 
@@ -60,17 +72,19 @@ class Plant:
     ) -> None:
         self.description = describe_robot(robot) if isinstance(robot, str) else robot
         self.robot = build_robot(self.description)
-        self.settings = _resolve(settings or PlantSettings(), self.description)
+        self.settings = _resolve_foot_force(settings or PlantSettings(), self.description)
         self.model = build_model(self.robot, self.description, self.settings)
         self.data = mujoco.MjData(self.model)
         self.handles = find_handles(self.model, self.robot)
         if self.settings.hung:
-            hang(self.model, self.handles)
-        self._adapter = Adapter(self.model, load_pinocchio_model(self.description))
+            fix_base(self.model, self.handles)
+        self._adapter = PinocchioAdapter(self.model, load_pinocchio_model(self.description))
         physics = make_physics(self.model, self.data, self.handles)
         dt = self.settings.physics_dt
-        self._timeline = Timeline(self.model, self.data, self.handles, self.robot, physics, dt)
-        self._wire = Wire(self.robot.name, self.settings.real)
+        self._physics_loop = PhysicsLoop(
+            self.model, self.data, self.handles, self.robot, physics, dt
+        )
+        self._wire_format = WireFormat(self.robot.name, self.settings.real)
         self._tick0 = tick0
         self._pushes = list(pushes)
         self._lifts: list[Lift] = []
@@ -79,7 +93,7 @@ class Plant:
     @property
     def time(self) -> float:
         """Time since reset [s]."""
-        return self._timeline.time
+        return self._physics_loop.time
 
     @property
     def truth(self) -> Truth:
@@ -99,24 +113,24 @@ class Plant:
     @property
     def motors(self) -> Motors:
         """The motors: law in force, torques; read them, do not write them."""
-        return self._timeline.motors
+        return self._physics_loop.motors
 
     @property
     def imu_bias(self) -> Array:
         """True bias (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes."""
-        return self._timeline.sensors.imu_bias
+        return self._physics_loop.sensors.imu_bias
 
     @property
     def push_force(self) -> tuple[Array, Array]:
         """Force of the pushes (3,) [N] in the last physics step, and its point (3,), world."""
-        return self._timeline.push_force
+        return self._physics_loop.push_force
 
     def add_push(self, push: Push) -> None:
         """Add a push; after reset() it comes again at its time."""
         self._pushes.append(push)
-        self._timeline.add_push(push)
+        self._physics_loop.add_push(push)
 
-    def renew(self, seed: int, pushes: Iterable[Push] = ()) -> None:
+    def reseed(self, seed: int, pushes: Iterable[Push] = ()) -> None:
         """Be another run on the same ground from the next reset() on; lifts are gone.
 
         Building a plant takes as long as a run of seconds; this takes nothing.
@@ -131,7 +145,7 @@ class Plant:
     def add_lift(self, lift: Lift) -> None:
         """Add a lift by a hand; after reset() it comes again at its time."""
         self._lifts.append(lift)
-        self._timeline.add_lift(lift)
+        self._physics_loop.add_lift(lift)
 
     def reset(self) -> LowState:
         """Stand the robot up, let it settle in position mode and return the first LowState.
@@ -145,43 +159,45 @@ class Plant:
         motors = Motors(config, settings.physics_dt, settings.lag, rng, flaws)
         motors.law = standing_law(self.robot)
         sensors = Sensors(self.robot, self.data, self.handles, settings, self._tick0)
-        self._timeline.start(motors, sensors)
-        place(self.model, self.data, self.handles, self.robot, settings)
+        self._physics_loop.start(motors, sensors)
+        place_standing(self.model, self.data, self.handles, self.robot, settings)
         mujoco.mj_step1(self.model, self.data)
-        self._timeline.advance(round(SETTLE_TIME / settings.physics_dt))
+        self._physics_loop.advance(round(SETTLE_TIME / settings.physics_dt))
         if self.truth.fell:
             raise Error(
                 f"robot '{self.robot.name}' fell while its motors held the standing pose, before "
                 f"anything was controlled: slope {settings.slope_deg:g} deg, friction "
                 f"{settings.friction:g}, payload {settings.payload_kg:g} kg; ask for less"
             )
-        return self._begin()
+        return self._start_run()
 
     def reset_lying(self, rng: np.random.Generator) -> LowState:
         """Drop the robot with its legs anyhow, motors braking, and return the first LowState.
 
         It is dropped again until it rests within 20 degrees of level, legs clear of each other (see
-        sim/lying.py). The motors brake until the first LowCmd takes effect.
+        sim/physics/lying_pose.py). The motors brake until the first LowCmd takes effect.
 
         Raises:
             Error: It never came to rest so in DROPS times.
         """
         self.reset()
-        self._timeline.rewind()  # pushes are for who lies
+        self._physics_loop.restart_time()  # pushes are for who lies
         self.motors.law = damping_law()
-        for _ in range(DROPS):
-            drop(self.model, self.data, self.handles, self.robot, rng)
-            self._timeline.advance(round(LOOK_TIME / self.settings.physics_dt))
-            if not hopeful(self.model, self.data, self.handles):
+        for _ in range(MAX_DROPS):
+            drop_robot(self.model, self.data, self.handles, self.robot, rng)
+            self._physics_loop.advance(round(FIRST_CHECK_TIME / self.settings.physics_dt))
+            if not may_settle(self.model, self.data, self.handles):
                 continue
-            self._timeline.advance(round((REST_TIME - LOOK_TIME) / self.settings.physics_dt))
-            if rests(self.model, self.data, self.handles):
-                return self._begin()
+            self._physics_loop.advance(
+                round((LYING_SETTLE_TIME - FIRST_CHECK_TIME) / self.settings.physics_dt)
+            )
+            if is_settled(self.model, self.data, self.handles):
+                return self._start_run()
         raise Error(
-            f"robot '{self.robot.name}': dropped {DROPS} times, it never came to rest level"
+            f"robot '{self.robot.name}': dropped {MAX_DROPS} times, it never came to rest level"
         )
 
-    def reset_resting(self, qpos: Array) -> LowState:
+    def reset_lying_at(self, qpos: Array) -> LowState:
         """Lay the robot where it came to rest before, motors braking, and return a LowState.
 
         Args:
@@ -192,22 +208,22 @@ class Plant:
         self.data.qpos[:] = qpos
         self.data.qvel[:] = 0.0
         mujoco.mj_forward(self.model, self.data)  # accelerations, too: the IMU begins with them
-        return self._begin()
+        return self._start_run()
 
-    def _begin(self) -> LowState:
+    def _start_run(self) -> LowState:
         """Start sensors and schedules from where the robot is."""
         settings = self.settings
-        self._timeline.sensors.start()
-        first = self._next = self.read()
+        self._physics_loop.sensors.start()
+        first = self._next_state = self.read()
         self._first_truth = self.truth
         if settings.real:
             self.advance()
-            self._next = self.read()
-        self._timeline.rewind()
+            self._next_state = self.read()
+        self._physics_loop.restart_time()
         for push in self._pushes:
-            self._timeline.add_push(push)
+            self._physics_loop.add_push(push)
         for lift in self._lifts:
-            self._timeline.add_lift(lift)
+            self._physics_loop.add_lift(lift)
         return first
 
     def step(self, cmd: LowCmd) -> LowState:
@@ -223,36 +239,36 @@ class Plant:
         delay = round(settings.extra_delay / settings.physics_dt)
         if settings.real:
             delay += settings.steps_per_tick
-        self._timeline.send(command_law(self._wire.read(cmd)), delay)
+        self._physics_loop.schedule_law(command_law(self._wire_format.read(cmd)), delay)
         self.advance()
-        previous, self._next = self._next, self.read()
-        return previous if settings.real else self._next
+        previous, self._next_state = self._next_state, self.read()
+        return previous if settings.real else self._next_state
 
-    def read_command(self, cmd: LowCmd) -> Command:
+    def read_command(self, cmd: LowCmd) -> MotorCommands:
         """Return the twelve motors of a LowCmd as this robot's drivers get them."""
-        return self._wire.read(cmd)
+        return self._wire_format.read(cmd)
 
-    def obey(self, law: Law) -> None:
+    def apply_law(self, law: MotorLaw) -> None:
         """Put a law in force from the next physics step on, with no delay.
 
-        obey(), advance() and read() are step() in three, for a wire with delays of its own.
+        apply_law(), advance() and read() are step() in three, for a wire with delays of its own.
         """
         self.motors.law = law
 
     def advance(self) -> None:
         """Advance one control period."""
-        self._timeline.advance(self.settings.steps_per_tick)
+        self._physics_loop.advance(self.settings.steps_per_tick)
 
     def read(self) -> LowState:
         """Return the LowState of this instant; every reading moves its tick on by one period."""
-        state: LowState = self._timeline.sensors.read(self.motors)
+        state: LowState = self._physics_loop.sensors.read(self.motors)
         return state
 
-    def pull(self, torque: Array | None) -> None:
+    def apply_joint_torque(self, torque: Array | None) -> None:
         """Let hands turn the joints with torques (12,) [N.m] from now on; None lets go."""
-        self._timeline.pull(np.zeros(12) if torque is None else torque)
+        self._physics_loop.apply_joint_torque(np.zeros(12) if torque is None else torque)
 
-    def lip_limit(self, direction: str | float, duration: float = 0.1) -> float:
+    def lip_push_limit(self, direction: str | float, duration: float = 0.1) -> float:
         """Return the push that the linear inverted pendulum survives from here [N.s].
 
         J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h): true mass m, height h of the centre
@@ -263,13 +279,13 @@ class Plant:
             duration: Of the push, T [s].
         """
         degrees = direction_degrees(direction)
-        return lip_limit(self.model, self.data, self.handles, self.robot, degrees, duration)
+        return lip_push_limit(self.model, self.data, self.handles, self.robot, degrees, duration)
 
 
-def _resolve(settings: PlantSettings, description: RobotDescription) -> PlantSettings:
+def _resolve_foot_force(settings: PlantSettings, description: RobotDescription) -> PlantSettings:
     if not isinstance(settings, PlantSettings):
         raise Error(f"settings: got {type(settings).__name__}, expected PlantSettings")
     if settings.foot_force is not None:
         return settings
-    alive = description.table.get("simulation", {}).get("foot_force_est", False)
-    return replace(settings, foot_force="est" if alive else "dead")
+    has_force_estimate = description.table.get("simulation", {}).get("foot_force_est", False)
+    return replace(settings, foot_force="est" if has_force_estimate else "dead")

@@ -8,9 +8,9 @@ import mujoco
 import numpy as np
 import numpy.typing as npt
 
-from surefoot.sim.model import build_model
+from surefoot.geometry.rotations import Array
+from surefoot.sim.model.mujoco_model import build_model
 from surefoot.sim.plant import Plant
-from surefoot.sim.rotations import Array
 
 PUSH_RED = (0.86, 0.12, 0.12, 1.0)
 FORCE_GREEN = (0.15, 0.62, 0.32, 0.9)
@@ -47,7 +47,7 @@ class Renderer:
         self._data = mujoco.MjData(self._model)
         # Everything drawn scales with the robot.
         self._size = float(plant.model.body_subtreemass[plant.handles.root]) ** (1 / 3) / 8.0  # [m]
-        _set_look(self._model, self._size)
+        _set_visual_options(self._model, self._size)
         self._renderer = mujoco.Renderer(self._model, height, width)
         self._camera = mujoco.MjvCamera()
         self._camera.type = mujoco.mjtCamera.mjCAMERA_FREE
@@ -74,16 +74,20 @@ class Renderer:
 
     def _draw_forces(self) -> None:
         plant, truth = self._plant, self._plant.truth
-        metres = 2.5 * self._size / (plant.model.body_subtreemass[plant.handles.root] * 9.81)
+        metres_per_newton = (
+            2.5 * self._size / (plant.model.body_subtreemass[plant.handles.root] * 9.81)
+        )
         radius = plant.robot.config.foot_radius
         for leg in range(4):
             start = truth.p_world_feet[:, leg] - radius * plant.handles.ground_normal
-            self._arrow(start, start + metres * truth.foot_forces[:, leg], 0.4, FORCE_GREEN)
+            self._arrow(
+                start, start + metres_per_newton * truth.foot_forces[:, leg], 0.4, FORCE_GREEN
+            )
         force, point = plant.push_force
         if np.any(force):
             # The arrow points at where the force acts; its length says how strong it is.
             tip = point - 0.3 * self._size * force / np.linalg.norm(force)  # out of the trunk
-            self._arrow(tip - metres * force, tip, 1.0, PUSH_RED)
+            self._arrow(tip - metres_per_newton * force, tip, 1.0, PUSH_RED)
 
     def _arrow(
         self, start: Array, end: Array, width: float, rgba: tuple[float, float, float, float]
@@ -100,7 +104,7 @@ class Renderer:
         scene.ngeom += 1
 
 
-def _set_look(model: mujoco.MjModel, size: float) -> None:
+def _set_visual_options(model: mujoco.MjModel, size: float) -> None:
     model.stat.extent = 6.0 * size  # what shadow and clipping planes are measured in
     model.vis.headlight.ambient[:] = 0.35
     model.vis.headlight.diffuse[:] = 0.35

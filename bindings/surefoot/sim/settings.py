@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from surefoot._core import Error
-from surefoot.low_state_layout import LEGS
-from surefoot.sim.checks import number, one_of
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.flaws import Flaws
 
 COARSE_DT = 0.001  # [s], twice the usual physics step: limits come out the same (docs/assess.md)
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
-LEAST_SINK, MOST_SINK = 1e-4, 0.1  # [m] of soft ground; rigid ground gives way by 20 um
+MIN_SINK, MAX_SINK = 1e-4, 0.1  # [m] of soft ground; rigid ground gives way by 20 um
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class PlantSettings:
             None takes what the robot's TOML says of the real robot.
         friction: Coefficient between foot and ground.
         soft_ground_sink: How far a foot sinks under a quarter of the robot's own weight [m]; 0 is
-            rigid ground, from 0.1 mm up a spring and a damper (see sim/soft_ground.py).
+            rigid ground, from 0.1 mm up a spring and a damper (see sim/model/soft_ground.py).
         slope_deg: Steepness of the ground [deg]; gravity stays on world z.
         slope_heading_deg: Direction of steepest ascent, from forward towards left [deg].
         payload_kg: Mass welded to the trunk, unknown to the controller [kg].
@@ -37,15 +37,15 @@ class PlantSettings:
         joint_friction_scale: Factor on joint friction and joint damping.
         armature_scale: Factor on the reflected rotor inertia.
         backlash_deg: Play of every gear at its joint, from end to end [deg]; the encoder is on
-            the rotor's side of it (see sim/backlash.py).
+            the rotor's side of it (see sim/model/backlash.py).
         motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
         flaws: IMU biases, torque errors, trunk mass (see sim/flaws.py).
         platform_heading_deg: The ground is a platform that can be tilted, up towards this heading
-            [deg] (see sim/moving_ground.py); None is ground at rest.
+            [deg] (see sim/model/moving_ground.py); None is ground at rest.
         block_foot: Foot, of FR FL RR RL, that stands on a block which can be raised (see
             there); None is no block.
-        hung: The base is fixed in the air, level, and the legs are free (see sim/hanging.py).
+        hung: The base is fixed in the air, level, and the legs are free (see sim/physics/hanging.py).
         seed: Of every random number; the same seed gives the same run.
     """
 
@@ -71,13 +71,13 @@ class PlantSettings:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        one_of("sensors", self.sensors, _SENSORS)
+        check_one_of("sensors", self.sensors, _SENSORS)
         if self.foot_force is not None:
-            one_of("foot_force", self.foot_force, _FOOT_FORCE)
+            check_one_of("foot_force", self.foot_force, _FOOT_FORCE)
         self._check_moving_ground()
         for name, low, high in (
             ("friction", 0.0, 10.0),
-            ("soft_ground_sink", 0.0, MOST_SINK),
+            ("soft_ground_sink", 0.0, MAX_SINK),
             ("slope_deg", -45.0, 45.0),
             ("slope_heading_deg", -360.0, 360.0),
             ("payload_kg", 0.0, 1000.0),
@@ -88,18 +88,18 @@ class PlantSettings:
             ("backlash_deg", 0.0, 5.0),
             ("extra_delay", 0.0, 1.0),
         ):
-            number(name, getattr(self, name), low, high)
+            check_number(name, getattr(self, name), low, high)
         if self.motor_lag is not None:
-            number("motor_lag", self.motor_lag, 0.0, 1.0)
-        if 0.0 < self.soft_ground_sink < LEAST_SINK:
+            check_number("motor_lag", self.motor_lag, 0.0, 1.0)
+        if 0.0 < self.soft_ground_sink < MIN_SINK:
             raise Error(
                 f"soft_ground_sink: got {self.soft_ground_sink!r}, expected 0 (rigid ground) or a "
-                f"number from {LEAST_SINK:g} to {MOST_SINK:g}"
+                f"number from {MIN_SINK:g} to {MAX_SINK:g}"
             )
         if self.hung and self.slope_deg:
             raise Error(f"slope_deg: got {self.slope_deg:g}, expected 0 for a hung robot")
         self._check_position()
-        self._check_clock()
+        self._check_physics_dt()
         if isinstance(self.seed, bool) or not isinstance(self.seed, int) or self.seed < 0:
             raise Error(f"seed: got {self.seed!r}, expected a whole number from 0 up")
 
@@ -128,13 +128,13 @@ class PlantSettings:
         if size != 3:
             raise Error(f"payload_position: got {self.payload_position!r}, expected x, y, z [m]")
         for value in self.payload_position:
-            number("payload_position", value, -10.0, 10.0)
+            check_number("payload_position", value, -10.0, 10.0)
 
     def _check_moving_ground(self) -> None:
         if self.block_foot is not None:
-            one_of("block_foot", self.block_foot, LEGS)
+            check_one_of("block_foot", self.block_foot, LEGS)
         if self.platform_heading_deg is not None:
-            number("platform_heading_deg", self.platform_heading_deg, -360.0, 360.0)
+            check_number("platform_heading_deg", self.platform_heading_deg, -360.0, 360.0)
         moving = [self.block_foot, self.platform_heading_deg]
         others = self.hung or self.slope_deg != 0.0 or self.soft_ground_sink > 0.0
         if moving.count(None) < (2 if others else 1):
@@ -143,7 +143,7 @@ class PlantSettings:
                 "expected a platform or a block alone"
             )
 
-    def _check_clock(self) -> None:
+    def _check_physics_dt(self) -> None:
         steps = 1.0 / (self.control_rate * self.physics_dt)
         if steps < 0.5 or abs(steps - round(steps)) > 1e-6 * steps:
             raise Error(
@@ -176,10 +176,10 @@ class Push:
 
     def __post_init__(self) -> None:
         direction_degrees(self.direction)
-        number("impulse", self.impulse, -10_000.0, 10_000.0)
-        number("duration", self.duration, 1e-6, 1e6)
-        number("time", self.time, 0.0, 1e9)
-        number("height", self.height, -10.0, 10.0)
+        check_number("impulse", self.impulse, -10_000.0, 10_000.0)
+        check_number("duration", self.duration, 1e-6, 1e6)
+        check_number("time", self.time, 0.0, 1e9)
+        check_number("height", self.height, -10.0, 10.0)
 
     @property
     def degrees(self) -> float:
@@ -190,7 +190,7 @@ class Push:
 def direction_degrees(direction: str | float) -> float:
     """Return a push direction in degrees from forward towards left; raises Error."""
     if isinstance(direction, str):
-        one_of("direction", direction, tuple(_DIRECTIONS), " or a number of degrees")
+        check_one_of("direction", direction, tuple(_DIRECTIONS), " or a number of degrees")
         return _DIRECTIONS[direction]
-    number("direction", direction, -360.0, 360.0)
+    check_number("direction", direction, -360.0, 360.0)
     return float(direction)

@@ -8,9 +8,9 @@ import mujoco
 import numpy as np
 import numpy.typing as npt
 
-from surefoot.sim.adapter import Adapter
-from surefoot.sim.handles import Handles
-from surefoot.sim.rotations import Array
+from surefoot.geometry.rotations import Array
+from surefoot.sim.model.mujoco_handles import Handles
+from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 
 FALLEN_TILT_COS = 0.5  # 60 deg
 
@@ -50,7 +50,7 @@ def measure_truth(
     model: mujoco.MjModel,
     data: mujoco.MjData,
     handles: Handles,
-    adapter: Adapter,
+    adapter: PinocchioAdapter,
     time: float,
     tau: Array,
 ) -> Truth:
@@ -80,7 +80,7 @@ def has_fallen(data: mujoco.MjData, handles: Handles) -> bool:
         return True
     # Plain Python: a handful of contacts is too few for numpy.
     ground, feet = handles.ground_geoms, handles.foot_geoms.tolist()
-    for one, other in data.contact.geom.tolist():
-        if (one in ground and other not in feet) or (other in ground and one not in feet):
+    for geom1, geom2 in data.contact.geom.tolist():
+        if (geom1 in ground and geom2 not in feet) or (geom2 in ground and geom1 not in feet):
             return True
     return False

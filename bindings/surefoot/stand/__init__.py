@@ -1,15 +1,15 @@
 """The stand: a robot under its controller in simulation, logged, measured and reported."""
 
-from surefoot.stand.fields import FIELDS
-from surefoot.stand.log import StandLog
-from surefoot.stand.loop import run_stand
+from surefoot.reports.summary_field import Field
 from surefoot.stand.metrics import summarise
-from surefoot.stand.pushes import PushRequest, parse_push
-from surefoot.stand.references import ReferenceRequest, parse_reference
+from surefoot.stand.push_request import PushRequest, parse_push
+from surefoot.stand.reference_request import ReferenceRequest, parse_reference
+from surefoot.stand.replay_tape import stand_recording
 from surefoot.stand.sensor_recorder import SensorRecorder
 from surefoot.stand.settings import StandSettings
-from surefoot.stand.tape import stand_tape
-from surefoot.summary_field import Field
+from surefoot.stand.simulation_loop import run_stand
+from surefoot.stand.stand_log import StandLog
+from surefoot.stand.summary_fields import FIELDS
 
 __all__ = [
     "FIELDS",
@@ -22,6 +22,6 @@ __all__ = [
     "parse_push",
     "parse_reference",
     "run_stand",
-    "stand_tape",
+    "stand_recording",
     "summarise",
 ]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from surefoot.report_axes import RED, finish_time
-from surefoot.stand.log import StandLog
+from surefoot.reports.plots import RED, finish_time_axis
+from surefoot.stand.stand_log import StandLog
 
 
 def shade_pushes(ax: Axes, log: StandLog) -> None:
@@ -15,6 +15,6 @@ def shade_pushes(ax: Axes, log: StandLog) -> None:
         ax.axvspan(push.time, push.time + push.duration, color=RED, alpha=0.25, lw=0)
 
 
-def finish(figure: Figure, axes: list[list[Axes]], log: StandLog) -> None:
+def finish_figure(figure: Figure, axes: list[list[Axes]], log: StandLog) -> None:
     """Label the time axis and explain the lines once, above all plots."""
-    finish_time(figure, axes, log.duration)
+    finish_time_axis(figure, axes, log.duration)

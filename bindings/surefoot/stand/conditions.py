@@ -5,9 +5,9 @@ from __future__ import annotations
 import importlib.metadata
 from typing import Any
 
-from surefoot.gain_files import changed_gains
-from surefoot.stand.log import StandLog
-from surefoot.stand.references import AXES
+from surefoot.robot.gain_files import changed_gains
+from surefoot.stand.reference_request import AXES
+from surefoot.stand.stand_log import StandLog
 
 
 def describe_conditions(log: StandLog) -> dict[str, Any]:
@@ -34,7 +34,7 @@ def describe_conditions(log: StandLog) -> dict[str, Any]:
         "delay_ms": 1000.0 * plant.extra_delay,
         "motor_damping": settings.motor_damping,
         "form": settings.form.name.lower(),
-        "predict_ms": 1000.0 * settings.predict,
+        "predict_ms": 1000.0 * settings.predicted_delay,
         "gains_changed": _gains_changed(log),
         "lip_limit_ns": log.lip_limit,
         "pushes": [
@@ -59,5 +59,5 @@ def describe_conditions(log: StandLog) -> dict[str, Any]:
 
 
 def _gains_changed(log: StandLog) -> dict[str, float]:
-    gains, own = log.settings.gains, log.robot.config.gains
-    return {} if gains is None else changed_gains(gains, own)
+    gains, default_gains = log.settings.gains, log.robot.config.gains
+    return {} if gains is None else changed_gains(gains, default_gains)

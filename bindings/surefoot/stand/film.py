@@ -10,13 +10,13 @@ from PIL import Image, ImageDraw, ImageFont
 
 from surefoot._core import LowCmd
 from surefoot.sim import Plant, Renderer
-from surefoot.stand.log import StandLog
-from surefoot.stand.loop import Progress, make_plant
+from surefoot.stand.simulation_loop import Progress, make_plant
+from surefoot.stand.stand_log import StandLog
 
 WIDTH, HEIGHT = 480, 360
-PERIOD_S = 0.08  # between pictures
-PUSH_PERIOD_S = 0.03  # between pictures while a push acts; it itself is short
-MOST_PICTURES = 250  # longer runs get fewer a second
+FRAME_PERIOD = 0.08  # between pictures
+PUSH_FRAME_PERIOD = 0.03  # between pictures while a push acts; it itself is short
+MAX_FRAMES = 250  # longer runs get fewer a second
 END_PAUSE_MS = 800  # before the film begins again
 CAPTION_TIME = 0.8  # [s] a push is named; long enough to be read
 _INK, _RED = (40, 46, 54), (190, 30, 30)
@@ -33,9 +33,9 @@ def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> N
         path: The file.
         progress: Told after every picture.
     """
-    ticks = picture_ticks(log)
+    ticks = frame_ticks(log)
     pictures = []
-    for k, picture in enumerate(_pictures(log, set(ticks))):
+    for k, picture in enumerate(_frames(log, set(ticks))):
         pictures.append(picture)
         if progress is not None:
             progress("film", k + 1, len(ticks))
@@ -58,11 +58,13 @@ def save_film(pictures: list[Image.Image], durations: np.ndarray, path: Path) ->
     )
 
 
-def picture_ticks(log: StandLog) -> list[int]:
+def frame_ticks(log: StandLog) -> list[int]:
     """Return the ticks that are drawn: evenly spaced, and closer while a push acts."""
-    coarse = max(PERIOD_S, log.duration / MOST_PICTURES)
+    coarse = max(FRAME_PERIOD, log.duration / MAX_FRAMES)
     fine = [
-        np.arange(push.time + PUSH_PERIOD_S / 2, push.time + push.duration, PUSH_PERIOD_S)[:10]
+        np.arange(push.time + PUSH_FRAME_PERIOD / 2, push.time + push.duration, PUSH_FRAME_PERIOD)[
+            :10
+        ]
         for push in log.pushes
     ]
     times = np.concatenate([np.arange(0.0, log.duration, coarse), *fine])
@@ -70,7 +72,7 @@ def picture_ticks(log: StandLog) -> list[int]:
     return [int(k) for k in ticks if k < len(log.time)]
 
 
-def replay(log: StandLog) -> Iterator[tuple[int, Plant]]:
+def replay_run(log: StandLog) -> Iterator[tuple[int, Plant]]:
     """Play a run again: yields the tick and the plant as it was at that instant."""
     plant = make_plant(log.settings)
     plant.reset()
@@ -79,20 +81,20 @@ def replay(log: StandLog) -> Iterator[tuple[int, Plant]]:
         plant.step(LowCmd.from_bytes(command.tobytes()))
 
 
-def _pictures(log: StandLog, wanted: set[int]) -> Iterator[Image.Image]:
+def _frames(log: StandLog, drawn_ticks: set[int]) -> Iterator[Image.Image]:
     renderer: Renderer | None = None
     try:
-        for k, plant in replay(log):
+        for k, plant in replay_run(log):
             if renderer is None:
                 renderer = Renderer(plant, WIDTH, HEIGHT)
-            if k in wanted:
-                yield _captioned(renderer.frame(), log, float(log.time[k]))
+            if k in drawn_ticks:
+                yield _captioned_frame(renderer.frame(), log, float(log.time[k]))
     finally:
         if renderer is not None:
             renderer.close()
 
 
-def _captioned(pixels: np.ndarray, log: StandLog, time: float) -> Image.Image:
+def _captioned_frame(pixels: np.ndarray, log: StandLog, time: float) -> Image.Image:
     picture = Image.fromarray(pixels)
     draw = ImageDraw.Draw(picture)
     font = ImageFont.load_default(size=15)

@@ -7,16 +7,16 @@ from typing import Any
 
 import numpy as np
 
-from surefoot._core import Rung, Status, is_usable
-from surefoot.plain import plain
-from surefoot.stand.asked import asked_pose, reference_summary
+from surefoot._core import FallbackLevel, Status, is_usable
+from surefoot.files.json_values import json_value
 from surefoot.stand.conditions import describe_conditions
-from surefoot.stand.geometry import angle_between, pose_from_feet, up_in_base, wrap
-from surefoot.stand.log import StandLog
+from surefoot.stand.foot_frame import angle_between, pose_from_feet, up_in_base, wrap_angle
+from surefoot.stand.requested_pose import reference_summary, requested_pose
 from surefoot.stand.settling import settle_time, settled_ticks
 from surefoot.stand.spectrum import high_frequency_rms
+from surefoot.stand.stand_log import StandLog
 
-WINDOW = 2.0  # [s] at the end of the run over which stillness is measured
+STILLNESS_WINDOW = 2.0  # [s] at the end of the run over which stillness is measured
 
 
 def summarise(log: StandLog) -> dict[str, Any]:
@@ -29,9 +29,9 @@ def summarise(log: StandLog) -> dict[str, Any]:
         _stillness(log),
         _effort(log),
         _estimator(log),
-        _loop(log),
+        _controller_ticks(log),
     )
-    return {name: plain(value) for part in parts for name, value in part.items()}
+    return {name: json_value(value) for part in parts for name, value in part.items()}
 
 
 def _outcome(log: StandLog) -> dict[str, Any]:
@@ -44,15 +44,15 @@ def _outcome(log: StandLog) -> dict[str, Any]:
 
 
 def _pose_errors(log: StandLog) -> dict[str, Any]:
-    pose, asked = pose_from_feet(log.q_true, log.feet), asked_pose(log)
+    pose, requested = pose_from_feet(log.q_true, log.feet), requested_pose(log)
     up = up_in_base(log.q_true)
     tilt = np.degrees(angle_between(up, np.broadcast_to(up[0], up.shape)))
     # World z in base axes is the last row of a rotation to axes whose z is the world's.
-    tilt_error = angle_between(up[-1:], asked.rotation[-1:, 2, :])
-    yaw = np.degrees(wrap(pose.rpy[-1, 2] - asked.rpy[-1, 2]))
+    tilt_error = angle_between(up[-1:], requested.rotation[-1:, 2, :])
+    yaw = np.degrees(wrap_angle(pose.rpy[-1, 2] - requested.rpy[-1, 2]))
     travel = np.linalg.norm(log.feet - log.feet[0], axis=1)
     return {
-        "height_error_mm": 1000.0 * abs(pose.position[-1, 2] - asked.position[-1, 2]),
+        "height_error_mm": 1000.0 * abs(pose.position[-1, 2] - requested.position[-1, 2]),
         "tilt_error_deg": np.degrees(tilt_error[0]),
         "yaw_error_deg": abs(yaw),
         "max_tilt_deg": tilt.max(),
@@ -61,7 +61,7 @@ def _pose_errors(log: StandLog) -> dict[str, Any]:
 
 
 def _stillness(log: StandLog) -> dict[str, Any]:
-    last = slice(-max(1, round(WINDOW * log.rate)), None)
+    last = slice(-max(1, round(STILLNESS_WINDOW * log.rate)), None)
     com = log.com[last] - log.com[last].mean(axis=0)
     return {
         "com_rms_mm": 1000.0 * math.sqrt(np.mean(np.sum(com**2, axis=1))),
@@ -86,15 +86,15 @@ def _estimator(log: StandLog) -> dict[str, Any]:
     }
 
 
-def _loop(log: StandLog) -> dict[str, Any]:
+def _controller_ticks(log: StandLog) -> dict[str, Any]:
     usable = [status.value for status in Status if is_usable(status)]
-    bad = np.flatnonzero(~np.isin(log.status, usable))
+    failed = np.flatnonzero(~np.isin(log.status, usable))
     p50, p90, p99 = np.percentile(log.tick_us, [50, 90, 99])
     return {
         "ticks": len(log.time),
-        "qp_failures": len(bad),
-        "first_failure": Status(int(log.status[bad[0]])).name if len(bad) else None,
-        "cold_solves": np.sum(log.rung == Rung.COLD_SOLVE.value),
+        "qp_failures": len(failed),
+        "first_failure": Status(int(log.status[failed[0]])).name if len(failed) else None,
+        "cold_solves": np.sum(log.rung == FallbackLevel.COLD_SOLVE.value),
         "saturated_ticks": np.sum(log.status == Status.SATURATED.value),
         "torque_mode_only": log.torque_mode.all(),
         "iterations": {"mean": log.iterations.mean(), "max": log.iterations.max()},

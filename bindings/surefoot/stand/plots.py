@@ -7,98 +7,100 @@ from itertools import chain
 import numpy as np
 from matplotlib.figure import Figure
 
-from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot, at_least, grid
-from surefoot.stand.asked import asked_pose
-from surefoot.stand.axes import finish, shade_pushes
-from surefoot.stand.geometry import feet_of, pose_from_feet
-from surefoot.stand.log import StandLog
+from surefoot.reports.plots import BLUE, GREEN, GREY, ORANGE, RED, Plot, subplot_grid, widen_y_axis
+from surefoot.stand.axes import finish_figure, shade_pushes
+from surefoot.stand.foot_frame import foot_positions, pose_from_feet
+from surefoot.stand.requested_pose import requested_pose
+from surefoot.stand.stand_log import StandLog
 
-LEGS = ("front right", "front left", "rear right", "rear left")
+LEG_TITLES = ("front right", "front left", "rear right", "rear left")
 JOINTS = ("hip", "thigh", "calf")
 
 
 def draw_pose(log: StandLog) -> Figure:
     """Draw the base relative to its feet, change since the start, true and estimated."""
-    true = pose_from_feet(log.q_true, log.feet).rows
-    estimated = pose_from_feet(log.q_estimated, feet_of(log.robot, log.q_estimated)).rows
-    asked = asked_pose(log).rows - true[0]
+    true = pose_from_feet(log.q_true, log.feet).rows_mm_deg
+    estimated = pose_from_feet(
+        log.q_estimated, foot_positions(log.robot, log.q_estimated)
+    ).rows_mm_deg
+    requested = requested_pose(log).rows_mm_deg - true[0]
     true, estimated = true - true[0], estimated - estimated[0]
     labels = ("x [mm]", "y [mm]", "z [mm]", "roll [deg]", "pitch [deg]", "yaw [deg]")
-    figure, axes = grid(3, 2, 5.2)
+    figure, axes = subplot_grid(3, 2, 5.2)
     for k, label in enumerate(labels):
         ax = axes[k % 3][k // 3]
         shade_pushes(ax, log)
         if log.settings.references:
-            ax.plot(log.time, asked[:, k], color=GREY, ls=":", label="asked for")
+            ax.plot(log.time, requested[:, k], color=GREY, ls=":", label="asked for")
         ax.plot(log.time, true[:, k], color=BLUE, label="true")
         ax.plot(log.time, estimated[:, k], color=ORANGE, lw=0.9, ls="--", label="estimated")
-        at_least(ax, 1.0 if k < 3 else 0.2)
+        widen_y_axis(ax, 1.0 if k < 3 else 0.2)
         ax.set_ylabel(label)
-    finish(figure, axes, log)
+    finish_figure(figure, axes, log)
     return figure
 
 
 def draw_torques(log: StandLog) -> Figure:
     """Draw each leg's true torques with the limits of its motors."""
-    figure, axes = grid(2, 2, 4.6)
+    figure, axes = subplot_grid(2, 2, 4.6)
     for leg, ax in enumerate(chain.from_iterable(axes)):
         shade_pushes(ax, log)
         for joint, color in enumerate((BLUE, ORANGE, GREEN)):
             motor = 3 * leg + joint
             limit = log.robot.config.tau_max[motor]
             ax.plot(log.time, log.tau[:, motor], color=color, label=JOINTS[joint])
-            for side in (-limit, limit):
-                ax.axhline(side, color=color, ls=(0, (4, 3)), lw=0.8, alpha=0.7)
-        ax.set_title(LEGS[leg])
+            for bound in (-limit, limit):
+                ax.axhline(bound, color=color, ls=(0, (4, 3)), lw=0.8, alpha=0.7)
+        ax.set_title(LEG_TITLES[leg])
         ax.set_ylabel("torque [N.m]")
-    finish(figure, axes, log)
+    finish_figure(figure, axes, log)
     return figure
 
 
 def draw_contacts(log: StandLog) -> Figure:
     """Draw each foot's true vertical force and the estimated probability of contact."""
-    figure, axes = grid(2, 2, 4.6)
-    top = 1.15 * max(1.0, float(log.forces[:, 2].max()))
+    figure, axes = subplot_grid(2, 2, 4.6)
+    max_force = 1.15 * max(1.0, float(log.forces[:, 2].max()))
     for leg, ax in enumerate(chain.from_iterable(axes)):
         shade_pushes(ax, log)
         ax.fill_between(log.time, log.forces[:, 2, leg], color=GREEN, alpha=0.25, lw=0)
         ax.plot(log.time, log.forces[:, 2, leg], color=GREEN, label="true vertical force [N]")
         ax.plot([], [], color=ORANGE, label="estimated probability of contact (right)")
-        ax.set_ylim(0.0, top)
-        ax.set_title(LEGS[leg])
+        ax.set_ylim(0.0, max_force)
+        ax.set_title(LEG_TITLES[leg])
         ax.set_ylabel("force [N]")
-        right = ax.twinx()
-        right.plot(log.time, log.contact[:, leg], color=ORANGE, lw=0.9)
-        right.set_ylim(0.0, 1.15)
-        right.set_yticks([0.0, 0.5, 1.0])
-        right.grid(False)
-        right.spines["right"].set_visible(True)
-    finish(figure, axes, log)
+        confidence_axes = ax.twinx()
+        confidence_axes.plot(log.time, log.contact[:, leg], color=ORANGE, lw=0.9)
+        confidence_axes.set_ylim(0.0, 1.15)
+        confidence_axes.set_yticks([0.0, 0.5, 1.0])
+        confidence_axes.grid(False)
+        confidence_axes.spines["right"].set_visible(True)
+    finish_figure(figure, axes, log)
     return figure
 
 
 def draw_power(log: StandLog) -> Figure:
     """Draw the motors' power."""
-    figure, axes = grid(1, 1, 2.4)
+    figure, axes = subplot_grid(1, 1, 2.4)
     ax = axes[0][0]
     shade_pushes(ax, log)
     ax.fill_between(log.time, log.power, color=BLUE, alpha=0.2, lw=0)
     ax.plot(log.time, log.power, color=BLUE, label="sum of |torque x velocity|")
     ax.set_ylim(0.0, 1.1 * max(1.0, float(log.power.max())))
     ax.set_ylabel("power [W]")
-    finish(figure, axes, log)
+    finish_figure(figure, axes, log)
     return figure
 
 
 def draw_ticks(log: StandLog) -> Figure:
     """Draw how long the controller took, in logarithmic bins, with its percentiles."""
-    figure, axes = grid(1, 1, 2.6)
+    figure, axes = subplot_grid(1, 1, 2.6)
     ax = axes[0][0]
     low, high = float(log.tick_us.min()), float(log.tick_us.max())
     ax.hist(log.tick_us, bins=np.geomspace(0.9 * low, 1.1 * high, 90).tolist(), color=GREY)
-    for share, color in ((50, BLUE), (90, GREEN), (99, ORANGE), (100, RED)):
-        value = float(np.percentile(log.tick_us, share))
-        name = "max" if share == 100 else f"p{share}"
+    for percentile, color in ((50, BLUE), (90, GREEN), (99, ORANGE), (100, RED)):
+        value = float(np.percentile(log.tick_us, percentile))
+        name = "max" if percentile == 100 else f"p{percentile}"
         ax.axvline(value, color=color, label=f"{name} {value:.0f} us")
     ax.set_xscale("log")
     ax.set_yscale("log")

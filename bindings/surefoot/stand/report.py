@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from surefoot.report_axes import draw_plots
+from surefoot.reports.plots import draw_plots
 from surefoot.stand.film import write_film
-from surefoot.stand.log import StandLog
-from surefoot.stand.loop import Progress
-from surefoot.stand.page import render_page
 from surefoot.stand.plots import PLOTS
+from surefoot.stand.report_html import render_page
+from surefoot.stand.simulation_loop import Progress
+from surefoot.stand.stand_log import StandLog
 
 FILM = "film.webp"
 
@@ -40,10 +40,10 @@ def write_report(
     text = json.dumps(summary, indent=2, allow_nan=False)
     (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
     draw_plots(PLOTS, log, folder)
-    trouble = _try_film(log, folder / FILM, progress)
+    film_error = _try_film(log, folder / FILM, progress)
     page = folder / "index.html"
-    film = FILM if trouble is None else None
-    page.write_text(render_page(summary, shlex.join(command), film, trouble), encoding="utf-8")
+    film = FILM if film_error is None else None
+    page.write_text(render_page(summary, shlex.join(command), film, film_error), encoding="utf-8")
     return page
 
 

@@ -6,11 +6,11 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import LowState
-from surefoot.estimate.clock import read_clock
-from surefoot.estimate.sensor_columns import sensor_columns
-from surefoot.estimate.sensor_log import SensorLog
-from surefoot.low_state_layout import LOW_STATE
-from surefoot.row_rotations import matrices_from_xyzw
+from surefoot.geometry.batch_rotations import matrices_from_xyzw
+from surefoot.messages.low_state_layout import LOW_STATE
+from surefoot.sensor_log.clock import read_clock
+from surefoot.sensor_log.sensor_columns import sensor_columns
+from surefoot.sensor_log.sensor_log import SensorLog
 from surefoot.sim import Truth
 
 

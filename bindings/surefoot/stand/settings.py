@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from surefoot._core import Error, Form, Gains, StandOptions
-from surefoot.robot_files import RobotDescription
+from surefoot._core import Error, Gains, QpForm, StandOptions
+from surefoot.robot.description import RobotDescription
 from surefoot.sim import PlantSettings
-from surefoot.stand.pushes import PushRequest
-from surefoot.stand.references import ReferenceRequest
+from surefoot.stand.push_request import PushRequest
+from surefoot.stand.reference_request import ReferenceRequest
 
 MAX_DURATION = 600.0  # [s]; a log of 500 Hz then takes about a gigabyte
 
@@ -28,7 +28,7 @@ class StandSettings:
         gains: Of the controller; None for the robot's own.
         motor_damping: Motor-side damping in every command [N.m.s/rad]; 0 is pure torque mode.
         form: Of the controller's program.
-        predict: Delay that the controller predicts across, from a measurement to its command's
+        predicted_delay: Delay that the controller predicts across, from a measurement to its command's
             action [s]; the plant's own delay is PlantSettings.extra_delay.
     """
 
@@ -39,8 +39,8 @@ class StandSettings:
     references: tuple[ReferenceRequest, ...] = ()
     gains: Gains | None = None
     motor_damping: float = 0.0
-    form: Form = Form.AUTO
-    predict: float = 0.0
+    form: QpForm = QpForm.AUTO
+    predicted_delay: float = 0.0
 
     def __post_init__(self) -> None:
         if not 0.0 < self.duration <= MAX_DURATION:
@@ -68,7 +68,7 @@ class StandSettings:
     @property
     def options(self) -> StandOptions:
         """Of the StandController."""
-        return StandOptions(self.motor_damping, self.predict, self.form)
+        return StandOptions(self.motor_damping, self.predicted_delay, self.form)
 
     @property
     def ticks(self) -> int:

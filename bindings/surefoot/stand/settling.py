@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from surefoot.stand.asked import asked_pose
-from surefoot.stand.geometry import pose_from_feet, rotation_angle
-from surefoot.stand.log import StandLog
+from surefoot.stand.foot_frame import pose_from_feet, rotation_angle
+from surefoot.stand.requested_pose import requested_pose
+from surefoot.stand.stand_log import StandLog
 
 SETTLED_DISTANCE = 0.010  # [m]
 SETTLED_ANGLE = math.radians(2.0)
@@ -22,12 +22,12 @@ def settled_ticks(log: StandLog) -> np.ndarray:
     if it stands over them.
     """
     pose = pose_from_feet(log.q_true, log.feet)
-    asked = asked_pose(log)
-    moved = np.linalg.norm(pose.position - asked.position, axis=1)
-    turned = rotation_angle(np.swapaxes(asked.rotation, 1, 2) @ pose.rotation)
+    requested = requested_pose(log)
+    distance = np.linalg.norm(pose.position - requested.position, axis=1)
+    angle = rotation_angle(np.swapaxes(requested.rotation, 1, 2) @ pose.rotation)
     speed = np.linalg.norm(log.v_true[:, :3], axis=1)
     return np.asarray(
-        (moved <= SETTLED_DISTANCE) & (turned <= SETTLED_ANGLE) & (speed < SETTLED_SPEED)
+        (distance <= SETTLED_DISTANCE) & (angle <= SETTLED_ANGLE) & (speed < SETTLED_SPEED)
     )
 
 

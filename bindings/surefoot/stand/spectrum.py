@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from surefoot.stand.log import Array
+from surefoot.stand.stand_log import Array
 
 HIGH_FREQUENCY = 30.0  # [Hz]
 
@@ -27,9 +27,9 @@ def high_frequency_rms(signal: Array, rate: float) -> Array:
     window = np.hanning(n + 1)[:-1]
     spectrum = np.fft.rfft((signal - signal.mean(axis=0)) * window[:, None], axis=0)
     # Parseval: each frequency stands for itself and its mirror image, but the last of an even n.
-    share = np.full(len(frequency), 2.0)
-    share[0] = 1.0
+    bin_weight = np.full(len(frequency), 2.0)
+    bin_weight[0] = 1.0
     if n % 2 == 0:
-        share[-1] = 1.0
-    power = share[:, None] * np.abs(spectrum) ** 2 / (n * np.sum(window**2))
+        bin_weight[-1] = 1.0
+    power = bin_weight[:, None] * np.abs(spectrum) ** 2 / (n * np.sum(window**2))
     return np.asarray(np.sqrt(power[frequency >= HIGH_FREQUENCY].sum(axis=0)))

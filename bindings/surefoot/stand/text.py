@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from surefoot.sim import PlantSettings
-from surefoot.stand.references import AXES
+from surefoot.stand.reference_request import AXES
 
 
-def verdict(s: dict[str, Any]) -> str:
+def outcome_sentence(s: dict[str, Any]) -> str:
     """Return in one sentence how a run went, from its summary."""
     if s["fell"]:
         return f"{s['robot']} fell after {s['fall_time_s']:g} s"
@@ -16,7 +16,7 @@ def verdict(s: dict[str, Any]) -> str:
     return f"{s['robot']} stood {s['duration']:g} s {end}"
 
 
-def conditions(s: dict[str, Any]) -> str:
+def conditions_line(s: dict[str, Any]) -> str:
     """Return the run's surroundings as one line."""
     parts = [
         f"{s['rate']:g} Hz",
@@ -28,7 +28,7 @@ def conditions(s: dict[str, Any]) -> str:
         parts.append(f"slope {s['slope_deg']:g} deg towards {s['slope_heading_deg']:g} deg")
     if s["payload_kg"]:
         parts.append(f"payload {s['payload_kg']:g} kg")
-    parts += _flaws(s)
+    parts += _plant_deviations(s)
     if s["form"] != "auto":
         parts.append(f"{s['form']} form")
     if s["predict_ms"]:
@@ -38,7 +38,7 @@ def conditions(s: dict[str, Any]) -> str:
     return ", ".join([*parts, f"seed {s['seed']}"])
 
 
-def _flaws(s: dict[str, Any]) -> list[str]:
+def _plant_deviations(s: dict[str, Any]) -> list[str]:
     """Return in words what sets motors and ground apart from the usual ones."""
     usual_lag = 1000.0 * PlantSettings(sensors=s["sensors"]).lag
     flaws = (
@@ -76,7 +76,7 @@ def reference_line(reference: dict[str, Any]) -> str:
 
 def summary_text(s: dict[str, Any]) -> str:
     """Return a summary for people to read."""
-    lines = [("run", conditions(s)), *(("push", push_line(push)) for push in s["pushes"])]
+    lines = [("run", conditions_line(s)), *(("push", push_line(push)) for push in s["pushes"])]
     lines += [("asked", reference_line(reference)) for reference in s["references"]]
     if s["settle_time_s"] is not None:
         events = ("push" if s["pushes"] else "", "reference" if s["references"] else "")
@@ -85,14 +85,16 @@ def summary_text(s: dict[str, Any]) -> str:
     if s["references"]:
         lines.append(("reached", reached_line(s)))
     lines += _motion_lines(s) + _loop_lines(s)
-    return "\n".join([f"{verdict(s)}.", *(f"  {name:<9} {text}" for name, text in lines)])
+    return "\n".join([f"{outcome_sentence(s)}.", *(f"  {name:<9} {text}" for name, text in lines)])
 
 
 def reached_line(s: dict[str, Any]) -> str:
     """Return in words how near the body came to where it was asked to be."""
-    near = f"{s['reference_error_mm']:.2f} mm and {s['reference_error_deg']:.2f} deg from there"
+    error_text = (
+        f"{s['reference_error_mm']:.2f} mm and {s['reference_error_deg']:.2f} deg from there"
+    )
     limit = s["reference_limit"]
-    return near if limit == "none" else f"{near}, held back by: {limit}"
+    return error_text if limit == "none" else f"{error_text}, held back by: {limit}"
 
 
 def _motion_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
@@ -127,9 +129,9 @@ def _loop_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
     first = f" (first: {s['first_failure']})" if s["qp_failures"] else ""
     mode = "torque mode only" if s["torque_mode_only"] else "NOT torque mode only"
     saturated = f", {s['saturated_ticks']} saturated" if s["saturated_ticks"] else ""
-    anew = f", {s['cold_solves']} solved anew" if s["cold_solves"] else ""
+    cold = f", {s['cold_solves']} solved anew" if s["cold_solves"] else ""
     return [
-        ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}{anew}{saturated}, {mode}"),
+        ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}{cold}{saturated}, {mode}"),
         (
             "tick",
             f"{tick['p50']:.0f} us median, {tick['p90']:.0f} p90, {tick['p99']:.0f} p99, "

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
-from surefoot.sim.rotations import Array
 from surefoot.sim.truth import has_fallen
 
-MOTORS = 12
+MOTOR_COUNT = 12
 
 
 class Trace:
@@ -29,16 +29,16 @@ class Trace:
             "base": np.zeros((ticks, 7)),
             "velocity": np.zeros((ticks, 3)),
             "feet": np.zeros((ticks, 4, 3)),
-            "tau": np.zeros((ticks, MOTORS)),
-            "dq": np.zeros((ticks, MOTORS)),
+            "tau": np.zeros((ticks, MOTOR_COUNT)),
+            "dq": np.zeros((ticks, MOTOR_COUNT)),
             "push": np.zeros(ticks),
         }
-        self._size, self._count = ticks, 0
+        self._capacity, self._count = ticks, 0
         self.fell = False
 
     def __len__(self) -> int:
         """Rows that are there."""
-        return min(self._count, self._size)
+        return min(self._count, self._capacity)
 
     def clear(self) -> None:
         """Forget every row."""
@@ -46,7 +46,7 @@ class Trace:
 
     def record(self) -> None:
         """Add a row: the plant as it is now."""
-        rows, k, plant = self._rows, self._count % self._size, self._plant
+        rows, k, plant = self._rows, self._count % self._capacity, self._plant
         data, handles = plant.data, plant.handles
         rows["time"][k] = plant.time
         rows["base"][k] = data.qpos[:7]
@@ -74,7 +74,7 @@ class Trace:
         """(12,) [N.m]."""
         return np.array(self._plant.robot.config.tau_max)
 
-    def rows(self, name: str) -> Array:
+    def column(self, name: str) -> Array:
         """Return what was recorded, oldest first.
 
         Args:
@@ -83,6 +83,6 @@ class Trace:
                 [rad/s]; "push" (n,) greatest component of the force of pushes [N].
         """
         rows = self._rows[name]
-        if self._count <= self._size:
+        if self._count <= self._capacity:
             return rows[: self._count]
-        return np.roll(rows, -(self._count % self._size), axis=0)
+        return np.roll(rows, -(self._count % self._capacity), axis=0)

@@ -1,11 +1,11 @@
 """A robot in MuJoCo that speaks the robot's side of the SDK's UDP frames."""
 
-from surefoot.virtual_robot.port import UdpPort
+from surefoot.virtual_robot.joint_shaking import Shake, parse_shake
 from surefoot.virtual_robot.remote import RemoteEvent, read_remote_script
 from surefoot.virtual_robot.robot import VirtualRobot
 from surefoot.virtual_robot.run import RunOptions, run_robot
 from surefoot.virtual_robot.settings import VirtualRobotSettings
-from surefoot.virtual_robot.shaking import Shake, parse_shake
+from surefoot.virtual_robot.udp_port import UdpPort
 
 __all__ = [
     "RemoteEvent",

@@ -6,7 +6,7 @@ from collections import deque
 
 import numpy as np
 
-from surefoot.virtual_robot.port import Datagram
+from surefoot.virtual_robot.udp_port import Datagram
 
 
 class Channel:
@@ -25,8 +25,8 @@ class Channel:
     def __init__(self, drop: float, delay: float, jitter: float, rng: np.random.Generator) -> None:
         self._drop, self._delay, self._jitter = drop / 100.0, delay, jitter
         self._rng = rng
-        self._waiting: deque[tuple[float, Datagram]] = deque()
-        self._last = 0.0
+        self._in_flight: deque[tuple[float, Datagram]] = deque()
+        self._last_arrival = 0.0
         self.lost = 0
 
     def put(self, datagram: Datagram, time: float) -> None:
@@ -37,13 +37,13 @@ class Channel:
         due = time + self._delay
         if self._jitter > 0.0:
             due += self._jitter * self._rng.random()
-        self._last = max(self._last, due)
-        self._waiting.append((self._last, datagram))
+        self._last_arrival = max(self._last_arrival, due)
+        self._in_flight.append((self._last_arrival, datagram))
 
     def take(self, time: float) -> list[Datagram]:
         """Return what has arrived by a time [s], oldest first."""
         arrived = []
         # Times are sums of periods: what is due now may be a rounding error away.
-        while self._waiting and self._waiting[0][0] <= time + 1e-9:
-            arrived.append(self._waiting.popleft()[1])
+        while self._in_flight and self._in_flight[0][0] <= time + 1e-9:
+            arrived.append(self._in_flight.popleft()[1])
         return arrived

@@ -8,18 +8,28 @@ import sys
 from typing import Any
 
 from surefoot._core import Button
-from surefoot.terminal import has_keyboard
+from surefoot.system.terminal import has_keyboard
 from surefoot.virtual_robot.remote import STICKS, Remote, RemoteEvent
 
-KEYS = (
+KEYS_HELP = (
     "keys: w a s d left stick, i j k l right stick, space centres both; A B X Y (capitals), "
     "arrows, Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
 )
-HOLD = 0.5  # [s] a terminal tells of keys that go down, never of keys that come up
-STEP = 0.25  # of a stick
+BUTTON_HOLD_TIME = 0.5  # [s] a terminal tells of keys that go down, never of keys that come up
+STICK_STEP = 0.25  # of a stick
 _STICK_KEYS = {
-    **{"a": ("lx", -STEP), "d": ("lx", STEP), "s": ("ly", -STEP), "w": ("ly", STEP)},
-    **{"j": ("rx", -STEP), "l": ("rx", STEP), "k": ("ry", -STEP), "i": ("ry", STEP)},
+    **{
+        "a": ("lx", -STICK_STEP),
+        "d": ("lx", STICK_STEP),
+        "s": ("ly", -STICK_STEP),
+        "w": ("ly", STICK_STEP),
+    },
+    **{
+        "j": ("rx", -STICK_STEP),
+        "l": ("rx", STICK_STEP),
+        "k": ("ry", -STICK_STEP),
+        "i": ("ry", STICK_STEP),
+    },
 }
 _BUTTON_KEYS = {
     **{"A": Button.A, "B": Button.B, "X": Button.X, "Y": Button.Y, "F": Button.F1, "G": Button.F2},
@@ -37,13 +47,13 @@ class Keyboard:
 
     def __init__(self, remote: Remote) -> None:
         self._remote = remote
-        self._saved: list[Any] | None = None
-        self._down: dict[Button, float] = {}
+        self._terminal_state: list[Any] | None = None
+        self._pressed_since: dict[Button, float] = {}
 
     @property
-    def present(self) -> bool:
+    def is_available(self) -> bool:
         """Whether there are keys to press."""
-        return self._saved is not None
+        return self._terminal_state is not None
 
     def __enter__(self) -> Keyboard:
         if not has_keyboard():
@@ -51,25 +61,27 @@ class Keyboard:
         import termios
         import tty
 
-        self._saved = termios.tcgetattr(sys.stdin)
+        self._terminal_state = termios.tcgetattr(sys.stdin)
         tty.setcbreak(sys.stdin)
         return self
 
     def __exit__(self, *_: object) -> None:
-        if self._saved is not None:
+        if self._terminal_state is not None:
             import termios
 
-            termios.tcsetattr(sys.stdin, termios.TCSADRAIN, self._saved)
+            termios.tcsetattr(sys.stdin, termios.TCSADRAIN, self._terminal_state)
 
     def poll(self, time: float) -> None:
         """Read the keys pressed by now [s] and let go of buttons held long enough."""
-        if self.present and select.select([sys.stdin], [], [], 0.0)[0]:
-            self.type(os.read(sys.stdin.fileno(), 64).decode(errors="ignore"), time)
-        for button in [b for b, since in self._down.items() if time - since >= HOLD]:
-            del self._down[button]
+        if self.is_available and select.select([sys.stdin], [], [], 0.0)[0]:
+            self.type_text(os.read(sys.stdin.fileno(), 64).decode(errors="ignore"), time)
+        for button in [
+            b for b, since in self._pressed_since.items() if time - since >= BUTTON_HOLD_TIME
+        ]:
+            del self._pressed_since[button]
             self._remote.apply(RemoteEvent(time, "release", button))
 
-    def type(self, text: str, time: float) -> None:
+    def type_text(self, text: str, time: float) -> None:
         """Press the keys of a text at a time [s]."""
         while text:
             key = text[:3] if text.startswith("\x1b[") else text[0]
@@ -82,5 +94,5 @@ class Keyboard:
                 for name in STICKS:
                     self._remote.apply(RemoteEvent(time, name, value=0.0))
             elif key in _BUTTON_KEYS:
-                self._down[_BUTTON_KEYS[key]] = time
+                self._pressed_since[_BUTTON_KEYS[key]] = time
                 self._remote.apply(RemoteEvent(time, "press", _BUTTON_KEYS[key]))

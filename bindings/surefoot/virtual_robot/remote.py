@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from surefoot._core import Button, Error, WirelessRemote
-from surefoot.robot_table import suggest
+from surefoot.robot.robot_toml import suggest
 
 STICKS = ("lx", "ly", "rx", "ry", "L2")
 _BUTTONS = {name.upper(): button for name, button in Button.__members__.items()}
@@ -57,15 +57,15 @@ def parse_event(words: Sequence[str]) -> RemoteEvent:
     """Read the words of one line; raises Error."""
     if len(words) != 3:
         raise Error(f"got {len(words)} words, expected TIME press|release BUTTON or TIME STICK X")
-    time, action, what = _number("time", words[0], 0.0, 1e9), words[1], words[2]
+    time, action, argument = _number("time", words[0], 0.0, 1e9), words[1], words[2]
     if action in STICKS:
-        return RemoteEvent(time, action, value=_number(action, what, -1.0, 1.0))
+        return RemoteEvent(time, action, value=_number(action, argument, -1.0, 1.0))
     if action not in ("press", "release"):
         valid = ("press", "release", *STICKS)
         raise Error(f"got '{action}'{suggest(action, valid)}, expected one of {', '.join(valid)}")
-    if what.upper() not in _BUTTONS:
-        raise Error(f"got button '{what}', expected one of {', '.join(_BUTTONS)}")
-    return RemoteEvent(time, action, _BUTTONS[what.upper()])
+    if argument.upper() not in _BUTTONS:
+        raise Error(f"got button '{argument}', expected one of {', '.join(_BUTTONS)}")
+    return RemoteEvent(time, action, _BUTTONS[argument.upper()])
 
 
 def _number(name: str, word: str, low: float, high: float) -> float:
@@ -89,15 +89,15 @@ class Remote:
     """
 
     def __init__(self, events: Sequence[RemoteEvent] = ()) -> None:
-        self._events, self._next = events, 0
+        self._events, self._next_event = events, 0
         self._state = WirelessRemote()
         self.bytes: bytes | None = None
 
     def advance(self, time: float) -> None:
         """Do what the script says up to a time [s]."""
-        while self._next < len(self._events) and self._events[self._next].time <= time:
-            self.apply(self._events[self._next])
-            self._next += 1
+        while self._next_event < len(self._events) and self._events[self._next_event].time <= time:
+            self.apply(self._events[self._next_event])
+            self._next_event += 1
 
     def apply(self, event: RemoteEvent) -> None:
         """Do something to the remote."""

@@ -9,20 +9,20 @@ import numpy as np
 
 from surefoot import protocol
 from surefoot._core import Error, FrameExtras, LowState
-from surefoot.robots import describe_robot
+from surefoot.robot.loading import describe_robot
 from surefoot.sim import Plant
-from surefoot.sim.motors import command_law, damping_law
+from surefoot.sim.hardware.motors import command_law, damping_law
+from surefoot.sim.hardware.wire_format import MotorCommands, measured_power
 from surefoot.sim.truth import FALLEN_TILT_COS, has_fallen
-from surefoot.sim.wire import Command, measured_power
-from surefoot.virtual_robot.link import Link
-from surefoot.virtual_robot.port import Port
+from surefoot.virtual_robot.joint_shaking import JointShaker
 from surefoot.virtual_robot.remote import Remote
+from surefoot.virtual_robot.robot_link import RobotLink
 from surefoot.virtual_robot.settings import VirtualRobotSettings
-from surefoot.virtual_robot.shaking import Hands
+from surefoot.virtual_robot.udp_port import DatagramPort
 from surefoot.virtual_robot.watchdog import Watchdog
 
-_FALL_PERIOD = 0.02  # [s] between looks whether it fell
-_LYING_STREAM = 12  # of random numbers; the plant has 0 .. 3, the link 10 and 11
+_FALL_CHECK_PERIOD = 0.02  # [s] between looks whether it fell
+_LYING_RNG_STREAM = 12  # of random numbers; the plant has 0 .. 3, the link 10 and 11
 
 
 class VirtualRobot:
@@ -34,7 +34,7 @@ class VirtualRobot:
     Args:
         settings: What it is asked to be.
         port: Where datagrams come from and go to.
-        say: Called with a line about what just happened; None is not interested.
+        on_message: Called with a line about what just happened; None is not interested.
 
     Raises:
         Error: An unknown robot, a missing file; frames that nobody named.
@@ -54,28 +54,28 @@ class VirtualRobot:
     def __init__(
         self,
         settings: VirtualRobotSettings,
-        port: Port,
-        say: Callable[[str], None] | None = None,
+        port: DatagramPort,
+        on_message: Callable[[str], None] | None = None,
     ) -> None:
         self.settings = settings
         self._generation = settings.generation
         description = (
             describe_robot(settings.robot) if isinstance(settings.robot, str) else settings.robot
         )
-        alive = description.table.get("simulation", {}).get("foot_force_est", False)
-        self.plant = Plant(description, settings.plant_settings(alive))
+        has_force_estimate = description.table.get("simulation", {}).get("foot_force_est", False)
+        self.plant = Plant(description, settings.plant_settings(has_force_estimate))
         if settings.lying:
-            self.plant.reset_lying(np.random.default_rng([settings.seed, _LYING_STREAM]))
-        self.link = Link(port, settings)
+            self.plant.reset_lying(np.random.default_rng([settings.seed, _LYING_RNG_STREAM]))
+        self.link = RobotLink(port, settings)
         self.watchdog = Watchdog(settings.timeout)
         self.remote = Remote(settings.remote)
-        self._hands = Hands(settings.shakes)
+        self._shaker = JointShaker(settings.shakes)
         self._extras = _battery_extras()
-        self._say = say or (lambda line: None)
+        self._on_message = on_message or (lambda line: None)
         self._period = 1.0 / settings.rate
         self._cycles = 0
-        self._fall_cycles = max(1, round(_FALL_PERIOD / self._period))
-        self.command: Command | None = None
+        self._fall_check_cycles = max(1, round(_FALL_CHECK_PERIOD / self._period))
+        self.command: MotorCommands | None = None
         self.fell_at: float | None = None
         self.state = self.plant.read()
         self.power = measured_power(self.state)
@@ -93,35 +93,35 @@ class VirtualRobot:
     @property
     def tilt(self) -> float:
         """Angle between the base's z axis and the vertical [rad]."""
-        upright = float(self.plant.data.xmat[self.plant.handles.root, 8])
-        return math.acos(max(-1.0, min(1.0, upright)))
+        cos_tilt = float(self.plant.data.xmat[self.plant.handles.root, 8])
+        return math.acos(max(-1.0, min(1.0, cos_tilt)))
 
     def cycle(self) -> None:
         """Listen, move for one period, report."""
-        self._listen()
-        self.plant.pull(self._hands.torque(self.time))
+        self._receive_command()
+        self.plant.apply_joint_torque(self._shaker.torque(self.time))
         self.plant.advance()
         self._cycles += 1
-        self._report()
-        if self._cycles % self._fall_cycles == 0:
-            self._look_for_fall()
+        self._send_sample()
+        if self._cycles % self._fall_check_cycles == 0:
+            self._check_fall()
 
-    def _listen(self) -> None:
+    def _receive_command(self) -> None:
         time = self.time
         cmd = self.link.receive(time)
         if cmd is not None:
             self.command = self.plant.read_command(cmd)
-            self.plant.obey(command_law(self.command))
-            if not self.watchdog.heard:
-                self._say(f"{time:.3f} s: first valid command")
+            self.plant.apply_law(command_law(self.command))
+            if not self.watchdog.received_any:
+                self._on_message(f"{time:.3f} s: first valid command")
             if self.watchdog.feed(time):
-                self._say(f"{time:.3f} s: commands are back, motors obey")
+                self._on_message(f"{time:.3f} s: commands are back, motors obey")
         elif self.watchdog.expires(time):
-            self.plant.obey(damping_law())
+            self.plant.apply_law(damping_law())
             milliseconds = 1000.0 * self.settings.timeout
-            self._say(f"{time:.3f} s: no valid command for {milliseconds:g} ms, motors damp")
+            self._on_message(f"{time:.3f} s: no valid command for {milliseconds:g} ms, motors damp")
 
-    def _report(self) -> None:
+    def _send_sample(self) -> None:
         time = self.time
         self.remote.advance(time)
         self.state = self._read()
@@ -141,12 +141,12 @@ class VirtualRobot:
             state.wirelessRemote[:] = memoryview(self.remote.bytes)
         return state
 
-    def _look_for_fall(self) -> None:
-        if self.fell_at is None and self._is_down():
+    def _check_fall(self) -> None:
+        if self.fell_at is None and self._has_fallen():
             self.fell_at = self.time
-            self._say(f"{self.time:.3f} s: the robot fell")
+            self._on_message(f"{self.time:.3f} s: the robot fell")
 
-    def _is_down(self) -> bool:
+    def _has_fallen(self) -> bool:
         if self.settings.lying:  # it touches the ground as it gets up and as it sits down
             return math.cos(self.tilt) < FALLEN_TILT_COS
         return has_fallen(self.plant.data, self.plant.handles)

@@ -10,19 +10,19 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any
 
-from surefoot.sim.checks import number
-from surefoot.virtual_robot.clock import RealTime
-from surefoot.virtual_robot.keyboard import KEYS, Keyboard
-from surefoot.virtual_robot.port import UdpPort
-from surefoot.virtual_robot.priority import RealTimePriority
-from surefoot.virtual_robot.record import Recorder, summarise
+from surefoot.robot.setting_checks import check_number
+from surefoot.virtual_robot.keyboard import KEYS_HELP, Keyboard
+from surefoot.virtual_robot.real_time_pacer import RealTimePacer
+from surefoot.virtual_robot.real_time_priority import RealTimePriority
 from surefoot.virtual_robot.robot import VirtualRobot
+from surefoot.virtual_robot.run_record import RunRecorder, summarise
 from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.status_line import StatusLine
+from surefoot.virtual_robot.udp_port import UdpPort
 from surefoot.virtual_robot.viewer import Viewer, check_display
 
 _STATUS_PERIOD = 1.0  # [s] by the clock
-_GLANCE_PERIOD = 0.02  # [s] simulated, between looks at keyboard and window
+_UI_PERIOD = 0.02  # [s] simulated, between looks at keyboard and window
 
 
 @dataclass(frozen=True)
@@ -42,18 +42,18 @@ class RunOptions:
     view: bool = False
 
     def __post_init__(self) -> None:
-        number("duration", self.duration, 0.001, math.inf)
+        check_number("duration", self.duration, 0.001, math.inf)
 
 
 def run_robot(
-    settings: VirtualRobotSettings, options: RunOptions, say: Callable[[str], None]
+    settings: VirtualRobotSettings, options: RunOptions, on_message: Callable[[str], None]
 ) -> dict[str, Any]:
     """Run a virtual robot until its time is over, SIGINT or SIGTERM; return its record.
 
     Args:
         settings: What it is asked to be.
         options: Where and how long.
-        say: Called with lines for people: where it listens, one a second, what happens.
+        on_message: Called with lines for people: where it listens, one a second, what happens.
 
     Raises:
         Error: What cannot be, from robot to display.
@@ -66,7 +66,7 @@ def run_robot(
         # The port first: it is what fails most, and robots take a second to build.
         port = UdpPort(options.host, options.port)
         stack.callback(port.close)
-        robot = VirtualRobot(settings, port, say)
+        robot = VirtualRobot(settings, port, on_message)
         viewer = Viewer(robot.plant) if options.view else None
         if viewer is not None:
             stack.callback(viewer.close)
@@ -74,26 +74,28 @@ def run_robot(
         stop = stack.enter_context(_StopSignals())
         host, bound = port.address
         name = robot.plant.robot.name
-        say(f"listening on {host}:{bound} as {name}, {generation}, {settings.pose}")
-        if keyboard.present:
-            say(KEYS)
-        say(stack.enter_context(RealTimePriority()).got)
-        return _Run(robot, keyboard, viewer).until(lambda: stop.asked, options.duration, say)
+        on_message(f"listening on {host}:{bound} as {name}, {generation}, {settings.pose}")
+        if keyboard.is_available:
+            on_message(KEYS_HELP)
+        on_message(stack.enter_context(RealTimePriority()).granted)
+        return _RunLoop(robot, keyboard, viewer).run_until(
+            lambda: stop.requested, options.duration, on_message
+        )
 
 
-class _Run:
+class _RunLoop:
     """The loop."""
 
     def __init__(self, robot: VirtualRobot, keyboard: Keyboard, viewer: Viewer | None) -> None:
         self._robot, self._keyboard, self._viewer = robot, keyboard, viewer
-        self._recorder, self._status = Recorder(robot), StatusLine(robot)
+        self._recorder, self._status = RunRecorder(robot), StatusLine(robot)
 
-    def until(
-        self, stopped: Callable[[], bool], duration: float, say: Callable[[str], None]
+    def run_until(
+        self, stopped: Callable[[], bool], duration: float, on_message: Callable[[str], None]
     ) -> dict[str, Any]:
         robot, period = self._robot, 1.0 / self._robot.settings.rate
-        glance = max(1, round(_GLANCE_PERIOD / period))
-        clock, next_line = RealTime(period), _STATUS_PERIOD
+        ui_cycles = max(1, round(_UI_PERIOD / period))
+        clock, next_line = RealTimePacer(period), _STATUS_PERIOD
         while not stopped() and robot.time < duration - 1e-9:
             robot.cycle()
             self._recorder.observe()
@@ -101,17 +103,19 @@ class _Run:
             slipped = clock.slipped
             clock.wait()
             if clock.slipped > slipped:
-                held = 1000.0 * (clock.slipped - slipped)
-                say(f"{robot.time:.3f} s: this machine held the robot up for {held:.0f} ms")
-            if clock.cycles % glance == 0 and not self._glance():
+                delay_ms = 1000.0 * (clock.slipped - slipped)
+                on_message(
+                    f"{robot.time:.3f} s: this machine held the robot up for {delay_ms:.0f} ms"
+                )
+            if clock.cycles % ui_cycles == 0 and not self._update_ui():
                 break
             elapsed = clock.elapsed
             if elapsed >= next_line:
-                say(self._status.line(elapsed))
+                on_message(self._status.line(elapsed))
                 next_line = max(next_line + _STATUS_PERIOD, elapsed)
-        return summarise(robot, self._recorder, clock.factor, clock.slipped)
+        return summarise(robot, self._recorder, clock.real_time_factor, clock.slipped)
 
-    def _glance(self) -> bool:
+    def _update_ui(self) -> bool:
         """Look at keyboard and window; return whether the window is not closed."""
         self._keyboard.poll(self._robot.time)
         if self._viewer is None:
@@ -124,17 +128,19 @@ class _StopSignals:
     """Ctrl-C and SIGTERM ask the loop to end instead of ending the process."""
 
     def __init__(self) -> None:
-        self.asked = False
-        self._before: dict[signal.Signals, Any] = {}
+        self.requested = False
+        self._previous_handlers: dict[signal.Signals, Any] = {}
 
     def __enter__(self) -> _StopSignals:
-        for which in (signal.SIGINT, signal.SIGTERM):
-            self._before[which] = signal.signal(which, self._ask)
+        for signal_number in (signal.SIGINT, signal.SIGTERM):
+            self._previous_handlers[signal_number] = signal.signal(
+                signal_number, self._request_stop
+            )
         return self
 
     def __exit__(self, *_: object) -> None:
-        for which, handler in self._before.items():
-            signal.signal(which, handler)
+        for signal_number, handler in self._previous_handlers.items():
+            signal.signal(signal_number, handler)
 
-    def _ask(self, which: int, frame: FrameType | None) -> None:
-        self.asked = True
+    def _request_stop(self, signal_number: int, frame: FrameType | None) -> None:
+        self.requested = True

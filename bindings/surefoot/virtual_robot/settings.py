@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 from surefoot import protocol
 from surefoot._core import Error
-from surefoot.robots import RobotDescription
-from surefoot.sim.checks import number, one_of
+from surefoot.robot.loading import RobotDescription
+from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.settings import PlantSettings
 from surefoot.stand.settings import check_rate
+from surefoot.virtual_robot.joint_shaking import Shake
 from surefoot.virtual_robot.remote import RemoteEvent
-from surefoot.virtual_robot.shaking import Shake
 
 
 @dataclass(frozen=True)
@@ -50,17 +50,17 @@ class VirtualRobotSettings:
 
     def __post_init__(self) -> None:
         if self.sdk is not None:
-            one_of("sdk", self.sdk, protocol.GENERATIONS)
-        number("rate", self.rate, 10.0, 1000.0)
+            check_one_of("sdk", self.sdk, protocol.GENERATIONS)
+        check_number("rate", self.rate, 10.0, 1000.0)
         check_rate(self.rate)
         if self.hung and self.lying:
             raise Error("lying: got True, expected False for a hung robot")
-        number("drop", self.drop, 0.0, 100.0)
-        number("delay", self.delay, 0.0, 10.0)
-        number("jitter", self.jitter, 0.0, 10.0)
-        number("timeout", self.timeout, 0.0, 1e6)
-        number("log_rate", self.log_rate, 0.0, self.rate)
-        self.plant_settings(alive=False)  # it checks what is left
+        check_number("drop", self.drop, 0.0, 100.0)
+        check_number("delay", self.delay, 0.0, 10.0)
+        check_number("jitter", self.jitter, 0.0, 10.0)
+        check_number("timeout", self.timeout, 0.0, 1e6)
+        check_number("log_rate", self.log_rate, 0.0, self.rate)
+        self.plant_settings(has_force_estimate=False)  # it checks what is left
 
     @property
     def pose(self) -> str:
@@ -78,10 +78,10 @@ class VirtualRobotSettings:
         except Error as problem:
             raise Error(f"sdk: {problem}") from None
 
-    def plant_settings(self, alive: bool) -> PlantSettings:
-        """Return the settings of the plant; `alive`: does footForceEst carry newtons?"""
+    def plant_settings(self, has_force_estimate: bool) -> PlantSettings:
+        """Return the settings of the plant; `has_force_estimate`: does footForceEst carry newtons?"""
         return PlantSettings(
-            foot_force="est" if alive else "raw",
+            foot_force="est" if has_force_estimate else "raw",
             control_rate=self.rate,
             hung=self.hung,
             seed=self.seed,

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from surefoot.sim.motors import SERVO
-from surefoot.virtual_robot.link import Link
+from surefoot.sim.hardware.motors import SERVO_MODE
 from surefoot.virtual_robot.robot import VirtualRobot
+from surefoot.virtual_robot.robot_link import RobotLink
 
 
 class StatusLine:
@@ -20,7 +20,7 @@ class StatusLine:
 
     def __init__(self, robot: VirtualRobot) -> None:
         self._robot = robot
-        self._before = (0.0, 0.0, 0, 0)
+        self._last_values = (0.0, 0.0, 0, 0)
         self._peak = 0.0
 
     def observe(self) -> None:
@@ -30,10 +30,12 @@ class StatusLine:
     def line(self, elapsed: float) -> str:
         """Return the line of the time since the last one; `elapsed` [s] by the clock in all."""
         robot, link = self._robot, self._robot.link
-        now = (elapsed, robot.time, link.sent, link.commands)
-        seconds, simulated, sent, commands = (a - b for a, b in zip(now, self._before, strict=True))
+        values = (elapsed, robot.time, link.sent, link.commands)
+        seconds, simulated, sent, commands = (
+            a - b for a, b in zip(values, self._last_values, strict=True)
+        )
         seconds = max(seconds, 1e-9)
-        peak, self._before, self._peak = self._peak, now, 0.0
+        peak, self._last_values, self._peak = self._peak, values, 0.0
         return " | ".join(
             (
                 f"{robot.time:.1f} s",
@@ -49,7 +51,7 @@ class StatusLine:
         )
 
 
-def commands_text(link: Link) -> str:
+def commands_text(link: RobotLink) -> str:
     """Return how many commands there were, and what became of those that were of no use."""
     lost_in, lost_out = link.lost
     parts = [f"{link.commands} in all"]
@@ -70,11 +72,11 @@ def rejected_text(rejected: dict[str, int]) -> str:
 
 def mode_text(robot: VirtualRobot) -> str:
     """Return what the motors do."""
-    if not robot.watchdog.heard:
+    if not robot.watchdog.received_any:
         return f"motors {'brake' if robot.settings.lying else 'hold'}, no command yet"
     times = len(robot.watchdog.intervals)
     if robot.watchdog.damping:
         return f"motors DAMP, commands missing ({times} times)"
-    servo = int(np.count_nonzero(robot.plant.motors.law.mode == SERVO))
+    servo = int(np.count_nonzero(robot.plant.motors.law.mode == SERVO_MODE))
     text = "servo" if servo == 12 else "damping" if servo == 0 else f"servo {servo} of 12"
     return f"motors {text}" + (f" (commands missing {times} times)" if times else "")

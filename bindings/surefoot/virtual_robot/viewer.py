@@ -11,7 +11,7 @@ import mujoco
 
 from surefoot._core import Error
 from surefoot.sim import Plant
-from surefoot.sim.model import build_model
+from surefoot.sim.model.mujoco_model import build_model
 
 
 class Viewer:
@@ -26,30 +26,30 @@ class Viewer:
 
     def __init__(self, plant: Plant) -> None:
         self._plant = plant
-        handle = _launcher()
+        launch = _launcher()
         self._model = build_model(plant.robot, plant.description, plant.settings, visuals=True)
         self._data = mujoco.MjData(self._model)
         try:
-            self._handle: Any = handle(self._model, self._data)
+            self._window: Any = launch(self._model, self._data)
         except RuntimeError as problem:
             raise Error(f"view: cannot open a window: {problem}") from None
 
     @property
     def open(self) -> bool:
         """Whether nobody has closed the window."""
-        return bool(self._handle.is_running())
+        return bool(self._window.is_running())
 
     def show(self) -> None:
         """Show this instant."""
-        with self._handle.lock():
+        with self._window.lock():
             self._data.qpos[:] = self._plant.data.qpos
             mujoco.mj_kinematics(self._model, self._data)
             mujoco.mj_camlight(self._model, self._data)
-        self._handle.sync()
+        self._window.sync()
 
     def close(self) -> None:
         """Close the window."""
-        self._handle.close()
+        self._window.close()
 
 
 def check_display() -> None:

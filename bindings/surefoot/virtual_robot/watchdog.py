@@ -10,14 +10,14 @@ class Watchdog:
         timeout: How long is too long [s]; 0 never is.
 
     Attributes:
-        heard: Whether any command ever came; before that nothing is missed.
+        received_any: Whether any command ever came; before that nothing is missed.
         intervals: Begin and end of every time they were [s]; the end is None while it lasts.
     """
 
     def __init__(self, timeout: float) -> None:
         self._timeout = timeout
-        self._last = 0.0
-        self.heard = False
+        self._last_command_time = 0.0
+        self.received_any = False
         self.intervals: list[tuple[float, float | None]] = []
 
     @property
@@ -30,15 +30,15 @@ class Watchdog:
         was_damping = self.damping
         if was_damping:
             self.intervals[-1] = (self.intervals[-1][0], time)
-        self.heard, self._last = True, time
+        self.received_any, self._last_command_time = True, time
         return was_damping
 
     def expires(self, time: float) -> bool:
         """Return whether commands begin to be missing at this time [s]."""
-        if not self.heard or self.damping or self._timeout <= 0.0:
+        if not self.received_any or self.damping or self._timeout <= 0.0:
             return False
         # Times are sums of periods: a rounding error must not cost a cycle.
-        if time - self._last < self._timeout - 1e-9:
+        if time - self._last_command_time < self._timeout - 1e-9:
             return False
         self.intervals.append((time, None))
         return True

@@ -31,17 +31,17 @@ const char* to_string(ArmingCheckId id) noexcept;
 struct ArmingCheck {
   bool applies = true;  ///< false: nothing to judge here; it then counts as passed
   bool passed = false;
-  double value = 0.0;  ///< the worst that was found; unit in describe()
-  double limit = 0.0;  ///< what it was held against
-  int motor = -1;      ///< SDK number of the motor that it was found at, or -1
-  int other = -1;      ///< motor that it seems to have been swapped with, or -1
+  double value = 0.0;     ///< the worst that was found; unit in describe()
+  double limit = 0.0;     ///< what it was held against
+  int motor = -1;         ///< SDK number of the motor that it was found at, or -1
+  int swapped_with = -1;  ///< motor that it seems to have been swapped with, or -1
 };
 
 /// All checks, in the order of ArmingCheckId.
 struct ArmingReport {
   std::array<ArmingCheck, kArmingChecks> checks;
-  double held = 0.0;   ///< [s] that all have passed without a break
-  bool ready = false;  ///< have they for the time that arming asks for?
+  double passed_for = 0.0;  ///< [s] that all have passed without a break
+  bool ready = false;       ///< have they for the time that arming asks for?
 
   const ArmingCheck& operator[](ArmingCheckId id) const noexcept {
     return checks[static_cast<int>(id)];

@@ -39,12 +39,12 @@ enum class FaultId : int {
   kJointStop,         ///< a joint is beyond its stop
   kPower,             ///< the power protection tripped
   kTorqueRate,        ///< torques were asked to jump
-  kProgram,           ///< no solution at once: stand().rung()
-  kController,        ///< the StandController gave up: stand().fault()
+  kProgram,           ///< no solution at once: stand_controller().fallback_level()
+  kController,        ///< the StandController gave up: stand_controller().fault()
   kHanging,           ///< on its way up the legs bear nothing
   kBattery,           ///< low
   kOperator,          ///< no heartbeat from the operator
-  kLink               ///< Supervisor::lose(): the robot is not heard, or began anew
+  kLink               ///< Supervisor::report_link_lost(): the robot is not heard, or began anew
 };
 constexpr int kFaults = static_cast<int>(FaultId::kLink) + 1;  ///< kNone included
 const char* to_string(FaultId id) noexcept;
@@ -65,9 +65,9 @@ const char* to_string(FaultReaction reaction) noexcept;
 struct FaultInfo {
   FaultId id = FaultId::kNone;
   FaultReaction reaction = FaultReaction::kNone;
-  double detect = 0.0;       ///< [s] from its begin to the reaction, at most
-  std::string_view clears;   ///< what ends the reaction, once it is no longer seen
-  std::string_view meaning;  ///< how it is seen and what is done, in a sentence
+  double detection_time = 0.0;  ///< [s] from its begin to the reaction, at most
+  std::string_view cleared_by;  ///< what ends the reaction, once it is no longer seen
+  std::string_view meaning;     ///< how it is seen and what is done, in a sentence
 };
 /// Every fault but kNone, in the order of FaultId.
 const std::array<FaultInfo, kFaults - 1>& fault_table() noexcept;
@@ -83,7 +83,7 @@ struct FaultReport {
 
   bool has(FaultId id) const noexcept { return active[static_cast<int>(id)]; }
   /// The first fault there is with a reaction, but for one, or kNone. Real-time: yes.
-  FaultId first(FaultReaction reaction, FaultId but = FaultId::kNone) const noexcept;
+  FaultId first_active(FaultReaction reaction, FaultId except = FaultId::kNone) const noexcept;
 };
 
 }  // namespace surefoot

@@ -64,17 +64,17 @@ struct FrameReport {
   const char* field = "";  ///< that was the first not finite or out of range
   int motor = -1;          ///< whose field that is, or -1
   std::size_t size = 0;    ///< [bytes] of the frame
-  Generation wanted = Generation::kGo1v38;
-  Generation seen = Generation::kGo1v38;  ///< when the status is kWrongGeneration
+  Generation expected = Generation::kGo1v38;
+  Generation detected = Generation::kGo1v38;  ///< when the status is kWrongGeneration
 };
 /// What it says, in words; not in the tick.
 std::string to_text(const FrameReport& report);
 
-constexpr std::size_t kMaxFrame = 839;
+constexpr std::size_t kMaxFrameSize = 839;
 
 /// Bytes of one datagram.
 struct Frame {
-  std::array<std::uint8_t, kMaxFrame> bytes{};
+  std::array<std::uint8_t, kMaxFrameSize> bytes{};
   std::size_t size = 0;
 };
 

@@ -27,9 +27,11 @@ constexpr int kMotorSlots = 20;  ///< slots in the structs
 /// Leg numbers.
 enum Leg : int { FR_ = 0, FL_ = 1, RR_ = 2, RL_ = 3 };
 
-constexpr int other_side(int leg) noexcept { return leg ^ 1; }  ///< of its end: FR FL, RR RL
-constexpr int other_end(int leg) noexcept { return leg ^ 2; }   ///< of its side: FR RR, FL RL
-constexpr int diagonal(int leg) noexcept { return leg ^ 3; }    ///< FR RL, FL RR
+constexpr int lateral_neighbor(int leg) noexcept { return leg ^ 1; }  ///< of its end: FR FL, RR RL
+constexpr int longitudinal_neighbor(int leg) noexcept {
+  return leg ^ 2;
+}  ///< of its side: FR RR, FL RL
+constexpr int diagonal_leg(int leg) noexcept { return leg ^ 3; }  ///< FR RL, FL RR
 
 /// Motor numbers of the SDK's quadruped.h.
 enum Motor : int {

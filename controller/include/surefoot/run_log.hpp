@@ -13,12 +13,12 @@ namespace surefoot {
 
 /// One tick of a StandRunner: what it knew of the robot, and what it sent.
 struct RunTick {
-  double time = 0.0;                  ///< [s] since run() began
-  bool heard = false;                 ///< did the LowState come with this tick?
-  Mode mode = Mode::kPassive;         ///< of the supervisor, after it
-  FaultId damping = FaultId::kNone;   ///< why the supervisor damped since it was armed
-  LowState state = init_low_state();  ///< the newest
-  LowCmd command = init_low_cmd();    ///< given to the link, which sends one in every tick
+  double time = 0.0;                       ///< [s] since run() began
+  bool has_new_state = false;              ///< did the LowState come with this tick?
+  Mode mode = Mode::kPassive;              ///< of the supervisor, after it
+  FaultId damping_fault = FaultId::kNone;  ///< why the supervisor damped since it was armed
+  LowState state = init_low_state();       ///< the newest
+  LowCmd command = init_low_cmd();         ///< given to the link, which sends one in every tick
 };
 static_assert(std::is_trivially_copyable_v<RunTick>);  // add() neither allocates nor throws
 

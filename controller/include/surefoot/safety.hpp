@@ -14,8 +14,8 @@ namespace surefoot {
 /// 1.047 rad). Motors 12 .. 19 are ignored throughout.
 class Safety {
  public:
-  static constexpr double kWattsPerLevel = 100.0;  ///< [W] on every robot
-  static constexpr double kMargin = 0.087;         ///< [rad] 5 degrees
+  static constexpr double kWattsPerLevel = 100.0;   ///< [W] on every robot
+  static constexpr double kPositionMargin = 0.087;  ///< [rad] 5 degrees
 
   explicit Safety(const Robot& robot);
 
@@ -47,7 +47,8 @@ class Safety {
   /// a comment of the vendor's examples, or NaN, trips always; a negative one widens the window.
   /// @param cmd not read @param state q [rad] @param limit [rad] kept from either end
   /// @return +1, or -1 when a joint is outside: position_motor(). Real-time: yes.
-  int position_protect(const LowCmd& cmd, const LowState& state, double limit = kMargin) noexcept;
+  int position_protect(const LowCmd& cmd, const LowState& state,
+                       double limit = kPositionMargin) noexcept;
 
   /// Clamp the position commands q of motors 0 .. 11 to [q_lower, q_upper], in place.
   ///

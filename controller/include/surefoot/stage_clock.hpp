@@ -42,7 +42,7 @@ class StageClock {
   Stage enter(Stage stage) noexcept;
   std::array<double, kStages> times_{};
   Stage stage_ = Stage::kSafety;
-  double since_ = 0.0;  // [ns]
+  double stage_start_ = 0.0;  // [ns]
 };
 
 /// Books the time until it ends to a stage, and what comes after to the stage before.
@@ -55,7 +55,7 @@ class StageScope {
 
  private:
   StageClock* clock_;
-  Stage before_ = Stage::kSafety;
+  Stage previous_stage_ = Stage::kSafety;
 };
 
 }  // namespace surefoot

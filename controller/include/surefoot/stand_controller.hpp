@@ -7,9 +7,9 @@
 
 #include "surefoot/body_reference.hpp"
 #include "surefoot/estimator_report.hpp"
+#include "surefoot/fallback_level.hpp"
 #include "surefoot/qp_problem.hpp"
 #include "surefoot/robot.hpp"
-#include "surefoot/rung.hpp"
 #include "surefoot/task.hpp"
 #include "surefoot/types.hpp"
 
@@ -26,7 +26,7 @@ struct StandOptions {
   /// At 0 nothing is predicted, and what a report feels is held against the command of two periods
   /// before it: one that a report and one that a command is on its way over the SDK's link.
   double delay = 0.0;
-  Form form = Form::kAuto;
+  QpForm form = QpForm::kAuto;
   /// [W] Most that a command may take by the joint velocities reported, sum |tau dq|, > 0; infinite
   /// is off. Beyond it torques are scaled towards those that hold the robot against gravity; where
   /// these alone take more, the command goes unscaled, for letting go would make the robot fall and
@@ -73,12 +73,12 @@ class StandController {
   /// Give a leg up, 0 .. 3, until reset(): its foot bears nothing from now on, and the body goes
   /// over the other three. One leg at most; another's number, or none's, changes nothing.
   /// Real-time: yes.
-  void give_up(int leg) noexcept;
+  void give_up_leg(int leg) noexcept;
   int lost_leg() const noexcept;  ///< that was given up, or -1
   /// [m] how far the capture point is inside the triangle of the other three feet; negative
   /// outside; infinite where another leg is lost, for two feet have no inside; NaN for none of 0 ..
   /// 3 and before the first tick. Of the last good tick. Real-time: yes.
-  double margin_without(int leg) const noexcept;
+  double capture_margin_without(int leg) const noexcept;
 
   /// See WholeBodyController::set_torque_share(). Real-time: yes.
   void set_torque_share(const Vector12& share) noexcept;
@@ -89,9 +89,9 @@ class StandController {
   /// kOk, kSaturated, or why this tick's command is not solved; kDamping while latched.
   Status status() const noexcept;
   /// Where this tick's command came from; kDamping before the first.
-  Rung rung() const noexcept;
+  FallbackLevel fallback_level() const noexcept;
   /// Ticks that came to this rung, since construction. Real-time: yes.
-  std::uint64_t rung_count(Rung rung) const noexcept;
+  std::uint64_t fallback_count(FallbackLevel fallback_level) const noexcept;
   /// What was wrong when the last tick was not kOk; stays after the damping has latched.
   Status fault() const noexcept;
 
@@ -99,18 +99,19 @@ class StandController {
   EstimatorReport estimator_report() const noexcept;  ///< see StateEstimator::report()
   const Reference& reference() const noexcept;        ///< of the last good tick
   const Solution& solution() const noexcept;          ///< of the last good tick
-  const QpProblem& program() const noexcept;          ///< see WholeBodyController::program()
-  bool foot_force_alive() const noexcept;             ///< does footForceEst carry anything?
-  Eigen::Vector4d torque_force() const noexcept;      ///< [N] normal force per foot from torques
+  const QpProblem& qp() const noexcept;               ///< see WholeBodyController::qp()
+  bool has_foot_force_est() const noexcept;           ///< does footForceEst carry anything?
+  Eigen::Vector4d normal_forces_from_torques()
+      const noexcept;  ///< [N] normal force per foot from torques
   /// [W] sum |tau dq| that the last command made from a report takes, by the joint velocities it
   /// was made for. Above the option power_limit only where holding still alone is above it.
-  double power() const noexcept;
+  double command_power() const noexcept;
   /// How much of the torques' way from holding still was left to the last good tick, 0 .. 1; below
   /// 1 (power_limit) status() is kSaturated, and solution() is what was planned. It is kSaturated
   /// at 1, too, where a leg that its torques fling got less of them.
   double power_scale() const noexcept;
-  const Gains& gains() const noexcept;           ///< asked for; see set_gains()
-  const Gains& gains_in_force() const noexcept;  ///< on their way to those
+  const Gains& gains() const noexcept;         ///< asked for; see set_gains()
+  const Gains& active_gains() const noexcept;  ///< on their way to those
 
   /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
   /// Those of a controller that is at work move there in 0.1 s of good ticks, for torques not to

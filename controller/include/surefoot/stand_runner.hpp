@@ -18,7 +18,7 @@ struct RunOptions {
       std::numeric_limits<double>::infinity();  ///< [s] of standing, from the first; then finish()
   int power_level = 1;             ///< of Safety::power_protect(), 1 .. 10; 0 switches it off
   bool remote = true;              ///< sticks move the body, a button damps
-  double patience = 5.0;           ///< [s] to wait for the first valid LowState
+  double connect_timeout = 5.0;    ///< [s] to wait for the first valid LowState
   Start start = Start::kStanding;  ///< kLying: behind arming checks; power_level 1 .. 10
   /// [s] without heartbeat() before the robot sits down; infinite: nobody need be there
   double operator_timeout = std::numeric_limits<double>::infinity();
@@ -43,63 +43,65 @@ const char* to_string(RunPhase phase) noexcept;
 /// Why it damps, or ended.
 enum class RunReason {
   kNone,
-  kAsked,            ///< stop(), or the duration is over
+  kRequested,        ///< stop(), or the duration is over
   kNoState,          ///< no valid LowState came in time, or before the end
   kWrongGeneration,  ///< the robot speaks another generation
   kStale,            ///< LowStates stopped coming
-  kAway,             ///< this program stood still: the robot went on without it
+  kProcessStalled,   ///< this program stood still: the robot went on without it
   kRestart,          ///< the robot began anew: it is not the one that was armed
   kController,       ///< the controller damps: see StandController::fault()
   kPowerProtect,
   kButton,
-  kFault  ///< what else the supervisor damps for: RunSnapshot::damping
+  kFault  ///< what else the supervisor damps for: RunSnapshot::damping_fault
 };
 const char* to_string(RunReason reason) noexcept;
 
 /// A look at the loop from outside.
 struct RunSnapshot {
   RunPhase phase = RunPhase::kWaiting;
-  RunReason reason = RunReason::kNone;  ///< of the last damping, or of the end
-  Mode mode = Mode::kPassive;           ///< of the supervisor
-  FaultId damping = FaultId::kNone;     ///< the supervisor's, of the last damping
-  FaultReport faults;                   ///< which there are and have been
-  ArmingReport arming;                  ///< what passes and what does not, and for how long
+  RunReason reason = RunReason::kNone;     ///< of the last damping, or of the end
+  Mode mode = Mode::kPassive;              ///< of the supervisor
+  FaultId damping_fault = FaultId::kNone;  ///< the supervisor's, of the last damping
+  FaultReport faults;                      ///< which there are and have been
+  ArmingReport arming;                     ///< what passes and what does not, and for how long
   bool armed = false;
   bool stood = false;  ///< has it stood at all?
   /// Has it stood, and lain down because it was asked to (kStanding: stood on), until the end?
   bool stood_to_end = false;
-  bool stuck = false;                      ///< has the last rise given up?
-  double way_up = 0.0;                     ///< from lying (0) to standing (1)
-  RiseStage stage = RiseStage::kHoldLegs;  ///< of the last rise
-  Status status = Status::kWaiting;        ///< of the controller's last tick
-  Status fault = Status::kOk;              ///< of the controller
-  FrameReport reject;                      ///< the last datagram that was not taken
+  bool rise_failed = false;                     ///< has the last rise given up?
+  double rise_progress = 0.0;                   ///< from lying (0) to standing (1)
+  RiseStage rise_stage = RiseStage::kHoldLegs;  ///< of the last rise
+  Status controller_status = Status::kWaiting;  ///< of the controller's last tick
+  Status controller_fault = Status::kOk;        ///< of the controller
+  FrameReport last_reject;                      ///< the last datagram that was not taken
   LinkCounts link;
-  double time = 0.0;          ///< [s] since run() began
-  double age = 0.0;           ///< [s] of the newest LowState
-  std::uint64_t ticks = 0;    ///< of control
-  std::uint64_t usable = 0;   ///< of those, with a fresh command
-  std::uint64_t bridged = 0;  ///< of those, without a new LowState
-  std::uint64_t saturated = 0;
-  std::uint64_t missed = 0;    ///< periods left out because a tick or the system took too long
-  double gap = 0.0;            ///< [s] that the robot, or this program, was silent: stale, away
+  double time = 0.0;                      ///< [s] since run() began
+  double state_age = 0.0;                 ///< [s] of the newest LowState
+  std::uint64_t ticks = 0;                ///< of control
+  std::uint64_t usable_ticks = 0;         ///< of those, with a fresh command
+  std::uint64_t ticks_without_state = 0;  ///< of those, without a new LowState
+  std::uint64_t saturated_ticks = 0;
+  std::uint64_t missed_periods =
+      0;                       ///< periods left out because a tick or the system took too long
+  double silence_time = 0.0;   ///< [s] that the robot, or this program, was silent: stale, away
   std::uint64_t dampings = 0;  ///< times that it latched
-  std::uint64_t pauses = 0;    ///< of those, left because the robot's clock had stood still as well
+  std::uint64_t resumed_dampings =
+      0;  ///< of those, left because the robot's clock had stood still as well
   std::uint64_t rearms = 0;
   std::uint64_t refused_rearms = 0;  ///< by rearm(): no LowState came, or checks failed
-  double power = 0.0;                ///< [W] that the protection judged last
-  double damped_power = 0.0;         ///< [W] the same, when it damped last
+  double measured_power = 0.0;       ///< [W] that the protection judged last
+  double power_at_damping = 0.0;     ///< [W] the same, when it damped last
   double greatest_power = 0.0;
-  double height = 0.0;              ///< [m] estimated
-  double tilt = 0.0;                ///< [rad] estimated
-  std::array<double, 19> q{};       ///< Pinocchio's, estimated
-  std::array<double, 12> joints{};  ///< [rad] as reported, SDK motor order
-  std::array<double, 12> forces{};  ///< [N] asked of FR FL RR RL, each x y z, world axes
-  std::array<double, 4> contact{};  ///< belief that each foot bears
-  double distance = 0.0;            ///< [m] of the base from its reference
-  double angle = 0.0;               ///< [rad] the same of its attitude
-  double torque_ratio = 0.0;        ///< greatest share of its limit in tauEst
-  double command_power = 0.0;       ///< [W] see StandController::power()
+  double height = 0.0;                      ///< [m] estimated
+  double tilt = 0.0;                        ///< [rad] estimated
+  std::array<double, 19> q{};               ///< Pinocchio's, estimated
+  std::array<double, 12> joint_angles{};    ///< [rad] as reported, SDK motor order
+  std::array<double, 12> desired_forces{};  ///< [N] asked of FR FL RR RL, each x y z, world axes
+  std::array<double, 4> contact{};          ///< belief that each foot bears
+  double position_error = 0.0;              ///< [m] of the base from its reference
+  double orientation_error = 0.0;           ///< [rad] the same of its attitude
+  double torque_ratio = 0.0;                ///< greatest share of its limit in tauEst
+  double command_power = 0.0;               ///< [W] see StandController::command_power()
   // [us] from waking to the command sent, and from the deadline to waking:
   double tick_p50 = 0.0, tick_p90 = 0.0, tick_p99 = 0.0, tick_p999 = 0.0, tick_max = 0.0;
   double wake_p50 = 0.0, wake_p99 = 0.0, wake_p999 = 0.0, wake_max = 0.0;

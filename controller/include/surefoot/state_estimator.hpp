@@ -35,9 +35,9 @@ class StateEstimator {
   /// How sure the state is, and what the sensors are worth. Real-time: yes.
   EstimatorReport report() const noexcept;
   /// Normal force per foot from the motors' torques [N].
-  Eigen::Vector4d torque_force() const noexcept;
+  Eigen::Vector4d normal_forces_from_torques() const noexcept;
   /// Does footForceEst carry anything?
-  bool foot_force_alive() const noexcept;
+  bool has_foot_force_est() const noexcept;
   /// Pinocchio's terms at the present state, for whoever needs them in the same tick.
   const Dynamics& dynamics() const noexcept;
 
@@ -52,8 +52,10 @@ class StateEstimator {
   /// and its torques [N.m], SDK motor order. What the accelerometer feels beyond the plan is laid
   /// to a force from outside; the torques stand in where tauEst tells nothing. No plan if never
   /// told.
-  /// @param f_push [N] that the plan counted with, world axes: f_outside - f_lasting of its state
-  void set_plan(const Vector6& a_base, const Vector12& tau, const Vector3& f_push) noexcept;
+  /// @param f_push [N] that the plan counted with, world axes: f_external - f_sustained of its
+  /// state
+  void set_planned_motion(const Vector6& a_base, const Vector12& tau,
+                          const Vector3& f_push) noexcept;
   /// Begin anew with the next report.
   void reset() noexcept;
 

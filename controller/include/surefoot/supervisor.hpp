@@ -6,51 +6,10 @@
 
 #include "surefoot/arming.hpp"
 #include "surefoot/fault.hpp"
+#include "surefoot/mode.hpp"
 #include "surefoot/stand_controller.hpp"
 
 namespace surefoot {
-
-/// What the robot is doing.
-enum class Mode : int {
-  kPassive = 0,  ///< the motors damp; where it begins, and where sitting down ends
-  kRise,         ///< on its way up from lying
-  kStand,        ///< a StandController at work
-  kSit,          ///< on its way down; also how a rise is aborted
-  kDamping       ///< the motors damp, latched: only arm() leads out
-};
-const char* to_string(Mode mode) noexcept;
-
-/// How the robot is when it is taken on.
-enum class Start : int {
-  kLying = 0,  ///< motors damp; arming checks, arm(), then a rise
-  /// It stands already, held by something else, and would sink in any pause: the first good
-  /// LowState is taken over, without arming checks. So is, after latched damping, the pose that
-  /// arm() finds.
-  kStanding
-};
-const char* to_string(Start start) noexcept;
-
-/// How far a rise is. In all but the last the body lies on the ground.
-enum class RiseStage : int {
-  kHoldLegs = 0,  ///< legs hold themselves up where they are
-  kFold,          ///< they fold beside the body
-  kWeigh,         ///< hips outward: do the legs weigh what they should?
-  kPress,         ///< the rear pair presses: does the nose go down?
-  kUp             ///< over a crouch to the standing pose, or back down
-};
-const char* to_string(RiseStage stage) noexcept;
-
-/// What became of a request. Anything but kAccepted: nothing moves for it.
-enum class RequestStatus : int {
-  kAccepted = 0,  ///< the next update() takes it up
-  kNoState,       ///< no valid LowState comes, or none has yet
-  kNotArmed,      ///< arm() first
-  kNotReady,      ///< an arming check fails, or has not passed for long enough: arming()
-  kLatched,       ///< damping is latched: arm() first
-  kOutOfOrder,    ///< not from this mode: rise from passive, sit from rise and stand, ...
-  kBusy           ///< another request or a stop waits, or torques are on their way to a mode
-};
-const char* to_string(RequestStatus status) noexcept;
 
 /// What is set once.
 struct SupervisorOptions {
@@ -90,9 +49,10 @@ struct SupervisorOptions {
 /// Sitting is the same way backwards. Torques fade from mode to mode in 0.25 s; only damping for a
 /// stop or a fault is at once. What is wrong and what is done about it: fault_table().
 ///
-/// update(), bridge(), lose(), count_reports(), set_gains(), set_body_reference(), stand(), fresh()
-/// and power() belong to one thread. All others may be called from any. None takes a lock; faults()
-/// and arming() read again what was written over while they read it.
+/// update(), bridge(), lose(), count_samples(), set_gains(), set_body_reference(),
+/// stand_controller(), command_is_fresh() and measured_power() belong to one thread. All others may
+/// be called from any. None takes a lock; faults() and arming() read again what was written over
+/// while they read it.
 class Supervisor {
  public:
   /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
@@ -109,14 +69,14 @@ class Supervisor {
   /// then damping; after 20 ms requests are refused until update() is called again. Nothing latches
   /// but what stop() asks for: see lose(). Real-time: yes.
   /// @param age [s] of the newest LowState, which the caller measures; negative or NaN: too old
-  const LowCmd& bridge(double age) noexcept;
+  const LowCmd& update_without_state(double age) noexcept;
   /// The robot was not heard for too long, or what is heard now is another: what was armed damps
   /// and latches, and what waits is forgotten. Real-time: yes.
-  void lose() noexcept;
+  void report_link_lost() noexcept;
   /// Say what the link has counted since the last call, for the arming check kLink: it hears more
   /// reports than are handed on to update(), whose own count this replaces. Gaps between those are
   /// then the caller's to judge: lose(). Real-time: yes.
-  void count_reports(double come, double missing) noexcept;
+  void count_samples(double received, double missing) noexcept;
 
   /// Ask for a mode: kRise from passive; kSit from rise and stand; kStand while sitting down, to
   /// come up again. Any thread. Real-time: yes.
@@ -131,29 +91,29 @@ class Supervisor {
 
   Mode mode() const noexcept;
   bool armed() const noexcept;
-  FaultId reason() const noexcept;  ///< why the damping latched last
+  FaultId damping_fault() const noexcept;  ///< why the damping latched last
   /// Which faults there are and have been, a consistent copy of the last tick's. Any thread.
   FaultReport faults() const noexcept;
   /// Every check with its verdict, a consistent copy of the last tick's. Any thread.
   ArmingReport arming() const noexcept;
 
   /// How far up the robot is on the way from lying (0) to standing (1), as commanded.
-  double height() const noexcept;
+  double rise_progress() const noexcept;
   /// [s] that the plan takes from lying legs folded to standing.
   double rise_time() const noexcept;
   /// Are torques on their way from mode to mode?
   bool fading() const noexcept;
   /// Did the last rise give up because a leg could not fold or the body could not follow?
-  bool stuck() const noexcept;
-  RiseStage stage() const noexcept;  ///< of the last rise, or of this
+  bool rise_failed() const noexcept;
+  RiseStage rise_stage() const noexcept;  ///< of the last rise, or of this
 
   void set_body_reference(const BodyReference& target) noexcept;  ///< in force while standing
   /// As StandController's; fold_wait is in force when legs begin to fold. Throws surefoot::Error.
   void set_gains(const Gains& gains);
-  const StandController& stand() const noexcept;
-  bool fresh() const noexcept;  ///< was the last command made from its own LowState?
+  const StandController& stand_controller() const noexcept;
+  bool command_is_fresh() const noexcept;  ///< was the last command made from its own LowState?
   /// [W] that the power protection judged last; 0 while it has nothing to judge.
-  double power() const noexcept;
+  double measured_power() const noexcept;
 
  private:
   struct Impl;

@@ -42,11 +42,11 @@ struct RobotState {
   /// Probability that each foot carries load, 0 .. 1, FR FL RR RL.
   Eigen::Vector4d contact = Eigen::Vector4d::Ones();
   /// [N] force on the body from outside, through its centre of mass, world axes: a push, a payload.
-  Vector3 f_outside = Vector3::Zero();
-  /// [N] the part of f_outside that lasts: a payload. What holds the robot still counts with it.
-  Vector3 f_lasting = Vector3::Zero();
+  Vector3 f_external = Vector3::Zero();
+  /// [N] the part of f_external that lasts: a payload. What holds the robot still counts with it.
+  Vector3 f_sustained = Vector3::Zero();
   /// [N.m] moment on the body from outside about its centre of mass, world axes: a payload off it.
-  Vector3 moment_outside = Vector3::Zero();
+  Vector3 moment_external = Vector3::Zero();
   /// What is left of each foot's friction coefficient, 0 .. 1, FR FL RR RL: less while it slips.
   Eigen::Vector4d friction = Eigen::Vector4d::Ones();
 };
@@ -86,28 +86,28 @@ struct Reference {
 };
 
 /// How the program eliminates the equations of motion.
-enum class Form {
+enum class QpForm {
   kAuto,       ///< condensed where it holds, general elsewhere, with hysteresis
   kCondensed,  ///< contact forces alone; kSingular where a leg is near singular
   kGeneral     ///< accelerations and contact forces; any pose, any further joints
 };
-const char* to_string(Form form) noexcept;
+const char* to_string(QpForm form) noexcept;
 
 /// What the whole-body program decided.
 struct Solution {
   explicit Solution(int nv = 18)
       : accelerations(Eigen::VectorXd::Zero(nv)), torques(Eigen::VectorXd::Zero(nv - 6)) {}
   Status status = Status::kWaiting;
-  Form form = Form::kAuto;                 ///< which form was solved: kCondensed or kGeneral
+  QpForm form = QpForm::kAuto;             ///< which form was solved: kCondensed or kGeneral
   Eigen::VectorXd accelerations;           ///< shape (nv,), Pinocchio's order
   FeetMatrix forces = FeetMatrix::Zero();  ///< [N] ground on foot, world axes, FR FL RR RL
   Eigen::VectorXd torques;                 ///< [N.m] shape (nv - 6,), order of v[6:]
-  double torque_residual = 0.0;            ///< [N.m] most that the final clip took off a motor
-  double torque_excess = 0.0;       ///< most that torque limits had to give, share of tau_max
-  double joint_limit_excess = 0.0;  ///< [rad/s^2] same for joint position and velocity limits
-  double hold_down_missing = 0.0;   ///< [N] same for the force that keeps feet down
-  int iterations = 0;               ///< inner iterations of the solver
-  double primal_residual = 0.0;     ///< our own check, in the program's scaling
+  double clipped_torque = 0.0;             ///< [N.m] most that the final clip took off a motor
+  double torque_limit_violation = 0.0;  ///< most that torque limits had to give, share of tau_max
+  double joint_limit_violation = 0.0;   ///< [rad/s^2] same for joint position and velocity limits
+  double hold_down_violation = 0.0;     ///< [N] same for the force that keeps feet down
+  int iterations = 0;                   ///< inner iterations of the solver
+  double primal_residual = 0.0;         ///< our own check, in the program's scaling
   double dual_residual = 0.0;
 };
 

@@ -52,20 +52,21 @@ class UdpLink {
   ~UdpLink();
   UdpLink(UdpLink&&) noexcept;
 
-  /// Read what is waiting, at most kMostAtOnce datagrams; the newest valid LowState wins.
-  /// Never blocks. Real-time: yes. @return has a newer one come? See age() for how new it is
+  /// Read what is waiting, at most kMaxDatagramsPerReceive datagrams; the newest valid LowState
+  /// wins. Never blocks. Real-time: yes. @return has a newer one come? See state_age() for how new
+  /// it is
   bool receive() noexcept;
-  static constexpr int kMostAtOnce = 64;
+  static constexpr int kMaxDatagramsPerReceive = 64;
 
-  /// Put a command on the wire; damping instead until the robot is known(), or if the command is
-  /// not finite. Never blocks. Real-time: yes.
+  /// Put a command on the wire; damping instead until the robot has answered (has_state()), or if
+  /// the command is not finite. Never blocks. Real-time: yes.
   /// @return how it was encoded; kNotFinite: damping left instead
   FrameReport send(const LowCmd& cmd) noexcept;
 
-  bool known() const noexcept;             ///< has a valid LowState come?
+  bool has_state() const noexcept;         ///< has a valid LowState come?
   const LowState& state() const noexcept;  ///< the newest
   const FrameExtras& extras() const noexcept;
-  double age() const noexcept;  ///< [s] since it arrived; infinite before the first
+  double state_age() const noexcept;  ///< [s] since it arrived; infinite before the first
   const LinkCounts& counts() const noexcept;
   const FrameReport& last_reject() const noexcept;  ///< why the last bad datagram was not taken
   int local_port() const noexcept;

@@ -14,7 +14,7 @@ class Dynamics;
 
 /// What is set once, as opposed to tuned.
 struct WholeBodyOptions {
-  Form form = Form::kAuto;
+  QpForm form = QpForm::kAuto;
   double tolerance = 1e-6;  ///< of the program's residuals, in its own scaling
 
   /// Throw surefoot::Error naming what is out of range.
@@ -70,7 +70,7 @@ class WholeBodyController {
   const Solution& solution() const noexcept;
   /// The quadratic program that the last tick solved, scaled as it was: the hard one, or with
   /// slacks while something gives. For benchmarks and debugging. Real-time: yes.
-  const QpProblem& program() const noexcept;
+  const QpProblem& qp() const noexcept;
   const Gains& gains() const noexcept;
 
   /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.

@@ -9,7 +9,7 @@
 namespace surefoot {
 
 Dynamics::Dynamics(const Robot& robot, Source source)
-    : robot_(robot), condensable_(has_chains_of_three(robot)) {
+    : robot_(robot), condensable_(has_three_joint_legs(robot)) {
   if (!has_standard_gravity(robot)) {
     throw Error("robot '" + robot.config().name + "': the model's gravity is not (0, 0, -9.81)");
   }
@@ -20,7 +20,8 @@ Dynamics::Dynamics(const Robot& robot, Source source)
   }
   // Which side of the hip axis is below: the one where the feet stand.
   update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
-  for (int leg = 0; leg < kLegs; ++leg) depth_sign_[leg] = now_.legs[leg].depth < 0.0 ? -1.0 : 1.0;
+  for (int leg = 0; leg < kLegs; ++leg)
+    depth_sign_[leg] = terms_.legs[leg].depth < 0.0 ? -1.0 : 1.0;
 }
 
 Dynamics::~Dynamics() = default;
@@ -30,21 +31,21 @@ void Dynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       const Vector3& ground_normal) noexcept {
   const StageScope stage(Stage::kDynamics);
   if (quadruped_) {
-    quadruped_->update(q, v, ground_normal, now_);
+    quadruped_->update(q, v, ground_normal, terms_);
   } else {
-    pinocchio_->update(q, v, ground_normal, now_);
+    pinocchio_->update(q, v, ground_normal, terms_);
   }
-  for (int leg = 0; leg < kLegs; ++leg) now_.legs[leg].depth *= depth_sign_[leg];
+  for (int leg = 0; leg < kLegs; ++leg) terms_.legs[leg].depth *= depth_sign_[leg];
   a_base_shift_.setZero();
 }
 
 void Dynamics::shift(const Vector3& p_world, const Vector3& v_world) noexcept {
-  now_.p_world_com += p_world;
-  now_.v_world_com += v_world;
-  now_.p_world_base += p_world;
-  now_.v_world_base += v_world;
-  a_base_shift_ = -now_.w_base.cross(now_.R_world_base.transpose() * v_world);
-  for (LegDynamics& leg : now_.legs) {
+  terms_.p_world_com += p_world;
+  terms_.v_world_com += v_world;
+  terms_.p_world_base += p_world;
+  terms_.v_world_base += v_world;
+  a_base_shift_ = -terms_.w_base.cross(terms_.R_world_base.transpose() * v_world);
+  for (LegDynamics& leg : terms_.legs) {
     leg.p_world_contact += p_world;
     leg.v_world_contact += v_world;
   }
@@ -52,14 +53,14 @@ void Dynamics::shift(const Vector3& p_world, const Vector3& v_world) noexcept {
 
 void Dynamics::write_full(FullDynamics& out) const noexcept {
   if (pinocchio_) {
-    pinocchio_->write_full(now_, out);
+    pinocchio_->write_full(terms_, out);
     return;
   }
   // Legs meet in the base only: what is no block here is zero, and stays so from construction.
-  out.M.topLeftCorner<6, 6>() = now_.M_base;
-  out.h.head<6>() = now_.h_base;
+  out.M.topLeftCorner<6, 6>() = terms_.M_base;
+  out.h.head<6>() = terms_.h_base;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const LegDynamics& L = now_.legs[leg];
+    const LegDynamics& L = terms_.legs[leg];
     const int row = 3 * leg, column = robot_.motor_to_v()[row];
     out.M.block<6, 3>(0, column) = L.M_base_leg;
     out.M.block<3, 6>(column, 0) = L.M_base_leg.transpose();

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "dynamics/tick_dynamics.hpp"
+#include "dynamics/dynamics_terms.hpp"
 #include "surefoot/robot.hpp"
 
 namespace surefoot {
@@ -41,32 +41,32 @@ class Dynamics {
   void write_full(FullDynamics& out) const noexcept;
 
   /// Does the generated code serve this robot?
-  bool generated() const noexcept { return quadruped_ != nullptr; }
+  bool uses_generated_code() const noexcept { return quadruped_ != nullptr; }
 
-  const std::array<LegDynamics, kLegs>& legs() const noexcept { return now_.legs; }
+  const std::array<LegDynamics, kLegs>& legs() const noexcept { return terms_.legs; }
   /// Rotational inertia about the centre of mass with all joints locked, world axes [kg.m^2].
-  const Matrix3& I_world_com() const noexcept { return now_.I_world_com; }
-  const Matrix6& M_base() const noexcept { return now_.M_base; }
-  const Vector6& h_base() const noexcept { return now_.h_base; }
-  const Matrix3& R_world_base() const noexcept { return now_.R_world_base; }
-  const Vector3& p_world_com() const noexcept { return now_.p_world_com; }
-  const Vector3& v_world_com() const noexcept { return now_.v_world_com; }
+  const Matrix3& I_world_com() const noexcept { return terms_.I_world_com; }
+  const Matrix6& M_base() const noexcept { return terms_.M_base; }
+  const Vector6& h_base() const noexcept { return terms_.h_base; }
+  const Matrix3& R_world_base() const noexcept { return terms_.R_world_base; }
+  const Vector3& p_world_com() const noexcept { return terms_.p_world_com; }
+  const Vector3& v_world_com() const noexcept { return terms_.v_world_com; }
   /// What shift() adds to the base's linear spatial acceleration: -w x v, base axes [m/s^2].
   const Vector3& a_base_shift() const noexcept { return a_base_shift_; }
-  Vector3 w_world_base() const noexcept { return now_.R_world_base * now_.w_base; }
-  const Vector3& w_base() const noexcept { return now_.w_base; }
-  const Vector3& p_world_base() const noexcept { return now_.p_world_base; }
-  const Vector3& v_world_base() const noexcept { return now_.v_world_base; }
+  Vector3 w_world_base() const noexcept { return terms_.R_world_base * terms_.w_base; }
+  const Vector3& w_base() const noexcept { return terms_.w_base; }
+  const Vector3& p_world_base() const noexcept { return terms_.p_world_base; }
+  const Vector3& v_world_base() const noexcept { return terms_.v_world_base; }
   /// Base velocity that update() was given, base axes [m/s]: M and h belong to this one.
-  const Vector3& v_base() const noexcept { return now_.v_base; }
+  const Vector3& v_base() const noexcept { return terms_.v_base; }
   /// Angular momentum about the centre of mass, world axes [kg.m^2/s].
-  const Vector3& L_world_com() const noexcept { return now_.L_world_com; }
+  const Vector3& L_world_com() const noexcept { return terms_.L_world_com; }
 
  private:
   Robot robot_;
   std::unique_ptr<QuadrupedDynamics> quadruped_;  ///< null: the robot has another shape
   std::unique_ptr<PinocchioDynamics> pinocchio_;  ///< null: not needed
-  TickDynamics now_;
+  DynamicsTerms terms_;
   Vector3 a_base_shift_;
   bool condensable_;
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};
@@ -83,8 +83,8 @@ inline FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
 /// 4) [m/s], world axes; the contact point moves so though nothing slips.
 /// @param contact belief per foot, 0 .. 1
 /// @param lever [m] from a contact point to its foot's centre, world axes. Real-time: yes.
-inline FeetMatrix rolling_rates(const Dynamics& dynamics, const Eigen::Vector4d& contact,
-                                const Vector3& lever) noexcept {
+inline FeetMatrix rolling_velocities(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                                     const Vector3& lever) noexcept {
   FeetMatrix rates;
   for (int leg = 0; leg < kLegs; ++leg) {
     rates.col(leg) = contact[leg] * dynamics.legs()[leg].w_world_shank.cross(lever);

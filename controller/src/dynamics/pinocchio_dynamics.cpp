@@ -8,7 +8,7 @@ namespace surefoot {
 
 // The condensed form reads a leg's blocks as contiguous 3x3 pieces of the mass matrix, and knows of
 // nothing but legs.
-bool has_chains_of_three(const Robot& robot) noexcept {
+bool has_three_joint_legs(const Robot& robot) noexcept {
   const auto& model = robot.model();
   if (model.nv != 6 + kMotors || model.nq != 7 + kMotors) return false;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -40,7 +40,7 @@ PinocchioDynamics::PinocchioDynamics(const Robot& robot)
 PinocchioDynamics::~PinocchioDynamics() = default;
 
 void PinocchioDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                               const Vector3& ground_normal, TickDynamics& out) noexcept {
+                               const Vector3& ground_normal, DynamicsTerms& out) noexcept {
   auto& [model, data] = *pinocchio_;
   // One pass each: mass matrix, world Jacobian and placements; then velocities, drifts and bias.
   pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
@@ -57,7 +57,7 @@ void PinocchioDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& 
   for (int leg = 0; leg < kLegs; ++leg) update_leg(leg, ground_normal, out.legs[leg]);
 }
 
-void PinocchioDynamics::update_com(const Eigen::VectorXd& v, TickDynamics& out) noexcept {
+void PinocchioDynamics::update_com(const Eigen::VectorXd& v, DynamicsTerms& out) noexcept {
   const auto& data = pinocchio_->data;
   out.p_world_com = data.oYcrb[1].lever();
   out.I_world_com = data.oYcrb[1].inertia().matrix();
@@ -87,7 +87,7 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   for (int k = 0; k < kLegJoints; ++k) {
     const auto J = data.J.col(column[k]);
     out.J_leg.col(k) = J.head<3>() - out.p_world_contact.cross(J.tail<3>());
-    out.axes_world.col(k) = J.tail<3>();
+    out.joint_axes_world.col(k) = J.tail<3>();
   }
 
   // Drift: classical acceleration of the foot centre at zero joint acceleration (a_gf carries
@@ -115,10 +115,10 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
   }
   // The hip's column of J is its axis crossed with the way to the foot; its part along the thigh's
   // axis is the foot's distance below the hip axis, and a factor of the Jacobian's determinant.
-  out.depth = out.J_leg.col(0).dot(out.axes_world.col(1));
+  out.depth = out.J_leg.col(0).dot(out.joint_axes_world.col(1));
 }
 
-void PinocchioDynamics::write_full(const TickDynamics& now, FullDynamics& out) const noexcept {
+void PinocchioDynamics::write_full(const DynamicsTerms& terms, FullDynamics& out) const noexcept {
   const auto& [model, data] = *pinocchio_;
   out.M.triangularView<Eigen::Upper>() = data.M.triangularView<Eigen::Upper>();
   out.M.triangularView<Eigen::StrictlyLower>() =
@@ -126,10 +126,10 @@ void PinocchioDynamics::write_full(const TickDynamics& now, FullDynamics& out) c
   out.h = data.nle;
   out.J.setZero();
   // Pinocchio's Jacobian is about the origin of update()'s frame, the points have been shifted.
-  const Vector3 shift = now.p_world_base - data.oMi[1].translation();
+  const Vector3 shift = terms.p_world_base - data.oMi[1].translation();
   for (int leg = 0; leg < kLegs; ++leg) {
     const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;
-    const Vector3 p = now.legs[leg].p_world_contact - shift;
+    const Vector3 p = terms.legs[leg].p_world_contact - shift;
     for (const auto joint : model.supports[calf]) {
       for (int k = 0; k < model.nvs[joint]; ++k) {
         const int column = model.idx_vs[joint] + k;

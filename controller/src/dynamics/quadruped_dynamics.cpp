@@ -11,16 +11,16 @@ namespace code = leg_code;
 
 bool QuadrupedDynamics::fits(const Robot& robot) noexcept {
   const auto& model = robot.model();
-  const auto level = [](const Matrix3& R) { return R.isIdentity(1e-12); };
-  if (!has_chains_of_three(robot) || !model.jointPlacements[1].isIdentity(1e-12) ||
+  const auto unrotated = [](const Matrix3& R) { return R.isIdentity(1e-12); };
+  if (!has_three_joint_legs(robot) || !model.jointPlacements[1].isIdentity(1e-12) ||
       !model.armature.head<6>().isZero(0.0)) {
     return false;
   }
-  const std::string shape[] = {"JointModelRX", "JointModelRY", "JointModelRY"};
+  const std::string joint_types[] = {"JointModelRX", "JointModelRY", "JointModelRY"};
   for (int motor = 0; motor < kMotors; ++motor) {
     const auto joint = model.getJointId(robot.config().joint_names[motor]);
-    if (model.joints[joint].shortname() != shape[motor % 3]) return false;
-    if (!level(model.jointPlacements[joint].rotation())) return false;
+    if (model.joints[joint].shortname() != joint_types[motor % 3]) return false;
+    if (!unrotated(model.jointPlacements[joint].rotation())) return false;
   }
   return true;
 }
@@ -34,7 +34,7 @@ QuadrupedDynamics::QuadrupedDynamics(const Robot& robot)
 }
 
 void QuadrupedDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
-                               const Vector3& ground_normal, TickDynamics& out) noexcept {
+                               const Vector3& ground_normal, DynamicsTerms& out) noexcept {
   out.R_world_base = Eigen::Map<const Quaternion>(q.data() + 3).toRotationMatrix();
   out.p_world_base = q.head<3>();
   out.v_base = v.head<3>();
@@ -42,15 +42,15 @@ void QuadrupedDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& 
   out.v_world_base = out.R_world_base * out.v_base;
   const Vector3 g_base = out.R_world_base.transpose() * gravity_;
   legs_.evaluate(q, v, out, g_base, ground_normal);
-  add_up(g_base, out);
+  assemble_base(g_base, out);
   for (int leg = 0; leg < kLegs; ++leg) legs_.read_leg(leg, out);
 }
 
 // The base's own body and the four legs make the robot: inertia, momentum and bias about the base's
 // origin, in base axes, add.
-void QuadrupedDynamics::add_up(const Vector3& g, TickDynamics& out) const noexcept {
+void QuadrupedDynamics::assemble_base(const Vector3& g, DynamicsTerms& out) const noexcept {
   double sums[code::kShared];
-  legs_.add_up(sums);
+  legs_.sum_over_legs(sums);
   const auto vector = [&sums](int i) { return Vector3(sums[i], sums[i + 1], sums[i + 2]); };
 
   const Vector3 mass_lever = base_mass_lever_ + vector(code::kMassLever);
@@ -77,11 +77,11 @@ void QuadrupedDynamics::add_up(const Vector3& g, TickDynamics& out) const noexce
       vector(code::kHBase + 3) + w.cross(angular) + v.cross(linear) - base_mass_lever_.cross(g);
 
   const Vector3 p_base_com = mass_lever / mass_;
-  const Matrix3 about_com = inertia + skew(p_base_com) * cross;
+  const Matrix3 I_base_com = inertia + skew(p_base_com) * cross;
   const Vector3 p = mass_ * v + w.cross(mass_lever) + vector(code::kMomentum);
   const Vector3 L = mass_lever.cross(v) + inertia * w + vector(code::kMomentum + 3);
   const Matrix3& R = out.R_world_base;
-  out.I_world_com = R * about_com * R.transpose();
+  out.I_world_com = R * I_base_com * R.transpose();
   out.p_world_com = out.p_world_base + R * p_base_com;
   out.v_world_com = R * p / mass_;
   out.L_world_com = R * (L - p_base_com.cross(p));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "dynamics/leg_pairs.hpp"
-#include "dynamics/tick_dynamics.hpp"
+#include "dynamics/dynamics_terms.hpp"
+#include "dynamics/leg_pair_dynamics.hpp"
 #include "surefoot/robot.hpp"
 
 namespace surefoot {
@@ -21,12 +21,12 @@ class QuadrupedDynamics {
 
   /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
-              TickDynamics& out) noexcept;
+              DynamicsTerms& out) noexcept;
 
  private:
-  void add_up(const Vector3& g_base, TickDynamics& out) const noexcept;
+  void assemble_base(const Vector3& g_base, DynamicsTerms& out) const noexcept;
 
-  LegPairs legs_;
+  LegPairDynamics legs_;
   double mass_;
   Vector3 gravity_;  ///< world axes [m/s^2]
   // The base's own body: mass, mass times centre, rotational inertia about the base's origin.

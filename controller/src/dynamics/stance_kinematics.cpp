@@ -10,9 +10,9 @@ namespace surefoot {
 
 namespace {
 constexpr int kIterations = 6;
-constexpr double kTolerance = 1e-6;   // [m]
-constexpr double kLongestStep = 0.2;  // [rad] of a joint; further and a leg might fold over
-constexpr double kSingular = 1e-7;    // [m^3] of a leg's Jacobian
+constexpr double kTolerance = 1e-6;       // [m]
+constexpr double kMaxJointStep = 0.2;     // [rad] of a joint; further and a leg might fold over
+constexpr double kMinDeterminant = 1e-7;  // [m^3] of a leg's Jacobian
 }  // namespace
 
 struct StanceKinematics::Pinocchio {
@@ -25,9 +25,9 @@ StanceKinematics::StanceKinematics(const Robot& robot)
     : pinocchio_(std::make_unique<Pinocchio>(robot.model())),
       robot_(robot),
       q_(robot.q_standing()),
-      trial_(q_) {
-  step(FeetMatrix::Zero(), robot.config().foot_radius * Vector3::UnitZ());
-  for (int leg = 0; leg < kLegs; ++leg) depth_sign_[leg] = trial_depth_[leg] < 0.0 ? -1.0 : 1.0;
+      q_trial_(q_) {
+  newton_step(FeetMatrix::Zero(), robot.config().foot_radius * Vector3::UnitZ());
+  for (int leg = 0; leg < kLegs; ++leg) depth_sign_[leg] = depth_trial_[leg] < 0.0 ? -1.0 : 1.0;
 }
 StanceKinematics::~StanceKinematics() = default;
 StanceKinematics::StanceKinematics(StanceKinematics&&) noexcept = default;
@@ -36,15 +36,15 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
                              const FeetMatrix& contacts, const Vector3& normal) noexcept {
   const Vector3 lever = robot_.config().foot_radius * normal;
   const FeetMatrix centres = contacts.colwise() + lever;
-  trial_ = q_;
-  trial_.head<3>() = p_base;
-  trial_.segment<4>(3) = R_base.coeffs();
+  q_trial_ = q_;
+  q_trial_.head<3>() = p_base;
+  q_trial_.segment<4>(3) = R_base.coeffs();
   for (int k = 0; k < kIterations; ++k) {
-    const double error = step(centres, lever);
+    const double error = newton_step(centres, lever);
     if (!(error < 10.0)) return false;
     if (error > kTolerance) continue;
-    q_ = trial_;
-    depth_ = trial_depth_;
+    q_ = q_trial_;
+    depth_ = depth_trial_;
     p_com_ = pinocchio::centerOfMass(pinocchio_->model, pinocchio_->data, q_, false);
     return true;
   }
@@ -52,10 +52,10 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
 }
 
 // One Newton step of every leg; returns the greatest foot error before it.
-double StanceKinematics::step(const FeetMatrix& centres, const Vector3& lever) noexcept {
+double StanceKinematics::newton_step(const FeetMatrix& centres, const Vector3& lever) noexcept {
   auto& [model, data] = *pinocchio_;
-  pinocchio::computeJointJacobians(model, data, trial_);
-  double worst = 0.0;
+  pinocchio::computeJointJacobians(model, data, q_trial_);
+  double max_error = 0.0;
   for (int leg = 0; leg < kLegs; ++leg) {
     const auto& frame = model.frames[robot_.foot_frame_ids()[leg]];
     const Vector3 p = data.oMi[frame.parentJoint].act(frame.placement.translation());
@@ -67,18 +67,19 @@ double StanceKinematics::step(const FeetMatrix& centres, const Vector3& lever) n
     // As Dynamics::update_depth has it, of the contact point.
     const Vector3 hip_axis = data.J.col(robot_.motor_to_v()[3 * leg]).tail<3>();
     const Vector3 thigh_axis = data.J.col(robot_.motor_to_v()[3 * leg + 1]).tail<3>();
-    trial_depth_[leg] = depth_sign_[leg] * (J.col(0) + lever.cross(hip_axis)).dot(thigh_axis);
+    depth_trial_[leg] = depth_sign_[leg] * (J.col(0) + lever.cross(hip_axis)).dot(thigh_axis);
     const Vector3 error = centres.col(leg) - p;
-    if (!error.allFinite() || std::abs(J.determinant()) < kSingular) {
+    if (!error.allFinite() || std::abs(J.determinant()) < kMinDeterminant) {
       return std::numeric_limits<double>::infinity();
     }
     const Vector3 step = J.inverse() * error;
     for (int k = 0; k < kLegJoints; ++k) {
-      trial_[robot_.motor_to_q()[3 * leg + k]] += std::clamp(step[k], -kLongestStep, kLongestStep);
+      q_trial_[robot_.motor_to_q()[3 * leg + k]] +=
+          std::clamp(step[k], -kMaxJointStep, kMaxJointStep);
     }
-    worst = std::max(worst, error.norm());
+    max_error = std::max(max_error, error.norm());
   }
-  return worst;
+  return max_error;
 }
 
 }  // namespace surefoot

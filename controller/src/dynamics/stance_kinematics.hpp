@@ -17,7 +17,7 @@ class StanceKinematics {
   StanceKinematics(StanceKinematics&&) noexcept;
 
   /// Begin the next solve from these joints; q of shape (nq,).
-  void start_from(const Eigen::VectorXd& q) noexcept { q_ = q; }
+  void set_initial_guess(const Eigen::VectorXd& q) noexcept { q_ = q; }
 
   /// Put the contact points where they are wanted. @return false if a leg does not reach: q() is
   /// then the last one that did
@@ -30,15 +30,15 @@ class StanceKinematics {
   const Eigen::Vector4d& depth() const noexcept { return depth_; }
 
  private:
-  double step(const FeetMatrix& centres, const Vector3& lever) noexcept;
+  double newton_step(const FeetMatrix& centres, const Vector3& lever) noexcept;
 
   struct Pinocchio;
   std::unique_ptr<Pinocchio> pinocchio_;
   Robot robot_;
-  Eigen::VectorXd q_, trial_;
+  Eigen::VectorXd q_, q_trial_;
   Vector3 p_com_ = Vector3::Zero();
   Eigen::Vector4d depth_sign_ = Eigen::Vector4d::Ones();
-  Eigen::Vector4d depth_ = Eigen::Vector4d::Zero(), trial_depth_ = depth_;
+  Eigen::Vector4d depth_ = Eigen::Vector4d::Zero(), depth_trial_ = depth_;
 };
 
 }  // namespace surefoot

@@ -7,13 +7,14 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRateTime = 0.005;  // [s] smooths the angular acceleration
-constexpr double kTravels = 0.05;    // [m/s] slower is not travelling, but noise
-constexpr double kSurprise = 1.0;    // [m/s] doubt about the velocity once no foot agrees
-constexpr double kStands = 0.9;      // belief of a foot whose noise is learnt
-constexpr double kStill = 0.2;       // [rad/s] of a body at rest
-constexpr double kCarried = 0.4;     // share of the weight that feet bear of a robot that stands
-constexpr double kFeetDown = 2.5;    // beliefs' sum of the same
+constexpr double kRateFilterTime = 0.005;  // [s] smooths the angular acceleration
+constexpr double kMinTravelSpeed = 0.05;   // [m/s] slower is not travelling, but noise
+constexpr double kVelocitySigma = 1.0;     // [m/s] doubt about the velocity once no foot agrees
+constexpr double kStanceConfidence = 0.9;  // belief of a foot whose noise is learnt
+constexpr double kRestRate = 0.2;          // [rad/s] of a body at rest
+constexpr double kSupportedShare =
+    0.4;                                // share of the weight that feet bear of a robot that stands
+constexpr double kMinContactSum = 2.5;  // beliefs' sum of the same
 
 }  // namespace
 
@@ -28,17 +29,18 @@ void StateEstimator::Impl::read_joints(const LowState& low_state) noexcept {
 }
 
 void StateEstimator::Impl::predict(double dt) noexcept {
-  step = inertial.step(gains, imu, filter, dynamics, state.contact, dt);
-  if (inertial.outvoted()) imu.gyroscope = Verdict::kDisagrees;
-  filter.predict(gains, step, wander.variance(gains, feet_beliefs(), dt));
-  w_base = step.w_base - filter.gyroscope_bias();
-  w_smooth += dt / (dt + kRateTime) * (w_base - w_smooth);
-  alpha_base = (w_base - w_smooth) / kRateTime;
+  imu_input = imu_preprocessor.update(gains, imu, filter, dynamics, state.contact, dt);
+  if (imu_preprocessor.gyroscope_rejected()) imu.gyroscope = SensorVerdict::kDisagrees;
+  filter.predict(gains, imu_input, foot_motion.process_variance(gains, foot_contact_state(), dt));
+  w_base = imu_input.w_base - filter.gyroscope_bias();
+  w_filtered += dt / (dt + kRateFilterTime) * (w_base - w_filtered);
+  alpha_base = (w_base - w_filtered) / kRateFilterTime;
 }
 
-FootBeliefs StateEstimator::Impl::feet_beliefs() const noexcept {
-  FootBeliefs out{state.contact, loads, slip.slip().cwiseProduct(slip.speed()), filter.refused()};
-  if (!torques_tell()) out.load.setOnes();
+FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
+  FootContactState out{state.contact, loads, slip.slip().cwiseProduct(slip.speed()),
+                       filter.rejected_feet()};
+  if (!torques_valid()) out.load.setOnes();
   return out;
 }
 
@@ -54,35 +56,37 @@ void StateEstimator::Impl::update_dynamics() noexcept {
 
 Vector3 StateEstimator::Impl::base_acceleration() const noexcept {
   const Vector3& arm = robot.config().p_base_imu;
-  const Vector3 felt = step.f_base - filter.accelerometer_bias();
-  return felt - kGravity * dynamics.R_world_base().row(2).transpose() - alpha_base.cross(arm) -
-         w_base.cross(w_base.cross(arm));
+  const Vector3 specific_force = imu_input.f_base - filter.accelerometer_bias();
+  return specific_force - kGravity * dynamics.R_world_base().row(2).transpose() -
+         alpha_base.cross(arm) - w_base.cross(w_base.cross(arm));
 }
 
-void StateEstimator::Impl::find_contacts(const LowState& low_state, double dt) noexcept {
-  legs.update(dynamics, base_acceleration(), alpha_base, torques_tell() ? tau_est : planned_tau, dq,
-              stops_at(robot.config(), q), dt);
+void StateEstimator::Impl::update_contacts(const LowState& low_state, double dt) noexcept {
+  leg_forces.update(dynamics, base_acceleration(), alpha_base,
+                    torques_valid() ? tau_est : planned_tau, dq, joint_stops(robot.config(), q),
+                    dt);
   const Vector3 v_base = filter.v() - dynamics.w_world_base().cross(dynamics.R_world_base() *
                                                                     robot.config().p_base_imu);
   FeetMatrix v_contact;
   for (int leg = 0; leg < kLegs; ++leg) {
     v_contact.col(leg) = v_base + dynamics.legs()[leg].v_world_contact;
   }
-  wander.see(dynamics, dt);
+  foot_motion.update_velocity(dynamics, dt);
   slip.update(gains, v_contact, state.contact, dt);
-  rise.update(dynamics, filter, slip.velocity(), state.contact, contact.bears(), normal, dt);
+  clearance.update(dynamics, filter, slip.velocity(), state.contact, contact.loaded_by_forces(),
+                   normal, dt);
   ContactSignals signals;
   const double weight = robot.mass() * kGravity;
-  loads = legs.forces().transpose() * normal / weight;
+  loads = leg_forces.forces().transpose() * normal / weight;
   signals.torque_load = loads;
-  signals.tau_est = torques.verdict();
+  signals.tau_est = torque_check.verdict();
   signals.foot_force_est = low_state.footForceEst;  // packed: copied
   signals.foot_force = low_state.footForce;
-  signals.speed = slip.excess();
-  signals.rise = rise.rise();
-  signals.felt = dynamics.R_world_base().row(2).dot(step.f_base) / kGravity;
+  signals.speed = slip.excess_speed();
+  signals.clearance = clearance.clearance();
+  signals.load_factor = dynamics.R_world_base().row(2).dot(imu_input.f_base) / kGravity;
   contact.update(gains, signals, dt);
-  state.contact = contact.probability();
+  state.contact = contact.confidence();
   state.friction = slip.friction(gains);
 }
 
@@ -90,67 +94,69 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   const Matrix3& R = dynamics.R_world_base();
   const Vector3 arm = robot.config().p_base_imu;
   const Vector3 lever = robot.config().foot_radius * normal;
-  filter.move_feet(wander.roll(dynamics, q, state.contact, lever, dt));
+  filter.move_feet(foot_motion.rolling_displacement(dynamics, q, state.contact, lever, dt));
   FeetMatrix y_base;
   for (int leg = 0; leg < kLegs; ++leg) {
     y_base.col(leg) = R.transpose() * dynamics.legs()[leg].p_world_contact - arm;
   }
-  filter.correct(y_base, noise.variance(), gains.gate_foot, lever);
+  filter.correct(y_base, foot_noise.variance(), gains.gate_foot, lever);
   align();
-  std::array<bool, kLegs> stands;
-  int standing = 0, refused = 0;
+  std::array<bool, kLegs> stance;
+  int stance_count = 0, rejected_count = 0;
   for (int leg = 0; leg < kLegs; ++leg) {
-    const bool down = state.contact[leg] > kStands;
-    stands[leg] = down;
-    standing += down;
-    refused += down && filter.refused()[leg];
+    const bool in_stance = state.contact[leg] > kStanceConfidence;
+    stance[leg] = in_stance;
+    stance_count += in_stance;
+    rejected_count += in_stance && filter.rejected_feet()[leg];
   }
   // What a stopped IMU misses is not the feet's noise.
   const bool fresh = imu.w_age == 1 && imu.f_age <= 2;
-  if (fresh) noise.update(filter.foot_nis(), filter.expected(), stands, dt);
+  if (fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
   // Standing feet that all contradict the prediction are right: a blow has clipped the
   // accelerometer. Without this the gate would lock them out for ever.
-  if (standing >= 2 && refused == standing) filter.doubt_velocity(kSurprise * kSurprise);
+  if (stance_count >= 2 && rejected_count == stance_count)
+    filter.add_velocity_variance(kVelocitySigma * kVelocitySigma);
 
   const Vector3 p_base = filter.p() - R * arm;
   const Vector3 v_base = filter.v() - R * w_base.cross(arm);
-  if (v_base.norm() > kTravels) way += dt * v_base.norm();
+  if (v_base.norm() > kMinTravelSpeed) path_length += dt * v_base.norm();
   state.q.head<3>() = p_base;
   state.v.head<3>() = R.transpose() * v_base;
   dynamics.shift(p_base, v_base);
   const auto& P = filter.covariance();
   const double tilt = std::sqrt(P(0, 0) + P(1, 1));
-  quaternion.update(imu, filter.R_world_base(), tilt, dt);
-  if (misled()) align_anew();
+  quaternion_check.update(imu, filter.R_world_base(), tilt, dt);
+  if (attitude_diverged()) restart_alignment();
 }
 
 // Has the filter been led astray, by a gyroscope that nobody contradicted in time? The vendor's
 // attitude and the accelerometer of a robot at rest agree with each other, and not with it.
-bool StateEstimator::Impl::misled() const noexcept {
-  if (quaternion.verdict() != Verdict::kDisagrees || w_smooth.norm() > kStill) return false;
-  return vouch_for_each_other(imu);
+bool StateEstimator::Impl::attitude_diverged() const noexcept {
+  if (quaternion_check.verdict() != SensorVerdict::kDisagrees || w_filtered.norm() > kRestRate)
+    return false;
+  return accelerometer_matches_quaternion(imu);
 }
 
-bool StateEstimator::Impl::carried() const noexcept {
-  const double borne = (legs.forces().transpose() * normal).sum();
-  return (torques_tell() || has_plan) && state.contact.sum() > kFeetDown &&
-         borne > kCarried * robot.mass() * kGravity;
+bool StateEstimator::Impl::supported() const noexcept {
+  const double borne = (leg_forces.forces().transpose() * normal).sum();
+  return (torques_valid() || has_plan) && state.contact.sum() > kMinContactSum &&
+         borne > kSupportedShare * robot.mass() * kGravity;
 }
 
 // What the accelerometer feels beyond the plan is laid to a push, at once; what the torques bear
 // beyond the model, slowly, to a payload. The plan counts with both already.
-void StateEstimator::Impl::observe_outside(double dt) noexcept {
-  const bool carried = this->carried();
-  payload.update(gains, dynamics, legs.forces(), carried, dt);
-  state.f_outside = state.f_lasting = payload.force();
-  state.moment_outside = payload.moment();
+void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
+  const bool supported = this->supported();
+  payload.update(gains, dynamics, leg_forces.forces(), supported, dt);
+  state.f_external = state.f_sustained = payload.force();
+  state.moment_external = payload.moment();
   if (!has_plan) return;
   // Classical acceleration of the base's origin that is planned. It counted with the push that was
   // believed in when it was made, which is none of the feet's doing.
-  const Vector3 a = planned.head<3>() + w_base.cross(Vector3(state.v.head<3>()));
+  const Vector3 a = planned_acceleration.head<3>() + w_base.cross(Vector3(state.v.head<3>()));
   const Vector3 unplanned = dynamics.R_world_base() * (base_acceleration() - a);
-  push.update(gains, unplanned + planned_push / robot.mass(), carried, dt);
-  state.f_outside += robot.mass() * push.acceleration(gains);
+  push.update(gains, unplanned + planned_push / robot.mass(), supported, dt);
+  state.f_external += robot.mass() * push.acceleration(gains);
 }
 
 }  // namespace surefoot

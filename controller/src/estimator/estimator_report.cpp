@@ -3,21 +3,21 @@
 
 namespace surefoot {
 
-const char* to_string(Verdict verdict) noexcept {
+const char* to_string(SensorVerdict verdict) noexcept {
   switch (verdict) {
-    case Verdict::kGood:
+    case SensorVerdict::kGood:
       return "good";
-    case Verdict::kUnjudged:
+    case SensorVerdict::kUnjudged:
       return "unjudged";
-    case Verdict::kZero:
+    case SensorVerdict::kZero:
       return "zero";
-    case Verdict::kConstant:
+    case SensorVerdict::kConstant:
       return "constant";
-    case Verdict::kSaturated:
+    case SensorVerdict::kSaturated:
       return "saturated";
-    case Verdict::kDisagrees:
+    case SensorVerdict::kDisagrees:
       return "disagrees";
-    case Verdict::kImplausible:
+    case SensorVerdict::kImplausible:
       return "implausible";
   }
   return "unknown";

@@ -2,13 +2,13 @@
 #include "surefoot/state_estimator.hpp"
 
 #include "estimator/estimator_impl.hpp"
-#include "low_state_check.hpp"
+#include "low_level/low_state_check.hpp"
 #include "surefoot/stage_clock.hpp"
 
 namespace surefoot {
 
 namespace {
-constexpr double kLongestStep = 0.1;  // [s] longer steps say nothing about what happened meanwhile
+constexpr double kMaxTimeStep = 0.1;  // [s] longer steps say nothing about what happened meanwhile
 }
 
 StateEstimator::StateEstimator(const Robot& robot) : impl_(std::make_unique<Impl>(robot)) {}
@@ -17,11 +17,11 @@ StateEstimator::StateEstimator(StateEstimator&&) noexcept = default;
 
 const RobotState& StateEstimator::state() const noexcept { return impl_->state; }
 const Dynamics& StateEstimator::dynamics() const noexcept { return impl_->dynamics; }
-bool StateEstimator::foot_force_alive() const noexcept {
+bool StateEstimator::has_foot_force_est() const noexcept {
   return impl_->contact.foot_force_est_alive();
 }
-Eigen::Vector4d StateEstimator::torque_force() const noexcept {
-  return impl_->legs.forces().transpose() * impl_->normal;
+Eigen::Vector4d StateEstimator::normal_forces_from_torques() const noexcept {
+  return impl_->leg_forces.forces().transpose() * impl_->normal;
 }
 
 void StateEstimator::set_gains(const Gains& gains) {
@@ -37,14 +37,14 @@ bool StateEstimator::adopt_gains(const Gains& gains) noexcept {
 
 void StateEstimator::set_ground_normal(const Vector3& normal) noexcept {
   // A foot that stands touches the ground elsewhere on its sole: nothing has moved.
-  const Vector3 way = -impl_->robot.config().foot_radius * (normal - impl_->normal);
-  if (impl_->started) impl_->filter.move_feet(way.replicate<1, kLegs>());
+  const Vector3 displacement = -impl_->robot.config().foot_radius * (normal - impl_->normal);
+  if (impl_->started) impl_->filter.move_feet(displacement.replicate<1, kLegs>());
   impl_->normal = normal;
 }
 
-void StateEstimator::set_plan(const Vector6& a_base, const Vector12& tau,
-                              const Vector3& f_push) noexcept {
-  impl_->planned = a_base;
+void StateEstimator::set_planned_motion(const Vector6& a_base, const Vector12& tau,
+                                        const Vector3& f_push) noexcept {
+  impl_->planned_acceleration = a_base;
   impl_->planned_push = f_push;
   impl_->planned_tau = tau;
   impl_->has_plan = true;
@@ -55,20 +55,20 @@ void StateEstimator::reset() noexcept { impl_->reset(); }
 Status StateEstimator::update(const LowState& low_state, double dt) noexcept {
   const StageScope stage(Stage::kEstimate);
   Impl& s = *impl_;
-  if (!(dt > 0.0 && dt <= kLongestStep)) return Status::kStaleTick;
+  if (!(dt > 0.0 && dt <= kMaxTimeStep)) return Status::kStaleTick;
   const Status status = check_low_state(low_state, s.robot.config());
   if (status != Status::kOk) return status;
   s.read_joints(low_state);
   const Vector12 joints = s.state.q.tail<kMotors>() + s.state.v.tail<kMotors>();
-  s.reader.read(low_state.imu, s.robot.config(), joints, dt, s.imu);
-  s.torques.update(s.tau_est, s.imu.anew, dt);
-  if (!s.started) s.start();
+  s.imu_reader.read(low_state.imu, s.robot.config(), joints, dt, s.imu);
+  s.torque_check.update(s.tau_est, s.imu.changed, dt);
+  if (!s.started) s.initialise();
   s.predict(dt);
   s.update_dynamics();
-  s.find_contacts(low_state, dt);
+  s.update_contacts(low_state, dt);
   s.correct(dt);
-  s.observe_outside(dt);
-  if (s.filter.possible()) return Status::kOk;
+  s.observe_external_wrench(dt);
+  if (s.filter.is_plausible()) return Status::kOk;
   s.reset();
   return Status::kDiverged;
 }

@@ -6,67 +6,70 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRestart = 5;               // reports in a row from behind: the robot began anew
-constexpr double kPace = 0.5e-3;          // [s] of arrival a tick of theirs, at least
-constexpr int kShorter = 2, kLonger = 8;  // equal steps in a row that make a new period
+constexpr int kRestartSamples = 5;           // reports in a row from behind: the robot began anew
+constexpr double kMinTickDuration = 0.5e-3;  // [s] of arrival a tick of theirs, at least
+constexpr int kStepsToShortenPeriod = 2,
+              kStepsToLengthenPeriod = 8;  // equal steps in a row that make a new period
 }  // namespace
 
-TickSequence::Verdict TickSequence::take(std::uint32_t tick, double time) noexcept {
+TickSequence::Arrival TickSequence::classify(std::uint32_t tick, double time) noexcept {
   if (!started_) {
     begin(tick);
-    return Verdict::kNewer;
+    return Arrival::kNewer;
   }
-  const auto ahead = static_cast<std::int32_t>(tick - last_);
-  return ahead > 0 ? take_ahead(tick - last_) : take_behind(tick, last_ - tick, time);
+  const auto ahead = static_cast<std::int32_t>(tick - newest_tick_);
+  return ahead > 0 ? classify_ahead(tick - newest_tick_)
+                   : classify_behind(tick, newest_tick_ - tick, time);
 }
 
 void TickSequence::begin(std::uint32_t tick) noexcept {
   started_ = true;
-  last_ = tick;
-  seen_ = 1;  // the newest itself
+  newest_tick_ = tick;
+  received_ = 1;  // the newest itself
   period_ = step_ = 0;
-  steps_ = old_ones_ = 0;
+  step_repeats_ = behind_count_ = 0;
 }
 
-TickSequence::Verdict TickSequence::take_ahead(std::uint32_t step) noexcept {
-  learn(step);
+TickSequence::Arrival TickSequence::classify_ahead(std::uint32_t step) noexcept {
+  update_period(step);
   if (period_ > 0 && step > period_) lost_ += step / period_ - 1;
-  seen_ <<= std::min<std::size_t>(step, kRemembered);
-  seen_.set(0);
-  last_ += step;
-  old_ones_ = 0;
-  return Verdict::kNewer;
+  received_ <<= std::min<std::size_t>(step, kWindow);
+  received_.set(0);
+  newest_tick_ += step;
+  behind_count_ = 0;
+  return Arrival::kNewer;
 }
 
-TickSequence::Verdict TickSequence::take_behind(std::uint32_t tick, std::uint32_t behind,
-                                                double time) noexcept {
-  const bool recent = behind < kRemembered;
+TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uint32_t behind,
+                                                    double time) noexcept {
+  const bool recent = behind < kWindow;
   if (recent) {
-    if (seen_[behind]) return Verdict::kDuplicate;
-    seen_.set(behind);
+    if (received_[behind]) return Arrival::kDuplicate;
+    received_.set(behind);
   }
-  const bool rising = old_ones_ > 0 && static_cast<std::int32_t>(tick - old_) > 0;
+  const bool rising = behind_count_ > 0 && static_cast<std::int32_t>(tick - behind_tick_) > 0;
   if (!rising) {
-    old_first_ = tick;
-    old_since_ = time;
+    behind_first_tick_ = tick;
+    behind_start_time_ = time;
   }
-  old_ones_ = rising ? old_ones_ + 1 : 1;
-  old_ = tick;
-  const bool paced = time - old_since_ >= kPace * (tick - old_first_);
-  if (old_ones_ >= kRestart && (paced || !recent)) {
+  behind_count_ = rising ? behind_count_ + 1 : 1;
+  behind_tick_ = tick;
+  const bool paced = time - behind_start_time_ >= kMinTickDuration * (tick - behind_first_tick_);
+  if (behind_count_ >= kRestartSamples && (paced || !recent)) {
     begin(tick);
-    return Verdict::kRestarted;
+    return Arrival::kRestarted;
   }
   if (lost_ > 0) --lost_;  // it had been given up
-  return Verdict::kReordered;
+  return Arrival::kReordered;
 }
 
 // Lost reports lengthen a step, so a shorter one convinces sooner than a longer one.
-void TickSequence::learn(std::uint32_t step) noexcept {
-  steps_ = step == step_ ? steps_ + 1 : 1;
+void TickSequence::update_period(std::uint32_t step) noexcept {
+  step_repeats_ = step == step_ ? step_repeats_ + 1 : 1;
   step_ = step;
-  const int needed = period_ == 0 || step < period_ ? kShorter : kLonger;
-  if (steps_ >= needed) period_ = step;
+  const int needed =
+      period_ == 0 || step < period_ ? kStepsToShortenPeriod : kStepsToLengthenPeriod;
+  if (step_repeats_ >= needed) period_ = step;
 }
 
 }  // namespace surefoot

@@ -14,32 +14,32 @@ namespace surefoot {
 /// last second's own, which a network delivers in a burst, they must come at the robot's pace, too.
 class TickSequence {
  public:
-  enum class Verdict { kNewer, kDuplicate, kReordered, kRestarted };
+  enum class Arrival { kNewer, kDuplicate, kReordered, kRestarted };
 
   /// Take in the tick of a valid report. @param time of its arrival [s], on any steady clock
-  Verdict take(std::uint32_t tick, double time) noexcept;
+  Arrival classify(std::uint32_t tick, double time) noexcept;
 
-  /// Reports that should have come since take() was first called, and have not (yet).
+  /// Reports that should have come since classify() was first called, and have not (yet).
   std::uint64_t lost() const noexcept { return lost_; }
 
  private:
   void begin(std::uint32_t tick) noexcept;
-  Verdict take_ahead(std::uint32_t step) noexcept;
-  Verdict take_behind(std::uint32_t tick, std::uint32_t behind, double time) noexcept;
-  void learn(std::uint32_t step) noexcept;
+  Arrival classify_ahead(std::uint32_t step) noexcept;
+  Arrival classify_behind(std::uint32_t tick, std::uint32_t behind, double time) noexcept;
+  void update_period(std::uint32_t step) noexcept;
 
-  static constexpr std::size_t kRemembered = 1024;  // [ms]
+  static constexpr std::size_t kWindow = 1024;  // [ms]
 
   bool started_ = false;
-  std::uint32_t last_ = 0;         // the newest
-  std::bitset<kRemembered> seen_;  // bit k: has last_ - k come?
-  std::uint32_t period_ = 0;       // [ms] between reports; 0: not known yet
-  std::uint32_t step_ = 0;         // [ms] between the newest two
-  int steps_ = 0;                  // how many of the same in a row
-  std::uint32_t old_ = 0;          // the newest of those in a row that are behind
-  int old_ones_ = 0;               // how many
-  std::uint32_t old_first_ = 0;    // the first of them ...
-  double old_since_ = 0.0;         // [s] ... and when it came
+  std::uint32_t newest_tick_ = 0;        // the newest
+  std::bitset<kWindow> received_;        // bit k: has newest_tick_ - k come?
+  std::uint32_t period_ = 0;             // [ms] between reports; 0: not known yet
+  std::uint32_t step_ = 0;               // [ms] between the newest two
+  int step_repeats_ = 0;                 // how many of the same in a row
+  std::uint32_t behind_tick_ = 0;        // the newest of those in a row that are behind
+  int behind_count_ = 0;                 // how many
+  std::uint32_t behind_first_tick_ = 0;  // the first of them ...
+  double behind_start_time_ = 0.0;       // [s] ... and when it came
   std::uint64_t lost_ = 0;
 };
 

@@ -4,23 +4,23 @@
 #include <algorithm>
 #include <limits>
 
-#include "clock.hpp"
+#include "common/clock.hpp"
+#include "common/command_times.hpp"
+#include "common/text.hpp"
 #include "link/tick_sequence.hpp"
 #include "link/udp_socket.hpp"
-#include "safety/command_keeper.hpp"
 #include "surefoot/error.hpp"
-#include "text.hpp"
 
 namespace surefoot {
 
 namespace {
 
-constexpr double kLeastKd = 0.0625, kGreatestKd = 50.0;  // [N.m.s/rad] Gains::damping_kd's range
+constexpr double kMinKd = 0.0625, kMaxKd = 50.0;  // [N.m.s/rad] Gains::damping_kd's range
 
 LowCmd checked_damping(double kd) {
-  if (kd >= kLeastKd && kd <= kGreatestKd) return damping_low_cmd(kd);
-  throw Error("damping_kd: got " + to_text(kd) + ", expected " + to_text(kLeastKd) + " .. " +
-              to_text(kGreatestKd) + " [N.m.s/rad]");
+  if (kd >= kMinKd && kd <= kMaxKd) return damping_low_cmd(kd);
+  throw Error("damping_kd: got " + to_text(kd) + ", expected " + to_text(kMinKd) + " .. " +
+              to_text(kMaxKd) + " [N.m.s/rad]");
 }
 
 }  // namespace
@@ -32,20 +32,20 @@ struct UdpLink::Impl {
         damping(checked_damping(o.damping_kd)) {
     encode_low_cmd(damping, FrameExtras{}, options.generation, damping_frame);
   }
-  bool take(std::size_t size, double time) noexcept;
+  bool accept_datagram(std::size_t size, double time) noexcept;
   void reject(const FrameReport& report) noexcept;
 
   UdpLinkOptions options;
   UdpSocket socket;
   LowCmd damping;
-  std::array<std::uint8_t, 2 * kMaxFrame> buffer{};  // room to see that a datagram is too long
+  std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};  // room to see that a datagram is too long
   Frame frame, damping_frame;
   LowState state = init_low_state(), incoming = state;
   FrameExtras extras, incoming_extras;
   TickSequence sequence;
   LinkCounts counts;
   FrameReport last_reject;
-  bool known = false;
+  bool has_state = false;
   double arrived = 0.0;  // [s] of the newest, on monotonic_time()
 };
 
@@ -56,15 +56,15 @@ UdpLink::UdpLink(UdpLink&&) noexcept = default;
 bool UdpLink::receive() noexcept {
   Impl& s = *impl_;
   bool newer = false;
-  for (int k = 0; k < kMostAtOnce; ++k) {
+  for (int k = 0; k < kMaxDatagramsPerReceive; ++k) {
     std::size_t size = s.buffer.size();
     double arrived = 0.0;
-    const UdpSocket::Read read = s.socket.read(s.buffer.data(), size, arrived);
-    if (read == UdpSocket::Read::kNothing) return newer;
-    if (read == UdpSocket::Read::kStranger) {
+    const UdpSocket::ReadResult read = s.socket.read(s.buffer.data(), size, arrived);
+    if (read == UdpSocket::ReadResult::kNothing) return newer;
+    if (read == UdpSocket::ReadResult::kOtherSender) {
       ++s.counts.strangers;
     } else {
-      newer = s.take(size, arrived) || newer;
+      newer = s.accept_datagram(size, arrived) || newer;
     }
   }
   ++s.counts.floods;
@@ -72,7 +72,7 @@ bool UdpLink::receive() noexcept {
 }
 
 // One datagram of the peer. Is it newer than what there is?
-bool UdpLink::Impl::take(std::size_t size, double time) noexcept {
+bool UdpLink::Impl::accept_datagram(std::size_t size, double time) noexcept {
   ++counts.received;
   const FrameReport report = decode_low_state(buffer.data(), std::min(size, buffer.size()),
                                               options.generation, incoming, incoming_extras);
@@ -81,19 +81,19 @@ bool UdpLink::Impl::take(std::size_t size, double time) noexcept {
     return false;
   }
   ++counts.valid;
-  const TickSequence::Verdict verdict = sequence.take(incoming.tick, time);
+  const TickSequence::Arrival arrival = sequence.classify(incoming.tick, time);
   counts.lost = sequence.lost();
-  if (verdict == TickSequence::Verdict::kDuplicate) {
+  if (arrival == TickSequence::Arrival::kDuplicate) {
     ++counts.duplicate;
     return false;
   }
-  if (verdict == TickSequence::Verdict::kReordered) {
+  if (arrival == TickSequence::Arrival::kReordered) {
     ++counts.reordered;
     return false;
   }
-  if (verdict == TickSequence::Verdict::kRestarted) ++counts.restarts;
-  if (known && time - arrived > kHoldTime) ++counts.late;
-  known = true;
+  if (arrival == TickSequence::Arrival::kRestarted) ++counts.restarts;
+  if (has_state && time - arrived > kHoldTime) ++counts.late;
+  has_state = true;
   arrived = time;
   state = incoming;
   extras = incoming_extras;
@@ -119,17 +119,18 @@ FrameReport UdpLink::send(const LowCmd& cmd) noexcept {
   const FrameReport report = encode_low_cmd(cmd, FrameExtras{}, s.options.generation, s.frame);
   const bool usable = is_usable(report.status);
   if (!usable) ++s.counts.refused;
-  const Frame& leaves = usable && s.known ? s.frame : s.damping_frame;
-  const bool gone = s.socket.write(leaves.bytes.data(), leaves.size);
-  ++(gone ? s.counts.sent : s.counts.send_failed);
+  const Frame& outgoing = usable && s.has_state ? s.frame : s.damping_frame;
+  const bool was_sent = s.socket.write(outgoing.bytes.data(), outgoing.size);
+  ++(was_sent ? s.counts.sent : s.counts.send_failed);
   return report;
 }
 
-bool UdpLink::known() const noexcept { return impl_->known; }
+bool UdpLink::has_state() const noexcept { return impl_->has_state; }
 const LowState& UdpLink::state() const noexcept { return impl_->state; }
 const FrameExtras& UdpLink::extras() const noexcept { return impl_->extras; }
-double UdpLink::age() const noexcept {
-  return impl_->known ? monotonic_time() - impl_->arrived : std::numeric_limits<double>::infinity();
+double UdpLink::state_age() const noexcept {
+  return impl_->has_state ? monotonic_time() - impl_->arrived
+                          : std::numeric_limits<double>::infinity();
 }
 const LinkCounts& UdpLink::counts() const noexcept { return impl_->counts; }
 const FrameReport& UdpLink::last_reject() const noexcept { return impl_->last_reject; }

@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "clock.hpp"
+#include "common/clock.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -63,16 +63,16 @@ bool is_loopback(const in_addr& address) { return (ntohl(address.s_addr) >> 24) 
 
 }  // namespace
 
-double arrival_time(double now, double age, double empty) noexcept {
-  return std::clamp(now - age, std::min(empty, now), now);
+double arrival_time(double now, double age, double last_empty) noexcept {
+  return std::clamp(now - age, std::min(last_empty, now), now);
 }
 
-UdpSocket::UdpSocket(const std::string& host, int port, int local_port, bool beyond) {
+UdpSocket::UdpSocket(const std::string& host, int port, int local_port, bool allow_remote_peer) {
   check_port("port", port, 1);
   check_port("local port", local_port, 0);
   const in_addr address = resolve(host);
   const bool loopback = is_loopback(address);
-  if (!loopback && !beyond) {
+  if (!loopback && !allow_remote_peer) {
     throw Error("host '" + host +
                 "': got a peer beyond this machine, expected 127.x.x.x; a real robot is talked to "
                 "behind arming checks alone: surefoot run --rise --real-robot");
@@ -103,27 +103,28 @@ UdpSocket::~UdpSocket() {
   if (fd_ >= 0) close(fd_);
 }
 
-UdpSocket::Read UdpSocket::read(std::uint8_t* data, std::size_t& size, double& arrived) noexcept {
+UdpSocket::ReadResult UdpSocket::read(std::uint8_t* data, std::size_t& size,
+                                      double& arrived) noexcept {
   sockaddr_in from{};
-  iovec room{data, size};
+  iovec buffer{data, size};
   alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
   msghdr message{};
   message.msg_name = &from;
   message.msg_namelen = sizeof(from);
-  message.msg_iov = &room;
+  message.msg_iov = &buffer;
   message.msg_iovlen = 1;
   message.msg_control = control;
   message.msg_controllen = sizeof(control);
-  const double looked = monotonic_time();
+  const double read_start = monotonic_time();
   const ssize_t got = recvmsg(fd_, &message, MSG_DONTWAIT | MSG_TRUNC);
   if (got < 0) {
-    empty_ = looked;
-    return Read::kNothing;
+    last_empty_time_ = read_start;
+    return ReadResult::kNothing;
   }
   size = static_cast<std::size_t>(got);
-  arrived = arrival_time(monotonic_time(), stamped_age(message), empty_);
+  arrived = arrival_time(monotonic_time(), stamped_age(message), last_empty_time_);
   const bool peer = from.sin_addr.s_addr == peer_address_ && from.sin_port == peer_port_;
-  return peer ? Read::kPeer : Read::kStranger;
+  return peer ? ReadResult::kPeer : ReadResult::kOtherSender;
 }
 
 bool UdpSocket::write(const std::uint8_t* data, std::size_t size) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "protocol/layout.hpp"
+#include "protocol/frame_layout.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
@@ -47,22 +47,22 @@ std::string to_text(const FrameReport& report) {
   const std::string field =
       (report.motor < 0 ? "" : "motor " + std::to_string(report.motor) + ", ") + report.field;
   const std::string got = "got " + std::to_string(report.size) + " bytes";
-  const std::string wanted = to_string(report.wanted);
+  const std::string expected = to_string(report.expected);
   switch (report.status) {
     case FrameStatus::kOk:
       return "ok";
     case FrameStatus::kSaturated:
-      return field + ": out of range of a " + wanted + " frame, put at its limit";
+      return field + ": out of range of a " + expected + " frame, put at its limit";
     case FrameStatus::kNotFinite:
       return field + ": got a number that is not finite";
     case FrameStatus::kWrongLength:
-      return got + ", the length of no generation's frame; expected one of " + wanted;
+      return got + ", the length of no generation's frame; expected one of " + expected;
     case FrameStatus::kWrongGeneration:
-      return got + ", a frame of " + to_string(report.seen) + "; expected one of " + wanted;
+      return got + ", a frame of " + to_string(report.detected) + "; expected one of " + expected;
     case FrameStatus::kBlank:
       return got + ", all zero: what the vendor's SDK sends before its first command";
     case FrameStatus::kWrongHead:
-      return got + " that do not begin with FE EF, as frames of " + wanted + " do";
+      return got + " that do not begin with FE EF, as frames of " + expected + " do";
     case FrameStatus::kWrongLevel:
       return got + " whose levelFlag is not LOWLEVEL (0xFF): the robot is in high-level mode";
     case FrameStatus::kWrongCrc:

@@ -4,25 +4,25 @@
 #include <algorithm>
 #include <cstring>
 
-#include "protocol/fields.hpp"
+#include "protocol/field_packing.hpp"
 
 namespace surefoot {
 
 namespace {
 
-using LayoutOf = const Layout& (*)(Generation) noexcept;
+using LayoutFunction = const FrameLayout& (*)(Generation) noexcept;
 
 template <typename Struct>
-FrameReport encode(const Layout& layout, Generation generation, Struct said,
+FrameReport encode(const FrameLayout& layout, Generation generation, Struct message,
                    const FrameExtras& extras, Frame& out) noexcept {
   FrameReport report;
-  report.wanted = report.seen = generation;
+  report.expected = report.detected = generation;
   report.size = layout.size;
-  said.head = {0xFE, 0xEF};
-  if (layout.has_head) said.levelFlag = LOWLEVEL;
+  message.head = {0xFE, 0xEF};
+  if (layout.has_header) message.levelFlag = LOWLEVEL;
   Frame frame;
   frame.size = layout.size;
-  pack(layout, reinterpret_cast<const std::uint8_t*>(&said), extras, frame.bytes.data(), report);
+  pack(layout, reinterpret_cast<const std::uint8_t*>(&message), extras, frame.bytes.data(), report);
   if (!is_usable(report.status)) return report;
   const std::uint32_t crc = crc32(frame.bytes.data(), layout.size - 4);
   std::memcpy(frame.bytes.data() + layout.size - 4, &crc, 4);
@@ -31,45 +31,46 @@ FrameReport encode(const Layout& layout, Generation generation, Struct said,
 }
 
 // The generation that has frames of this length, or the one wanted if it is among them.
-FrameStatus judge_length(std::size_t size, LayoutOf layout_of, FrameReport& report) noexcept {
-  if (layout_of(report.wanted).size == size) return FrameStatus::kOk;
+FrameStatus check_length(std::size_t size, LayoutFunction layout_of, FrameReport& report) noexcept {
+  if (layout_of(report.expected).size == size) return FrameStatus::kOk;
   for (int g = 0; g < kGenerations; ++g) {
     if (layout_of(static_cast<Generation>(g)).size == size) {
-      report.seen = static_cast<Generation>(g);
+      report.detected = static_cast<Generation>(g);
       return FrameStatus::kWrongGeneration;
     }
   }
   return FrameStatus::kWrongLength;
 }
 
-FrameStatus judge_envelope(const Layout& layout, const std::uint8_t* data) noexcept {
+FrameStatus check_header_and_crc(const FrameLayout& layout, const std::uint8_t* data) noexcept {
   if (std::all_of(data, data + layout.size, [](std::uint8_t byte) { return byte == 0; })) {
     return FrameStatus::kBlank;
   }
-  if (layout.has_head && !(data[0] == 0xFE && data[1] == 0xEF)) return FrameStatus::kWrongHead;
-  if (layout.has_head && data[2] != LOWLEVEL) return FrameStatus::kWrongLevel;
+  if (layout.has_header && !(data[0] == 0xFE && data[1] == 0xEF)) return FrameStatus::kWrongHead;
+  if (layout.has_header && data[2] != LOWLEVEL) return FrameStatus::kWrongLevel;
   std::uint32_t crc;
   std::memcpy(&crc, data + layout.size - 4, 4);
   return crc == crc32(data, layout.size - 4) ? FrameStatus::kOk : FrameStatus::kWrongCrc;
 }
 
 template <typename Struct>
-FrameReport decode(LayoutOf layout_of, const std::uint8_t* data, std::size_t size,
-                   Generation generation, Struct told, Struct& out, FrameExtras& extras) noexcept {
+FrameReport decode(LayoutFunction layout_of, const std::uint8_t* data, std::size_t size,
+                   Generation generation, Struct decoded, Struct& out,
+                   FrameExtras& extras) noexcept {
   FrameReport report;
-  report.wanted = report.seen = generation;
+  report.expected = report.detected = generation;
   report.size = size;
-  const Layout& layout = layout_of(generation);
-  report.status = judge_length(size, layout_of, report);
-  if (report.status == FrameStatus::kOk) report.status = judge_envelope(layout, data);
+  const FrameLayout& layout = layout_of(generation);
+  report.status = check_length(size, layout_of, report);
+  if (report.status == FrameStatus::kOk) report.status = check_header_and_crc(layout, data);
   if (report.status != FrameStatus::kOk) return report;
-  FrameExtras beside;
-  unpack(layout, data, reinterpret_cast<std::uint8_t*>(&told), beside, report);
+  FrameExtras decoded_extras;
+  unpack(layout, data, reinterpret_cast<std::uint8_t*>(&decoded), decoded_extras, report);
   if (report.status != FrameStatus::kOk) return report;
-  std::memcpy(reinterpret_cast<std::uint8_t*>(&told) + offsetof(Struct, crc),
+  std::memcpy(reinterpret_cast<std::uint8_t*>(&decoded) + offsetof(Struct, crc),
               data + layout.size - 4, 4);
-  out = told;
-  extras = beside;
+  out = decoded;
+  extras = decoded_extras;
   return report;
 }
 

@@ -8,7 +8,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr float kFarthest = 1.05F;  // of a stick; sticks are not calibrated to the last digit
+constexpr float kMaxDeflection = 1.05F;  // of a stick; sticks are not calibrated to the last digit
 
 struct Stick {
   std::size_t offset;
@@ -26,13 +26,13 @@ constexpr Stick kSticks[] = {{4, &WirelessRemote::lx},
 WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept {
   WirelessRemote remote;
   std::memcpy(&remote.buttons, bytes.data() + kButtons, 2);
-  bool centred = false;
+  bool out_of_range = false;
   for (const Stick& stick : kSticks) {
     float& value = remote.*stick.value;
     std::memcpy(&value, bytes.data() + stick.offset, 4);
-    centred |= !(std::abs(value) <= kFarthest);
+    out_of_range |= !(std::abs(value) <= kMaxDeflection);
   }
-  if (centred) {
+  if (out_of_range) {
     for (const Stick& stick : kSticks) remote.*stick.value = 0.0F;
   }
   return remote;

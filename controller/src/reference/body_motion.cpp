@@ -8,11 +8,12 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFreeTime = 0.1;   // [s] without a limit in the way before it is forgotten
-constexpr double kThere = 1e-5;     // [m], [rad] from the target counts as there
-constexpr double kMoved = 1e-4;     // [m] of a foot, that the centre of mass is computed anew for
-constexpr double kProbe = 1e-3;     // [m], [rad] an axis is tried by
-constexpr double kFarthest = 10.0;  // [m], [rad] of a target; no robot reaches that far
+constexpr double kLimitHoldTime = 0.1;     // [s] without a limit in the way before it is forgotten
+constexpr double kTargetTolerance = 1e-5;  // [m], [rad] from the target counts as there
+constexpr double kFootTolerance =
+    1e-4;                            // [m] of a foot, that the centre of mass is computed anew for
+constexpr double kProbeStep = 1e-3;  // [m], [rad] an axis is tried by
+constexpr double kMaxTarget = 10.0;  // [m], [rad] of a target; no robot reaches that far
 
 Vector6 to_vector(const BodyReference& r) noexcept {
   Vector6 v;
@@ -26,17 +27,17 @@ void BodyMotion::latch(const LatchedPose& pose, const Vector3& p_com,
                        const Eigen::VectorXd& q) noexcept {
   latched_ = pose;
   p_com_ = p_com;
-  reach_.start_from(q);
+  reach_check_.set_initial_guess(q);
   position_.setZero();
   just_latched_ = true;
-  judged_feet_.setConstant(kFarthest);
+  evaluated_feet_.setConstant(kMaxTarget);
   stop();
 }
 
 void BodyMotion::reset() noexcept {
   target_.setZero();
   position_.setZero();
-  refused_ = false;
+  request_rejected_ = false;
   stop();
 }
 
@@ -49,32 +50,32 @@ void BodyMotion::stop() noexcept {
 }
 
 void BodyMotion::set_target(const BodyReference& target) noexcept {
-  const Vector6 wanted = to_vector(target);
-  refused_ = !wanted.allFinite();
-  if (refused_) return;
-  target_ = wanted.cwiseMin(kFarthest).cwiseMax(-kFarthest);
+  const Vector6 desired = to_vector(target);
+  request_rejected_ = !desired.allFinite();
+  if (request_rejected_) return;
+  target_ = desired.cwiseMin(kMaxTarget).cwiseMax(-kMaxTarget);
 }
 
-void BodyMotion::step(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
-                      double dt) noexcept {
-  const bool there = (target_ - position_).cwiseAbs().maxCoeff() < kThere &&
-                     velocity_.cwiseAbs().maxCoeff() < kThere;
-  if (there) stop();
-  if (there && (feet - judged_feet_).cwiseAbs().maxCoeff() < kMoved) return;
-  judge_present(gains, feet, gravity);
-  if (there) return;
-  if (limited()) probe(gains, feet, gravity, dt);
+void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
+                        double dt) noexcept {
+  const bool at_target = (target_ - position_).cwiseAbs().maxCoeff() < kTargetTolerance &&
+                         velocity_.cwiseAbs().maxCoeff() < kTargetTolerance;
+  if (at_target) stop();
+  if (at_target && (feet - evaluated_feet_).cwiseAbs().maxCoeff() < kFootTolerance) return;
+  evaluate_current_pose(gains, feet, gravity);
+  if (at_target) return;
+  if (at_limit()) probe_axis(gains, feet, gravity, dt);
   const Vector6 before = velocity_;
-  velocity_ = before + limited_change(gains, wanted_velocity(gains) - before, dt);
+  velocity_ = before + limited_change(gains, desired_velocity(gains) - before, dt);
   // It goes on only while it could still stop before anything is in the way.
   const double stopping = stopping_time(gains) + dt;
   if (acceptable(gains, position_ + stopping * velocity_, feet, gravity)) {
-    v_com_ = (reach_.p_com() + com_offset_ - p_com_) / stopping;
+    v_com_ = (reach_check_.p_com() + com_offset_ - p_com_) / stopping;
   } else {
     velocity_ = before + limited_change(gains, -before, dt);
     v_com_.setZero();
     blocked_.fill(true);
-    free_time_ = 0.0;
+    unblocked_time_ = 0.0;
   }
   acceleration_ = (velocity_ - before) / dt;
   position_ += velocity_ * dt;
@@ -83,68 +84,68 @@ void BodyMotion::step(const Gains& gains, const FeetMatrix& feet, const Vector3&
 
 // With the feet as they are now: what the next pose is measured by, and where the centre of mass
 // is.
-void BodyMotion::judge_present(const Gains& gains, const FeetMatrix& feet,
-                               const Vector3& gravity) noexcept {
-  const ReachVerdict present = reach_.judge(gains, p_base(), R_base(), feet, gravity);
-  violation_ = present.violation;
-  judged_feet_ = feet;
-  if (present.status.limit == ReachLimit::kUnreachable) return;
+void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
+                                       const Vector3& gravity) noexcept {
+  const ReachResult current = reach_check_.evaluate(gains, p_base(), R_base(), feet, gravity);
+  violation_ = current.violation;
+  evaluated_feet_ = feet;
+  if (current.status.limit == ReachLimit::kUnreachable) return;
   // The latched joints and those that inverse kinematics finds for the latched pose differ by what
   // the ground's normal was not known then; the body is not to move for that.
-  if (just_latched_) com_offset_ = p_com_ - reach_.p_com();
+  if (just_latched_) com_offset_ = p_com_ - reach_check_.p_com();
   just_latched_ = false;
-  p_com_ = reach_.p_com() + com_offset_;
+  p_com_ = reach_check_.p_com() + com_offset_;
 }
 
 // A pose that is no worse than the present one may be taken even if it is out of bounds: feet that
 // were pushed away must not nail the body to where it is.
 bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
                             const Vector3& gravity) noexcept {
-  const ReachVerdict verdict =
-      reach_.judge(gains, latched_.p_base + position.head<3>(), turned(position), feet, gravity);
-  if (verdict.status.limit != ReachLimit::kUnreachable && verdict.violation <= violation_) {
+  const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + position.head<3>(),
+                                                   orientation_at(position), feet, gravity);
+  if (result.status.limit != ReachLimit::kUnreachable && result.violation <= violation_) {
     return true;
   }
-  limit_ = verdict.status;
+  limit_ = result.status;
   return false;
 }
 
 // At a limit: which axes may still move, one of them a tick.
-void BodyMotion::probe(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
-                       double dt) noexcept {
+void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
+                            double dt) noexcept {
   axis_ = (axis_ + 1) % 6;
   const ReachStatus reason = limit_;
   Vector6 position = position_;
-  position[axis_] += std::clamp(target_[axis_] - position_[axis_], -kProbe, kProbe);
+  position[axis_] += std::clamp(target_[axis_] - position_[axis_], -kProbeStep, kProbeStep);
   blocked_[axis_] = !acceptable(gains, position, feet, gravity);
   // A limit is forgotten when nothing has been in the way for a while.
-  free_time_ = blocked_[axis_] ? 0.0 : free_time_ + dt;
-  limit_ = free_time_ > kFreeTime ? ReachStatus{} : reason;
+  unblocked_time_ = blocked_[axis_] ? 0.0 : unblocked_time_ + dt;
+  limit_ = unblocked_time_ > kLimitHoldTime ? ReachStatus{} : reason;
 }
 
 // Straight towards the target on the axes that are free: limited in speed, slowing down before it.
-Vector6 BodyMotion::wanted_velocity(const Gains& gains) const noexcept {
-  Vector6 way = target_ - position_;
+Vector6 BodyMotion::desired_velocity(const Gains& gains) const noexcept {
+  Vector6 to_target = target_ - position_;
   for (int axis = 0; axis < 6; ++axis) {
-    if (blocked_[axis]) way[axis] = 0.0;
+    if (blocked_[axis]) to_target[axis] = 0.0;
   }
-  Vector6 wanted = way / gains.reference_time;
-  const auto slow = [&](int first, double speed, double acceleration) {
-    const double braking = std::sqrt(2.0 * acceleration * way.segment<3>(first).norm());
-    const double fastest = std::min(speed, braking);
-    wanted.segment<3>(first) *=
-        fastest / std::max(wanted.segment<3>(first).norm(), std::max(fastest, 1e-12));
+  Vector6 desired = to_target / gains.reference_time;
+  const auto limit_speed = [&](int first, double speed, double acceleration) {
+    const double braking = std::sqrt(2.0 * acceleration * to_target.segment<3>(first).norm());
+    const double max_speed = std::min(speed, braking);
+    desired.segment<3>(first) *=
+        max_speed / std::max(desired.segment<3>(first).norm(), std::max(max_speed, 1e-12));
   };
-  slow(0, gains.reference_speed, gains.reference_acceleration);
-  slow(3, gains.reference_turn_speed, gains.reference_turn_acceleration);
-  return wanted;
+  limit_speed(0, gains.reference_speed, gains.reference_acceleration);
+  limit_speed(3, gains.reference_turn_speed, gains.reference_turn_acceleration);
+  return desired;
 }
 
 Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt) const noexcept {
-  const double most = gains.reference_acceleration * dt;
-  const double most_turn = gains.reference_turn_acceleration * dt;
-  change.head<3>() *= most / std::max(change.head<3>().norm(), most);
-  change.tail<3>() *= most_turn / std::max(change.tail<3>().norm(), most_turn);
+  const double max_change = gains.reference_acceleration * dt;
+  const double max_turn_change = gains.reference_turn_acceleration * dt;
+  change.head<3>() *= max_change / std::max(change.head<3>().norm(), max_change);
+  change.tail<3>() *= max_turn_change / std::max(change.tail<3>().norm(), max_turn_change);
   return change;
 }
 
@@ -159,17 +160,19 @@ BodyReference BodyMotion::position() const noexcept {
 }
 
 Vector3 BodyMotion::p_base() const noexcept { return latched_.p_base + position_.head<3>(); }
-Quaternion BodyMotion::R_base() const noexcept { return turned(position_); }
-Vector3 BodyMotion::w_base() const noexcept { return from_rates(velocity_.tail<3>()); }
-Vector3 BodyMotion::alpha_base() const noexcept { return from_rates(acceleration_.tail<3>()); }
+Quaternion BodyMotion::R_base() const noexcept { return orientation_at(position_); }
+Vector3 BodyMotion::w_base() const noexcept { return angular_velocity(velocity_.tail<3>()); }
+Vector3 BodyMotion::alpha_base() const noexcept {
+  return angular_velocity(acceleration_.tail<3>());
+}
 
-Quaternion BodyMotion::turned(const Vector6& position) const noexcept {
+Quaternion BodyMotion::orientation_at(const Vector6& position) const noexcept {
   return exp_so3(position[5] * Vector3::UnitZ()) * exp_so3(position[4] * Vector3::UnitY()) *
          exp_so3(position[3] * Vector3::UnitX()) * latched_.R_base;
 }
 
 // Angular velocity from the rates of roll, pitch and yaw: each turns what comes after it.
-Vector3 BodyMotion::from_rates(const Vector3& rates) const noexcept {
+Vector3 BodyMotion::angular_velocity(const Vector3& rates) const noexcept {
   const Quaternion Rz = exp_so3(position_[5] * Vector3::UnitZ());
   const Quaternion Rzy = Rz * exp_so3(position_[4] * Vector3::UnitY());
   return rates[2] * Vector3::UnitZ() + Rz * (rates[1] * Vector3::UnitY()) +

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "reference/reach.hpp"
+#include "reference/reach_check.hpp"
 
 namespace surefoot {
 
@@ -18,7 +18,7 @@ struct LatchedPose {
 /// stand in. Real-time: yes.
 class BodyMotion {
  public:
-  explicit BodyMotion(const Robot& robot) : reach_(robot) {}
+  explicit BodyMotion(const Robot& robot) : reach_check_(robot) {}
 
   /// Begin anew at a latched pose; q: the joints there.
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
@@ -30,12 +30,13 @@ class BodyMotion {
   void set_target(const BodyReference& target) noexcept;
 
   /// Take one step of time. @param feet contact points @param gravity unit, support axes
-  void step(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity, double dt) noexcept;
+  void update(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
+              double dt) noexcept;
 
   BodyReference position() const noexcept;
   /// kNotFinite until the next request; else what is in the way.
   ReachStatus status() const noexcept {
-    return refused_ ? ReachStatus{ReachLimit::kNotFinite, -1} : limit_;
+    return request_rejected_ ? ReachStatus{ReachLimit::kNotFinite, -1} : limit_;
   }
 
   // In the support frame:
@@ -48,30 +49,31 @@ class BodyMotion {
 
  private:
   void stop() noexcept;
-  void judge_present(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity) noexcept;
-  bool limited() const noexcept { return limit_.limit != ReachLimit::kNone; }
+  void evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
+                             const Vector3& gravity) noexcept;
+  bool at_limit() const noexcept { return limit_.limit != ReachLimit::kNone; }
   bool acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
                   const Vector3& gravity) noexcept;
-  void probe(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
-             double dt) noexcept;
-  Vector6 wanted_velocity(const Gains& gains) const noexcept;
+  void probe_axis(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
+                  double dt) noexcept;
+  Vector6 desired_velocity(const Gains& gains) const noexcept;
   Vector6 limited_change(const Gains& gains, Vector6 change, double dt) const noexcept;
   double stopping_time(const Gains& gains) const noexcept;
-  Quaternion turned(const Vector6& position) const noexcept;
-  Vector3 from_rates(const Vector3& rates) const noexcept;
+  Quaternion orientation_at(const Vector6& position) const noexcept;
+  Vector3 angular_velocity(const Vector3& rates) const noexcept;
 
-  Reach reach_;
+  ReachCheck reach_check_;
   LatchedPose latched_;
   // x, y, height, roll, pitch, yaw
   Vector6 target_ = Vector6::Zero(), position_ = Vector6::Zero();
   Vector6 velocity_ = Vector6::Zero(), acceleration_ = Vector6::Zero();
   Vector3 p_com_ = Vector3::Zero(), v_com_ = Vector3::Zero(), com_offset_ = Vector3::Zero();
   bool just_latched_ = true;
-  FeetMatrix judged_feet_ = FeetMatrix::Zero();
+  FeetMatrix evaluated_feet_ = FeetMatrix::Zero();
   ReachStatus limit_;
-  bool refused_ = false;
+  bool request_rejected_ = false;
   double violation_ = 0.0;         // of the present pose
-  double free_time_ = 0.0;         // [s] since a limit was last in the way
+  double unblocked_time_ = 0.0;    // [s] since a limit was last in the way
   std::array<bool, 6> blocked_{};  // axes that a limit is in the way of
   int axis_ = 0;
 };

@@ -19,11 +19,11 @@ std::array<bool, kLegs> stance_of(const Reference& reference) noexcept {
 
 }  // namespace
 
-Eigen::Vector2d capture_point(const Dynamics& dynamics, const Vector3& gained) noexcept {
+Eigen::Vector2d capture_point(const Dynamics& dynamics, const Vector3& dv_com) noexcept {
   const double ground = contact_points(dynamics).row(2).mean();
   const double height = std::max(dynamics.p_world_com().z() - ground, 0.05);
   const double omega = std::sqrt(kGravity / height);
-  return (dynamics.p_world_com() + (dynamics.v_world_com() + gained) / omega).head<2>();
+  return (dynamics.p_world_com() + (dynamics.v_world_com() + dv_com) / omega).head<2>();
 }
 
 SupportPolygon support_polygon(const Dynamics& dynamics, const Reference& reference) noexcept {
@@ -31,16 +31,16 @@ SupportPolygon support_polygon(const Dynamics& dynamics, const Reference& refere
 }
 
 double capture_margin(const Dynamics& dynamics, const Reference& reference,
-                      const Vector3& gained) noexcept {
-  return capture_margin(dynamics, stance_of(reference), gained);
+                      const Vector3& dv_com) noexcept {
+  return capture_margin(dynamics, stance_of(reference), dv_com);
 }
 
 double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
-                      const Vector3& gained) noexcept {
+                      const Vector3& dv_com) noexcept {
   // Fewer than three feet have no edge to be near.
   const SupportPolygon polygon(contact_points(dynamics), stance);
-  return polygon.exists() ? polygon.margin(capture_point(dynamics, gained))
-                          : std::numeric_limits<double>::infinity();
+  return polygon.is_valid() ? polygon.margin(capture_point(dynamics, dv_com))
+                            : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace surefoot

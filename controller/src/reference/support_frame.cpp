@@ -11,10 +11,12 @@ namespace {
 constexpr double kGroundTime = 0.5;  // [s] how slowly the ground's normal follows the feet
 // [s] for which it follows at once: the attitude is still being found, and what it finds out about
 // the vertical is no reason to move.
-constexpr double kFinding = 0.15;
-constexpr double kPlaceTime = 0.5;  // [s] how slowly a place follows a foot that has moved
-constexpr double kStiff = 1e-4;     // [m^2] keeps the normal where the feet in contact do not say
-constexpr double kUntilted = 1e-6;  // [m^2] the same, where only what is left over counts
+constexpr double kInitialTime = 0.15;
+constexpr double kNominalFootTime = 0.5;  // [s] how slowly a place follows a foot that has moved
+constexpr double kSlopeRegularisation =
+    1e-4;  // [m^2] keeps the normal where the feet in contact do not say
+constexpr double kDetrendRegularisation =
+    1e-6;  // [m^2] the same, where only what is left over counts
 
 // Heading of the line from the rear feet's middle to the front's, about z.
 double heading(const FeetMatrix& p) noexcept {
@@ -22,14 +24,14 @@ double heading(const FeetMatrix& p) noexcept {
   return std::atan2(forward.y(), forward.x());
 }
 
-Matrix3 about_z(double angle) noexcept {
+Matrix3 rotation_z(double angle) noexcept {
   return exp_so3(angle * Vector3::UnitZ()).toRotationMatrix();
 }
 
 // Least squares for the two slopes of heights over d's x and y, both about their weighted mean.
 Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
-                      const Eigen::Vector4d& weight, double stiff) noexcept {
-  Eigen::Matrix2d S = stiff * Eigen::Matrix2d::Identity();
+                      const Eigen::Vector4d& weight, double regularisation) noexcept {
+  Eigen::Matrix2d S = regularisation * Eigen::Matrix2d::Identity();
   Eigen::Vector2d r = Eigen::Vector2d::Zero();
   for (int leg = 0; leg < kLegs; ++leg) {
     const Eigen::Vector2d xy = d.col(leg).head<2>();
@@ -47,70 +49,74 @@ Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
 }  // namespace
 
 void SupportFrame::latch(const FeetMatrix& p) noexcept {
-  age_ = 0.0;
+  time_since_latch_ = 0.0;
   origin_ = p.rowwise().mean();
   // Normal to both diagonals: of the plane closest to the four points.
   const Vector3 normal = (p.col(FL_) - p.col(RR_)).cross(p.col(RL_) - p.col(FR_));
-  R_ = about_z(heading(p));
+  R_ = rotation_z(heading(p));
   // Feet in one line span no plane: keep the vertical.
   if (normal.norm() > 1e-3 && normal.z() > 0.0) R_ = aligned(R_, normal.normalized());
-  places_ = R_.transpose() * (p.colwise() - origin_);
-  const Matrix3 turn = about_z(heading(places_));
+  nominal_feet_ = R_.transpose() * (p.colwise() - origin_);
+  const Matrix3 turn = rotation_z(heading(nominal_feet_));
   R_ = R_ * turn;
-  places_ = turn.transpose() * places_;
+  nominal_feet_ = turn.transpose() * nominal_feet_;
 }
 
 void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, double dt) noexcept {
   // All in the air: nothing says more than the shape of the feet as a whole.
   Eigen::Vector4d weight = contact.cwiseMax(0.0).array() + 1e-6;
   weight /= weight.sum();
-  const Vector3 mean = p * weight, mean_place = places_ * weight;
-  const FeetMatrix from_mean = p.colwise() - mean, places = places_.colwise() - mean_place;
-  age_ += dt;
-  tilt(from_mean, places, weight, age_ < kFinding ? 1.0 : dt / (dt + kGroundTime));
-  turn(from_mean, places, weight);
-  origin_ = mean - R_ * mean_place;
-  follow_moved_feet(p, contact, weight, dt);
+  const Vector3 mean = p * weight, mean_nominal = nominal_feet_ * weight;
+  const FeetMatrix from_mean = p.colwise() - mean,
+                   nominal_feet = nominal_feet_.colwise() - mean_nominal;
+  time_since_latch_ += dt;
+  update_normal(from_mean, nominal_feet, weight,
+                time_since_latch_ < kInitialTime ? 1.0 : dt / (dt + kGroundTime));
+  update_heading(from_mean, nominal_feet, weight);
+  origin_ = mean - R_ * mean_nominal;
+  update_nominal_feet(p, contact, weight, dt);
 }
 
 // Towards the two slopes that bring the places' heights to the feet's.
-void SupportFrame::tilt(const FeetMatrix& from_mean, const FeetMatrix& places,
-                        const Eigen::Vector4d& weight, double blend) noexcept {
+void SupportFrame::update_normal(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
+                                 const Eigen::Vector4d& weight, double blend) noexcept {
   const FeetMatrix d = R_.transpose() * from_mean;
-  const Eigen::Vector2d tilt = slope(d, d.row(2) - places.row(2), weight, kStiff);
+  const Eigen::Vector2d tilt =
+      slope(d, d.row(2) - nominal_feet.row(2), weight, kSlopeRegularisation);
   const Vector3 normal(-tilt.x(), -tilt.y(), 1.0);
   R_ = aligned(R_, R_ * (Vector3::UnitZ() + blend * (normal - Vector3::UnitZ())).normalized());
 }
 
 // The turn about z that fits the places to the feet best (Procrustes in the plane).
-void SupportFrame::turn(const FeetMatrix& from_mean, const FeetMatrix& places,
-                        const Eigen::Vector4d& weight) noexcept {
+void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
+                                  const Eigen::Vector4d& weight) noexcept {
   const FeetMatrix d = R_.transpose() * from_mean;
   double sine = 0.0, cosine = 0.0;
   for (int leg = 0; leg < kLegs; ++leg) {
-    sine += weight[leg] * (places(0, leg) * d(1, leg) - places(1, leg) * d(0, leg));
-    cosine += weight[leg] * (places(0, leg) * d(0, leg) + places(1, leg) * d(1, leg));
+    sine += weight[leg] * (nominal_feet(0, leg) * d(1, leg) - nominal_feet(1, leg) * d(0, leg));
+    cosine += weight[leg] * (nominal_feet(0, leg) * d(0, leg) + nominal_feet(1, leg) * d(1, leg));
   }
-  R_ = R_ * about_z(std::atan2(sine, cosine));
+  R_ = R_ * rotation_z(std::atan2(sine, cosine));
 }
 
 // A foot's place follows it, and the frame moves so that the places keep their centroid at its
 // origin and their heading. What tilts all feet alike is the IMU's or the ground's: it belongs to
-// tilt(), and places that took it in would keep a share of it for good.
-void SupportFrame::follow_moved_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
-                                     const Eigen::Vector4d& weight, double dt) noexcept {
-  const FeetMatrix now = R_.transpose() * (p.colwise() - origin_);
-  const FeetMatrix d = now.colwise() - now * weight;
-  FeetMatrix moved = now - places_;
-  moved.row(2) -= slope(d, moved.row(2), weight, kUntilted).transpose() * d.topRows<2>();
+// update_normal(), and places that took it in would keep a share of it for good.
+void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
+                                       const Eigen::Vector4d& weight, double dt) noexcept {
+  const FeetMatrix feet = R_.transpose() * (p.colwise() - origin_);
+  const FeetMatrix d = feet.colwise() - feet * weight;
+  FeetMatrix moved = feet - nominal_feet_;
+  moved.row(2) -=
+      slope(d, moved.row(2), weight, kDetrendRegularisation).transpose() * d.topRows<2>();
   for (int leg = 0; leg < kLegs; ++leg) {
-    places_.col(leg) += contact[leg] * dt / (dt + kPlaceTime) * moved.col(leg);
+    nominal_feet_.col(leg) += contact[leg] * dt / (dt + kNominalFootTime) * moved.col(leg);
   }
-  const Vector3 shift = places_.rowwise().mean();
-  const Matrix3 turn = about_z(heading(places_));
+  const Vector3 shift = nominal_feet_.rowwise().mean();
+  const Matrix3 turn = rotation_z(heading(nominal_feet_));
   origin_ += R_ * shift;
   R_ = R_ * turn;
-  places_ = turn.transpose() * (places_.colwise() - shift);
+  nominal_feet_ = turn.transpose() * (nominal_feet_.colwise() - shift);
 }
 
 }  // namespace surefoot

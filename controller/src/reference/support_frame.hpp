@@ -22,32 +22,37 @@ class SupportFrame {
   void update(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, double dt) noexcept;
 
   /// Go with the body by a share of the way, 0 .. 1: the feet of a robot that is held in the air
-  /// have no other place. @param place of the body in the frame
-  void carry(const Vector3& p_world_body, const Vector3& place, double share) noexcept {
-    origin_ += share * (p_world_body - R_ * place - origin_);
+  /// have no other place. @param p_support_body of the body in the frame
+  void follow_body(const Vector3& p_world_body, const Vector3& p_support_body,
+                   double share) noexcept {
+    origin_ += share * (p_world_body - R_ * p_support_body - origin_);
   }
 
-  /// Move a foot's place. @param way world
-  void move(int leg, const Vector3& way) noexcept { places_.col(leg) += R_.transpose() * way; }
+  /// Move a foot's place. @param displacement world
+  void move_nominal_foot(int leg, const Vector3& displacement) noexcept {
+    nominal_feet_.col(leg) += R_.transpose() * displacement;
+  }
 
   const Vector3& origin() const noexcept { return origin_; }  ///< [m] world
   const Matrix3& R_world_support() const noexcept { return R_; }
   Vector3 normal() const noexcept { return R_.col(2); }
-  const FeetMatrix& places() const noexcept { return places_; }  ///< [m] support axes
-  FeetMatrix p_world_places() const noexcept { return (R_ * places_).colwise() + origin_; }
+  const FeetMatrix& nominal_feet() const noexcept { return nominal_feet_; }  ///< [m] support axes
+  FeetMatrix p_world_nominal_feet() const noexcept {
+    return (R_ * nominal_feet_).colwise() + origin_;
+  }
 
  private:
-  void tilt(const FeetMatrix& from_mean, const FeetMatrix& places, const Eigen::Vector4d& weight,
-            double blend) noexcept;
-  void turn(const FeetMatrix& from_mean, const FeetMatrix& places,
-            const Eigen::Vector4d& weight) noexcept;
-  void follow_moved_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
-                         const Eigen::Vector4d& weight, double dt) noexcept;
+  void update_normal(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
+                     const Eigen::Vector4d& weight, double blend) noexcept;
+  void update_heading(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
+                      const Eigen::Vector4d& weight) noexcept;
+  void update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
+                           const Eigen::Vector4d& weight, double dt) noexcept;
 
   Vector3 origin_ = Vector3::Zero();
   Matrix3 R_ = Matrix3::Identity();
-  FeetMatrix places_ = FeetMatrix::Zero();
-  double age_ = 0.0;  // [s] since it was latched
+  FeetMatrix nominal_feet_ = FeetMatrix::Zero();
+  double time_since_latch_ = 0.0;  // [s] since it was latched
 };
 
 }  // namespace surefoot

@@ -9,13 +9,13 @@ namespace surefoot {
 namespace {
 
 // Round the robot, counter-clockwise from above.
-constexpr int kRound[kLegs] = {FR_, FL_, RL_, RR_};
+constexpr int kCounterClockwise[kLegs] = {FR_, FL_, RL_, RR_};
 
 }  // namespace
 
 SupportPolygon::SupportPolygon(const FeetMatrix& feet,
                                const std::array<bool, kLegs>& stance) noexcept {
-  for (const int leg : kRound) {
+  for (const int leg : kCounterClockwise) {
     if (stance[leg]) corners_[count_++] = feet.col(leg).head<2>();
   }
 }
@@ -28,24 +28,24 @@ SupportPolygon::Edge SupportPolygon::edge(int k, const Eigen::Vector2d& point) c
 }
 
 double SupportPolygon::margin(const Eigen::Vector2d& point) const noexcept {
-  if (!exists()) return 0.0;
+  if (!is_valid()) return 0.0;
   double margin = std::numeric_limits<double>::infinity();
   for (int k = 0; k < count_; ++k) margin = std::min(margin, edge(k, point).margin);
   return margin;
 }
 
-Eigen::Vector2d SupportPolygon::beyond(const Eigen::Vector2d& point) const noexcept {
+Eigen::Vector2d SupportPolygon::displacement_outside(const Eigen::Vector2d& point) const noexcept {
   Eigen::Vector2d nearest = Eigen::Vector2d::Zero();
-  if (count_ < 2 || (exists() && margin(point) >= 0.0)) return nearest;
-  double least = std::numeric_limits<double>::infinity();
+  if (count_ < 2 || (is_valid() && margin(point) >= 0.0)) return nearest;
+  double min_distance = std::numeric_limits<double>::infinity();
   for (int k = 0; k < count_; ++k) {
     const Eigen::Vector2d from = point - corners_[k];
     const Eigen::Vector2d along = corners_[(k + 1) % count_] - corners_[k];
     const double share = from.dot(along) / std::max(along.squaredNorm(), 1e-12);
-    const Eigen::Vector2d way = from - std::clamp(share, 0.0, 1.0) * along;
-    if (way.norm() < least) {
-      least = way.norm();
-      nearest = way;
+    const Eigen::Vector2d displacement = from - std::clamp(share, 0.0, 1.0) * along;
+    if (displacement.norm() < min_distance) {
+      min_distance = displacement.norm();
+      nearest = displacement;
     }
   }
   return nearest;

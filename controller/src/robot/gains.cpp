@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "common/text.hpp"
 #include "surefoot/error.hpp"
-#include "text.hpp"
 
 namespace surefoot {
 

@@ -6,9 +6,9 @@
 #include <pinocchio/multibody.hpp>
 #include <pinocchio/serialization.hpp>
 
-#include "robot_data.hpp"
+#include "common/text.hpp"
+#include "robot/robot_data.hpp"
 #include "surefoot/error.hpp"
-#include "text.hpp"
 
 namespace surefoot {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/text.hpp"
 #include "surefoot/error.hpp"
-#include "text.hpp"
 
 namespace surefoot {
 

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <vector>
 
+#include "common/text.hpp"
 #include "surefoot/error.hpp"
 #include "surefoot/robot.hpp"
-#include "text.hpp"
 
 namespace surefoot {
 

@@ -7,12 +7,12 @@
 namespace surefoot {
 
 namespace {
-constexpr double kLeast = 0.25;  // [us]
+constexpr double kMinLatency = 0.25;  // [us]
 constexpr double kBinsPerOctave = 16.0;
 }  // namespace
 
 void LatencyHistogram::add(double microseconds) noexcept {
-  const double octaves = std::log2(std::max(microseconds, kLeast) / kLeast);
+  const double octaves = std::log2(std::max(microseconds, kMinLatency) / kMinLatency);
   const int bin = std::min(static_cast<int>(kBinsPerOctave * octaves), kBins - 1);
   ++bins_[bin];
   ++count_;
@@ -20,12 +20,12 @@ void LatencyHistogram::add(double microseconds) noexcept {
 }
 
 double LatencyHistogram::quantile(double share) const noexcept {
-  const double wanted = share * static_cast<double>(count_);
-  double below = 0.0;
+  const double target_count = share * static_cast<double>(count_);
+  double cumulative_count = 0.0;
   for (int bin = 0; bin < kBins; ++bin) {
-    below += bins_[bin];
-    if (below > 0.0 && below >= wanted) {
-      return std::min(kLeast * std::exp2((bin + 1) / kBinsPerOctave), greatest_);
+    cumulative_count += bins_[bin];
+    if (cumulative_count > 0.0 && cumulative_count >= target_count) {
+      return std::min(kMinLatency * std::exp2((bin + 1) / kBinsPerOctave), greatest_);
     }
   }
   return greatest_;

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "clock.hpp"
+#include "common/clock.hpp"
 
 namespace surefoot {
 
@@ -29,21 +29,22 @@ timespec to_timespec(double seconds) noexcept {
 }  // namespace
 
 RealTimeScope::RealTimeScope() {
-  sched_param wanted{};
-  wanted.sched_priority = kPriority;
-  const int refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
-  scheduled_ = refused == 0;
-  scheduling_ =
-      scheduled_ ? "SCHED_FIFO priority " + std::to_string(kPriority)
-                 : std::string("ordinary scheduling (SCHED_FIFO: ") + std::strerror(refused) + ")";
-  rlimit room{};
-  getrlimit(RLIMIT_MEMLOCK, &room);
+  sched_param parameters{};
+  parameters.sched_priority = kPriority;
+  const int error_code = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+  scheduled_ = error_code == 0;
+  scheduling_ = scheduled_ ? "SCHED_FIFO priority " + std::to_string(kPriority)
+                           : std::string("ordinary scheduling (SCHED_FIFO: ") +
+                                 std::strerror(error_code) + ")";
+  rlimit memory_limit{};
+  getrlimit(RLIMIT_MEMLOCK, &memory_limit);
   // Under a limit, locking what is to come would make later allocations fail.
-  const int what = MCL_CURRENT | (room.rlim_cur == RLIM_INFINITY ? MCL_FUTURE : 0);
-  locked_ = mlockall(what) == 0;
-  const char* all = (what & MCL_FUTURE) != 0 ? "memory locked" : "present memory locked";
-  memory_ =
-      locked_ ? std::string(all) : std::string("memory not locked (") + std::strerror(errno) + ")";
+  const int lock_flags = MCL_CURRENT | (memory_limit.rlim_cur == RLIM_INFINITY ? MCL_FUTURE : 0);
+  locked_ = mlockall(lock_flags) == 0;
+  const char* locked_text =
+      (lock_flags & MCL_FUTURE) != 0 ? "memory locked" : "present memory locked";
+  memory_ = locked_ ? std::string(locked_text)
+                    : std::string("memory not locked (") + std::strerror(errno) + ")";
 }
 
 RealTimeScope::~RealTimeScope() {
@@ -52,20 +53,20 @@ RealTimeScope::~RealTimeScope() {
   if (scheduled_) pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
 }
 
-PeriodicTimer::PeriodicTimer(double period) : period_(period), next_(monotonic_time()) {}
+PeriodicTimer::PeriodicTimer(double period) : period_(period), next_deadline_(monotonic_time()) {}
 
 double PeriodicTimer::wait() noexcept {
-  next_ += period_;
-  const double behind = monotonic_time() - next_;
+  next_deadline_ += period_;
+  const double behind = monotonic_time() - next_deadline_;
   if (behind > period_) {
     const double periods = std::floor(behind / period_);
     missed_ += static_cast<long>(periods);
-    next_ += periods * period_;
+    next_deadline_ += periods * period_;
   }
-  const timespec deadline = to_timespec(next_);
+  const timespec deadline = to_timespec(next_deadline_);
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
   }
-  return 1e6 * (monotonic_time() - next_);
+  return 1e6 * (monotonic_time() - next_deadline_);
 }
 
 }  // namespace surefoot

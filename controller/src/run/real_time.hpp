@@ -33,7 +33,7 @@ class PeriodicTimer {
   long missed() const noexcept { return missed_; }  ///< periods left out
 
  private:
-  double period_, next_;
+  double period_, next_deadline_;
   long missed_ = 0;
 };
 

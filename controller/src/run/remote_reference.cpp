@@ -16,7 +16,7 @@ double beyond_dead_zone(float stick) noexcept { return std::abs(stick) > kDeadZo
 }  // namespace
 
 BodyReference remote_reference(const WirelessRemote& remote) noexcept {
-  const auto pair = [&](Button plus, Button minus) {
+  const auto button_axis = [&](Button plus, Button minus) {
     return (remote.pressed(plus) ? 1.0 : 0.0) - (remote.pressed(minus) ? 1.0 : 0.0);
   };
   BodyReference r;
@@ -24,8 +24,8 @@ BodyReference remote_reference(const WirelessRemote& remote) noexcept {
   r.y = -kSideways * beyond_dead_zone(remote.lx);
   r.pitch = kPitch * beyond_dead_zone(remote.ry);
   r.yaw = -kYaw * beyond_dead_zone(remote.rx);
-  r.height = kHeight * pair(Button::kUp, Button::kDown);
-  r.roll = kRoll * pair(Button::kRight, Button::kLeft);
+  r.height = kHeight * button_axis(Button::kUp, Button::kDown);
+  r.roll = kRoll * button_axis(Button::kRight, Button::kLeft);
   return r;
 }
 

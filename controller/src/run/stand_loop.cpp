@@ -10,9 +10,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::uint64_t kConvinced = 10;  // datagrams of another generation
+constexpr std::uint64_t kMaxWrongGeneration = 10;  // datagrams of another generation
 
-const RunOptions& checked(const RunOptions& options, const UdpLinkOptions& link) {
+const RunOptions& checked_options(const RunOptions& options, const UdpLinkOptions& link) {
   options.validate();
   if (link.real_robot && options.start != Start::kLying) {
     throw Error(
@@ -22,7 +22,7 @@ const RunOptions& checked(const RunOptions& options, const UdpLinkOptions& link)
   return options;
 }
 
-SupervisorOptions supervised(const RunOptions& options, const StandOptions& stand) {
+SupervisorOptions supervisor_options(const RunOptions& options, const StandOptions& stand) {
   SupervisorOptions out;
   out.power_level = options.power_level;
   out.start = options.start;
@@ -36,121 +36,127 @@ SupervisorOptions supervised(const RunOptions& options, const StandOptions& stan
 
 StandLoop::StandLoop(const Robot& robot, const Gains& gains, const StandOptions& stand,
                      const UdpLinkOptions& link, const RunOptions& options)
-    : options_(checked(options, link)),
-      supervisor_(robot, gains, supervised(options, stand)),
+    : options_(checked_options(options, link)),
+      supervisor_(robot, gains, supervisor_options(options, stand)),
       link_(link),
       tau_max_(robot.config().tau_max),
       damping_(damping_low_cmd(gains.damping_kd)),
       log_(static_cast<std::size_t>(std::ceil(options.log_time * options.rate))) {}
 
 void StandLoop::tick(double time, double elapsed) noexcept {
-  now_.time = time;
-  obey_letters();
-  const bool newer = link_.receive();
-  if (stop_.load()) end(RunReason::kAsked);
+  snapshot_.time = time;
+  apply_requests();
+  const bool has_new_state = link_.receive();
+  if (stop_requested_.load()) end(RunReason::kRequested);
   // Damped for something before, and asked for now: this is how it was wanted.
-  if (damp_.exchange(false) && now_.phase == RunPhase::kDamping) now_.reason = RunReason::kAsked;
+  if (damp_requested_.exchange(false) && snapshot_.phase == RunPhase::kDamping)
+    snapshot_.reason = RunReason::kRequested;
   if (ended()) {
-    send(damping_, newer);
-  } else if (link_.known()) {
-    supervise(newer, elapsed);
+    send(damping_, has_new_state);
+  } else if (link_.has_state()) {
+    supervise(has_new_state, elapsed);
   } else {
     wait_for_robot();
   }
-  const bool over = counts_from_ >= 0.0 && time - counts_from_ > options_.duration;
-  if (over) finish();
-  if (finish_.load() && !ended()) sit_down_and_end();
+  const bool duration_over = duration_start_ >= 0.0 && time - duration_start_ > options_.duration;
+  if (duration_over) finish();
+  if (finish_requested_.load() && !ended()) sit_down_and_end();
 }
 
 void StandLoop::wait_for_robot() noexcept {
   send_damping();
-  if (link_.counts().wrong_generation >= kConvinced) {
+  if (link_.counts().wrong_generation >= kMaxWrongGeneration) {
     end(RunReason::kWrongGeneration);
-  } else if (now_.time > options_.patience) {
+  } else if (snapshot_.time > options_.connect_timeout) {
     end(RunReason::kNoState);
   }
 }
 
-void StandLoop::supervise(bool newer, double elapsed) noexcept {
-  now_.ticks += now_.phase != RunPhase::kDamping;
-  count_reports();
-  if (elapsed > kAwayTime) {
-    if (supervisor_.armed()) now_.gap = elapsed;
-    lose(RunReason::kAway);
+void StandLoop::supervise(bool has_new_state, double elapsed) noexcept {
+  snapshot_.ticks += snapshot_.phase != RunPhase::kDamping;
+  count_samples();
+  if (elapsed > kRobotWatchdogTime) {
+    if (supervisor_.armed()) snapshot_.silence_time = elapsed;
+    report_link_lost(RunReason::kProcessStalled);
   }
-  if (link_.counts().restarts != restarts_) lose(RunReason::kRestart);
-  const double age = link_.age();
-  if (silent_ && newer && age < kStaleTime) forgive_or_lose();
-  send(newer && age < kHoldTime ? control(link_.state()) : bridge(age, elapsed), newer);
-  watch();
+  if (link_.counts().restarts != counted_restarts_) report_link_lost(RunReason::kRestart);
+  const double age = link_.state_age();
+  if (robot_silent_ && has_new_state && age < kStaleTime) resume_or_report_lost();
+  send(has_new_state && age < kHoldTime ? control(link_.state())
+                                        : update_without_state(age, elapsed),
+       has_new_state);
+  update_phase();
 }
 
-void StandLoop::send(const LowCmd& command, bool heard) noexcept {
+void StandLoop::send(const LowCmd& command, bool has_new_state) noexcept {
   link_.send(command);
-  log(command, heard);
+  log(command, has_new_state);
 }
 
 // The supervisor gets the newest report of a tick; the link heard them all.
-void StandLoop::count_reports() noexcept {
+void StandLoop::count_samples() noexcept {
   const LinkCounts& counts = link_.counts();
-  supervisor_.count_reports(static_cast<double>(counts.valid - valid_),
-                            static_cast<double>(counts.lost) - static_cast<double>(missing_));
-  valid_ = counts.valid;
-  missing_ = counts.lost;
+  supervisor_.count_samples(static_cast<double>(counts.valid - counted_valid_),
+                            static_cast<double>(counts.lost) - static_cast<double>(counted_lost_));
+  counted_valid_ = counts.valid;
+  counted_lost_ = counts.lost;
 }
 
 const LowCmd& StandLoop::control(const LowState& state) noexcept {
-  silence_.heard(now_.time, state.tick);
-  if (options_.remote) obey_sticks();
+  silence_detector_.on_sample(snapshot_.time, state.tick);
+  if (options_.remote) apply_remote_sticks();
   const LowCmd& command = supervisor_.update(state);
-  const StandController& controller = supervisor_.stand();
-  now_.status = controller.status();
-  now_.fault = controller.fault();
-  if (now_.phase != RunPhase::kDamping) {
+  const StandController& controller = supervisor_.stand_controller();
+  snapshot_.controller_status = controller.status();
+  snapshot_.controller_fault = controller.fault();
+  if (snapshot_.phase != RunPhase::kDamping) {
     const bool standing = supervisor_.mode() == Mode::kStand;
-    now_.usable += supervisor_.fresh();
-    now_.saturated += standing && now_.status == Status::kSaturated;
-    now_.greatest_power = std::max(now_.greatest_power, supervisor_.power());
+    snapshot_.usable_ticks += supervisor_.command_is_fresh();
+    snapshot_.saturated_ticks += standing && snapshot_.controller_status == Status::kSaturated;
+    snapshot_.greatest_power = std::max(snapshot_.greatest_power, supervisor_.measured_power());
   }
-  now_.power = supervisor_.power();
+  snapshot_.measured_power = supervisor_.measured_power();
   return command;
 }
 
 // No new report: the command before, then damping, then that for good.
-const LowCmd& StandLoop::bridge(double age, double elapsed) noexcept {
-  now_.bridged += now_.phase != RunPhase::kDamping;
-  const LowCmd& command = supervisor_.bridge(age);
-  if (silent_ && !silence_.forgivable(now_.time)) lose(RunReason::kStale);
-  if (!silent_ && supervisor_.armed() && silence_.is_stale(age, elapsed, 1.0 / options_.rate)) {
-    silent_ = true;
-    now_.gap = age;
+const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexcept {
+  snapshot_.ticks_without_state += snapshot_.phase != RunPhase::kDamping;
+  const LowCmd& command = supervisor_.update_without_state(age);
+  if (robot_silent_ && !silence_detector_.recoverable(snapshot_.time))
+    report_link_lost(RunReason::kStale);
+  if (!robot_silent_ && supervisor_.armed() &&
+      silence_detector_.is_stale(age, elapsed, 1.0 / options_.rate)) {
+    robot_silent_ = true;
+    snapshot_.silence_time = age;
   }
   return command;
 }
 
 // The robot is heard again.
-void StandLoop::forgive_or_lose() noexcept {
-  if (supervisor_.armed() && silence_.stood_still(now_.time, link_.state().tick)) {
-    silent_ = false;
-    ++now_.pauses;
+void StandLoop::resume_or_report_lost() noexcept {
+  if (supervisor_.armed() &&
+      silence_detector_.robot_clock_paused(snapshot_.time, link_.state().tick)) {
+    robot_silent_ = false;
+    ++snapshot_.resumed_dampings;
   } else {
-    lose(RunReason::kStale);
+    report_link_lost(RunReason::kStale);
   }
 }
 
-void StandLoop::lose(RunReason why) noexcept {
-  lost_ = why;
-  silent_ = false;
-  restarts_ = link_.counts().restarts;
-  supervisor_.lose();
+void StandLoop::report_link_lost(RunReason why) noexcept {
+  link_loss_reason_ = why;
+  robot_silent_ = false;
+  counted_restarts_ = link_.counts().restarts;
+  supervisor_.report_link_lost();
 }
 
 void StandLoop::sit_down_and_end() noexcept {
-  const Mode mode = now_.mode;
-  const bool up = mode == Mode::kRise || mode == Mode::kStand || mode == Mode::kSit;
-  if (options_.start == Start::kStanding || now_.phase == RunPhase::kDamping ||
-      (!up && !supervisor_.fading())) {
-    end(RunReason::kAsked);
+  const Mode mode = snapshot_.mode;
+  const bool is_up = mode == Mode::kRise || mode == Mode::kStand || mode == Mode::kSit;
+  if (options_.start == Start::kStanding || snapshot_.phase == RunPhase::kDamping ||
+      (!is_up && !supervisor_.fading())) {
+    end(RunReason::kRequested);
   } else if (mode == Mode::kRise || mode == Mode::kStand) {
     supervisor_.request(Mode::kSit);  // refused while torques fade: the next tick asks again
   }
@@ -159,13 +165,15 @@ void StandLoop::sit_down_and_end() noexcept {
 void StandLoop::end(RunReason why) noexcept {
   // What it ended for counts, unless it was damping for something before; and with no robot it has
   // controlled nothing, whoever asked for the end.
-  if (now_.phase == RunPhase::kWaiting && why == RunReason::kAsked) why = RunReason::kNoState;
-  if (now_.phase != RunPhase::kDamping) now_.reason = why;
-  const bool lies = now_.mode == Mode::kPassive || now_.mode == Mode::kDamping;
-  const bool there = lies || options_.start == Start::kStanding;
-  now_.stood_to_end = why == RunReason::kAsked && in_order_ && there && !silent_;
-  now_.phase = RunPhase::kEnded;
-  news_ = true;
+  if (snapshot_.phase == RunPhase::kWaiting && why == RunReason::kRequested)
+    why = RunReason::kNoState;
+  if (snapshot_.phase != RunPhase::kDamping) snapshot_.reason = why;
+  const bool is_lying = snapshot_.mode == Mode::kPassive || snapshot_.mode == Mode::kDamping;
+  const bool end_pose_reached = is_lying || options_.start == Start::kStanding;
+  snapshot_.stood_to_end =
+      why == RunReason::kRequested && stood_as_requested_ && end_pose_reached && !robot_silent_;
+  snapshot_.phase = RunPhase::kEnded;
+  phase_changed_ = true;
 }
 
 }  // namespace surefoot

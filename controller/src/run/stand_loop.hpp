@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "run/mailbox.hpp"
-#include "run/silence.hpp"
+#include "run/silence_detector.hpp"
 #include "surefoot/stand_runner.hpp"
 
 namespace surefoot {
@@ -22,7 +22,7 @@ class StandLoop {
   /// Receive, think, send. Real-time: yes.
   /// @param time [s] since the loop began @param elapsed [s] since the tick before
   void tick(double time, double elapsed) noexcept;
-  bool ended() const noexcept { return now_.phase == RunPhase::kEnded; }
+  bool ended() const noexcept { return snapshot_.phase == RunPhase::kEnded; }
   /// Nothing but damping. Real-time: yes.
   void send_damping() noexcept { link_.send(damping_); }
 
@@ -30,38 +30,38 @@ class StandLoop {
   RequestStatus request(Mode mode) noexcept { return supervisor_.request(mode); }
   RequestStatus arm() noexcept { return supervisor_.arm(); }
   void rearm() noexcept;
-  void finish() noexcept { finish_.store(true); }
-  void stop() noexcept { stop_.store(true); }
+  void finish() noexcept { finish_requested_.store(true); }
+  void stop() noexcept { stop_requested_.store(true); }
   void damp() noexcept;
   void heartbeat() noexcept { supervisor_.heartbeat(); }
 
   // From any thread:
   void set_gains(const Gains& gains);  ///< throws surefoot::Error
-  void set_body_reference(const BodyReference& target) { reference_letter_.put(target); }
+  void set_body_reference(const BodyReference& target) { reference_mailbox_.put(target); }
 
   /// How it is, but for what only the clock knows. Real-time: yes.
-  const RunSnapshot& describe() noexcept;
+  const RunSnapshot& snapshot() noexcept;
   /// Has its phase changed since this was asked last? Real-time: yes.
-  bool has_news() noexcept;
+  bool take_phase_change() noexcept;
   int local_port() const noexcept { return link_.local_port(); }
   const RunLog& log() const noexcept { return log_; }
 
  private:
   void wait_for_robot() noexcept;
-  void supervise(bool newer, double elapsed) noexcept;
-  void send(const LowCmd& command, bool heard) noexcept;
-  void log(const LowCmd& command, bool heard) noexcept;
-  void count_reports() noexcept;
+  void supervise(bool has_new_state, double elapsed) noexcept;
+  void send(const LowCmd& command, bool has_new_state) noexcept;
+  void log(const LowCmd& command, bool has_new_state) noexcept;
+  void count_samples() noexcept;
   const LowCmd& control(const LowState& state) noexcept;
-  const LowCmd& bridge(double age, double elapsed) noexcept;
-  void forgive_or_lose() noexcept;
-  void lose(RunReason why) noexcept;
-  void watch() noexcept;
-  void judge_order(Mode before) noexcept;
+  const LowCmd& update_without_state(double age, double elapsed) noexcept;
+  void resume_or_report_lost() noexcept;
+  void report_link_lost(RunReason why) noexcept;
+  void update_phase() noexcept;
+  void update_stood_as_requested(Mode before) noexcept;
   RunPhase phase() const noexcept;
-  RunReason why_damped() const noexcept;
-  void obey_letters() noexcept;
-  void obey_sticks() noexcept;
+  RunReason damping_reason() const noexcept;
+  void apply_requests() noexcept;
+  void apply_remote_sticks() noexcept;
   void sit_down_and_end() noexcept;
   void end(RunReason why) noexcept;
 
@@ -71,22 +71,22 @@ class StandLoop {
   Vector12 tau_max_;  // [N.m]
   LowCmd damping_;    // before the robot is known, and at the end
   Gains gains_;
-  BodyReference asked_;  // besides what the remote asks for
-  Mailbox<Gains> gains_letter_;
-  Mailbox<BodyReference> reference_letter_;
-  Silence silence_;
-  bool silent_ = false;                // the robot is; it may yet be forgiven
-  RunReason lost_ = RunReason::kNone;  // why, when the supervisor damps for a lost link
-  RunSnapshot now_;
+  BodyReference requested_pose_;  // besides what the remote asks for
+  Mailbox<Gains> gains_mailbox_;
+  Mailbox<BodyReference> reference_mailbox_;
+  SilenceDetector silence_detector_;
+  bool robot_silent_ = false;                      // the robot is; it may yet be forgiven
+  RunReason link_loss_reason_ = RunReason::kNone;  // why, when the supervisor damps for a lost link
+  RunSnapshot snapshot_;
   RunLog log_;
-  double driven_ = -1.0;                   // [s] when motors were last driven; negative: never
-  double counts_from_ = -1.0;              // [s] when the duration began; negative: it has not
-  std::uint64_t restarts_ = 0;             // of the robot, that were taken in
-  std::uint64_t valid_ = 0, missing_ = 0;  // reports that the supervisor was told of
-  bool news_ = false;
-  bool in_order_ = false;  // it stands, or lay down because it was asked to
-  std::atomic<bool> stop_{false}, damp_{false}, finish_{false};
-  std::atomic<std::uint64_t> refused_{0};
+  double last_driven_time_ = -1.0;      // [s] when motors were last driven; negative: never
+  double duration_start_ = -1.0;        // [s] when the duration began; negative: it has not
+  std::uint64_t counted_restarts_ = 0;  // of the robot, that were taken in
+  std::uint64_t counted_valid_ = 0, counted_lost_ = 0;  // reports that the supervisor was told of
+  bool phase_changed_ = false;
+  bool stood_as_requested_ = false;  // it stands, or lay down because it was asked to
+  std::atomic<bool> stop_requested_{false}, damp_requested_{false}, finish_requested_{false};
+  std::atomic<std::uint64_t> refused_rearms_{0};
 };
 
 }  // namespace surefoot

@@ -3,10 +3,10 @@
 
 #include <atomic>
 
-#include "clock.hpp"
+#include "common/clock.hpp"
 #include "run/latency_histogram.hpp"
 #include "run/real_time.hpp"
-#include "run/run_board.hpp"
+#include "run/snapshot_publisher.hpp"
 #include "run/stand_loop.hpp"
 #include "surefoot/error.hpp"
 
@@ -14,16 +14,16 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFarewell = 0.2;     // [s] of damping frames at the end: UDP may lose some
-constexpr double kPublishing = 0.05;  // [s] between looks from outside
+constexpr double kFinalDampingTime = 0.2;  // [s] of damping frames at the end: UDP may lose some
+constexpr double kPublishPeriod = 0.05;    // [s] between looks from outside
 
 /// Says that the loop runs, until it is left by whatever way.
-class Running {
+class RunningFlag {
  public:
-  explicit Running(std::atomic<bool>& flag) : flag_(flag) { flag_.store(true); }
-  ~Running() { flag_.store(false); }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
+  explicit RunningFlag(std::atomic<bool>& flag) : flag_(flag) { flag_.store(true); }
+  ~RunningFlag() { flag_.store(false); }
+  RunningFlag(const RunningFlag&) = delete;
+  RunningFlag& operator=(const RunningFlag&) = delete;
 
  private:
   std::atomic<bool>& flag_;
@@ -38,38 +38,38 @@ struct StandRunner::Impl {
 
   StandLoop loop;
   double period;
-  LatencyHistogram ticks, wakes;
-  RunBoard board;
-  std::atomic<bool> begun{false}, running{false};
+  LatencyHistogram tick_latencies, wake_latencies;
+  SnapshotPublisher publisher;
+  std::atomic<bool> started{false}, running{false};
 };
 
 void StandRunner::run() {
   Impl& s = *impl_;
-  if (s.begun.exchange(true))
+  if (s.started.exchange(true))
     throw Error("run: got a second call, expected one for every StandRunner: make another");
-  const Running running(s.running);
+  const RunningFlag running(s.running);
   const RealTimeScope scope;
-  s.board.set_real_time(scope.scheduling() + ", " + scope.memory());
+  s.publisher.set_real_time(scope.scheduling() + ", " + scope.memory());
   PeriodicTimer timer(s.period);
   const double start = monotonic_time();
   double time = 0.0, published = 0.0;
   while (!s.loop.ended()) {
-    s.wakes.add(timer.wait());
-    const double woken = monotonic_time();
-    const double elapsed = woken - start - time;
+    s.wake_latencies.add(timer.wait());
+    const double wake_time = monotonic_time();
+    const double elapsed = wake_time - start - time;
     time += elapsed;
     s.loop.tick(time, elapsed);
-    s.ticks.add(1e6 * (monotonic_time() - woken));
-    if (s.loop.has_news() || time - published > kPublishing) {
+    s.tick_latencies.add(1e6 * (monotonic_time() - wake_time));
+    if (s.loop.take_phase_change() || time - published > kPublishPeriod) {
       published = time;
-      s.board.publish(s.loop.describe(), s.ticks, s.wakes, timer.missed());
+      s.publisher.publish(s.loop.snapshot(), s.tick_latencies, s.wake_latencies, timer.missed());
     }
   }
-  for (double t = 0.0; t < kFarewell; t += s.period) {
+  for (double t = 0.0; t < kFinalDampingTime; t += s.period) {
     s.loop.send_damping();
     timer.wait();
   }
-  s.board.publish_last(s.loop.describe(), s.ticks, s.wakes, timer.missed());
+  s.publisher.publish_final(s.loop.snapshot(), s.tick_latencies, s.wake_latencies, timer.missed());
 }
 
 StandRunner::StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
@@ -94,7 +94,7 @@ const RunLog& StandRunner::log() const {
     throw Error("log: got a run that goes on, expected one that has ended");
   return impl_->loop.log();
 }
-RunSnapshot StandRunner::snapshot() const { return impl_->board.look(); }
-std::string StandRunner::real_time() const { return impl_->board.real_time(); }
+RunSnapshot StandRunner::snapshot() const { return impl_->publisher.snapshot(); }
+std::string StandRunner::real_time() const { return impl_->publisher.real_time(); }
 
 }  // namespace surefoot

@@ -7,7 +7,8 @@
 namespace surefoot {
 
 /// Torques that hold a standing robot, the most evenly that its feet allow:
-///   tau_leg = h_leg - J_leg^T f,   sum f = m g up - f_lasting,   sum (p - c) x f = -moment_outside
+///   tau_leg = h_leg - J_leg^T f,   sum f = m g up - f_sustained,   sum (p - c) x f =
+///   -moment_external
 /// with what Coriolis and centrifugal forces take included (h). Friction and torque limits are not
 /// looked at; a foot that would have to pull carries nothing.
 /// @param mass [kg] @param state of which what comes from outside is read @param share how much of

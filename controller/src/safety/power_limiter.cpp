@@ -7,7 +7,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kHalvings = 50;  // of [0, 1]: what a double can tell apart there
+constexpr int kBisections = 50;  // of [0, 1]: what a double can tell apart there
 
 /// Power along the way: motor i takes a_i + s b_i [W].
 struct PowerLine {
@@ -17,7 +17,7 @@ struct PowerLine {
 
 // A convex function of straight pieces is least at an end or at a kink, where some motor's power
 // changes its sign.
-double least_power_scale(const PowerLine& line) noexcept {
+double min_power_scale(const PowerLine& line) noexcept {
   double best = 0.0;
   const auto consider = [&](double s) {
     if (line.at(s) < line.at(best)) best = s;
@@ -31,10 +31,10 @@ double least_power_scale(const PowerLine& line) noexcept {
 }
 
 // From the least power up P never falls, so the limit is met up to one point and not beyond it.
-double greatest_scale(const PowerLine& line, double limit, double least) noexcept {
+double max_scale(const PowerLine& line, double limit, double least) noexcept {
   if (line.at(1.0) <= limit) return 1.0;
   double within = least, beyond = 1.0;
-  for (int k = 0; k < kHalvings; ++k) {
+  for (int k = 0; k < kBisections; ++k) {
     const double middle = 0.5 * (within + beyond);
     (line.at(middle) <= limit ? within : beyond) = middle;
   }
@@ -55,12 +55,12 @@ LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vect
     out.torques = hold.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
     out.scale = 0.0;
     out.power = power_of(out.torques, dq, damping);
-    out.exceeds = true;
+    out.limit_exceeded = true;
     return out;
   }
-  const double least = least_power_scale(line);
-  out.exceeds = !(line.at(least) <= limit);
-  out.scale = out.exceeds ? 0.0 : greatest_scale(line, limit, least);
+  const double least = min_power_scale(line);
+  out.limit_exceeded = !(line.at(least) <= limit);
+  out.scale = out.limit_exceeded ? 0.0 : max_scale(line, limit, least);
   out.torques = hold + out.scale * (tau - hold);
   out.power = line.at(out.scale);
   return out;

@@ -10,7 +10,7 @@ struct LimitedTorques {
   Vector12 torques = Vector12::Zero();  ///< [N.m]
   double scale = 1.0;                   ///< s, 0 .. 1: how much of the wanted motion is left
   double power = 0.0;                   ///< [W] sum |tau dq| of what the motors then make
-  bool exceeds = false;                 ///< no s is within the limit
+  bool limit_exceeded = false;          ///< no s is within the limit
 };
 
 /// [W] sum |(tau - damping dq) dq|: what motors take. All shapes (12,). Real-time: yes.

@@ -9,10 +9,10 @@ namespace surefoot {
 namespace {
 
 // As measured on the vendor's library: net calls above the limit.
-constexpr int kTrip = 5;   // it trips above this ...
-constexpr int kMost = 10;  // ... and remembers no more than these
-constexpr int kLevels = 10;
-constexpr float kNoPosition = 1e9F;  // [rad] from here on q says that there is no position
+constexpr int kTripCount = 5;  // it trips above this ...
+constexpr int kMaxCount = 10;  // ... and remembers no more than these
+constexpr int kMaxLevel = 10;
+constexpr float kMinPositionOff = 1e9F;  // [rad] from here on q says that there is no position
 
 // What is not finite stays so in a sum of absolute values.
 double motor_power(const LowState& state) noexcept {
@@ -31,10 +31,10 @@ Safety::Safety(const Robot& robot)
 
 int Safety::power_protect(const LowCmd&, const LowState& state, int level) noexcept {
   power_ = motor_power(state);
-  const double limit = kWattsPerLevel * std::clamp(level, 1, kLevels);
-  const bool quiet = power_ <= limit;  // NaN is not
-  counter_ = quiet ? std::max(counter_ - 1, 0) : std::min(counter_ + 1, kMost);
-  return counter_ > kTrip || !std::isfinite(power_) ? -1 : 1;
+  const double limit = kWattsPerLevel * std::clamp(level, 1, kMaxLevel);
+  const bool within_limit = power_ <= limit;  // NaN is not
+  counter_ = within_limit ? std::max(counter_ - 1, 0) : std::min(counter_ + 1, kMaxCount);
+  return counter_ > kTripCount || !std::isfinite(power_) ? -1 : 1;
 }
 
 int Safety::position_protect(const LowCmd&, const LowState& state, double limit) noexcept {
@@ -54,7 +54,7 @@ int Safety::position_protect(const LowCmd&, const LowState& state, double limit)
 void Safety::position_limit(LowCmd& cmd) const noexcept {
   for (int i = 0; i < kMotors; ++i) {
     const float q = cmd.motorCmd[i].q;
-    if (!(std::abs(q) < kNoPosition)) continue;
+    if (!(std::abs(q) < kMinPositionOff)) continue;
     if (q < q_lower_[i]) cmd.motorCmd[i].q = static_cast<float>(q_lower_[i]);
     if (q > q_upper_[i]) cmd.motorCmd[i].q = static_cast<float>(q_upper_[i]);
   }

@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRounding = 1e-9;  // [s]
-constexpr double kPeriods = 5.0;    // that a step may last
+constexpr double kRounding = 1e-9;    // [s]
+constexpr double kJumpPeriods = 5.0;  // that a step may last
 
 // Unsigned subtraction wraps as the counter does; read as signed, half the range is the past.
 double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
@@ -25,27 +25,27 @@ double TickClock::advance(std::uint32_t tick) noexcept {
   }
   double step = seconds_between(last_, tick);
   gap_ = 0.0;
-  const double leap = std::max(longest_, kPeriods * period()) + kRounding;
-  if (step > leap) {
-    const double since_leap = seconds_between(leap_, tick);
-    const bool confirmed = leapt_ && since_leap > 0.0 && since_leap <= leap;
-    leapt_ = true;
-    leap_ = tick;
+  const double jump = std::max(jump_threshold_, kJumpPeriods * period()) + kRounding;
+  if (step > jump) {
+    const double since_jump = seconds_between(jump_tick_, tick);
+    const bool confirmed = jump_pending_ && since_jump > 0.0 && since_jump <= jump;
+    jump_pending_ = true;
+    jump_tick_ = tick;
     if (!confirmed) return -1.0;
     gap_ = step;
     step = kMaxStep;
   }
   if (step <= 0.0) return -1.0;
-  leapt_ = false;
+  jump_pending_ = false;
   gap_ = std::max(gap_, step);
   last_ = tick;
-  steps_[next_] = std::min(step, kMaxStep);
-  next_ = (next_ + 1) % static_cast<int>(steps_.size());
+  recent_steps_[next_] = std::min(step, kMaxStep);
+  next_ = (next_ + 1) % static_cast<int>(recent_steps_.size());
   return step;
 }
 
 double TickClock::period() const noexcept {
-  std::array<double, 4> steps = steps_;
+  std::array<double, 4> steps = recent_steps_;
   std::sort(steps.begin(), steps.end());
   return steps[2];
 }

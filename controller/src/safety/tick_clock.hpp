@@ -10,8 +10,8 @@ namespace surefoot {
 /// Real-time: yes.
 class TickClock {
  public:
-  /// @param leap [s] a step beyond it, and beyond five periods, is a leap
-  explicit TickClock(double leap = kLeap) : longest_(leap) {}
+  /// @param jump [s] a step beyond it, and beyond five periods, is a leap
+  explicit TickClock(double jump = kJumpTime) : jump_threshold_(jump) {}
 
   /// Take in a tick. @return seconds since the last good one; 0 for the first; negative when the
   /// tick stands still, runs backwards, or leaps to where the next tick does not
@@ -26,19 +26,19 @@ class TickClock {
   /// one that was lost must not make the next age twice as fast.
   double period() const noexcept;
 
-  void reset() noexcept { *this = TickClock(longest_); }
+  void reset() noexcept { *this = TickClock(jump_threshold_); }
 
-  static constexpr double kMaxStep = 0.010;  ///< [s] a longer gap is integrated as this
-  static constexpr double kLeap = 0.100;     ///< [s]
+  static constexpr double kMaxStep = 0.010;   ///< [s] a longer gap is integrated as this
+  static constexpr double kJumpTime = 0.100;  ///< [s]
 
  private:
-  double longest_;  // [s] step that is no leap
+  double jump_threshold_;  // [s] step that is no leap
   bool started_ = false;
-  bool leapt_ = false;
+  bool jump_pending_ = false;
   std::uint32_t last_ = 0;
-  std::uint32_t leap_ = 0;
+  std::uint32_t jump_tick_ = 0;
   double gap_ = 0.0;
-  std::array<double, 4> steps_ = {0.002, 0.002, 0.002, 0.002};
+  std::array<double, 4> recent_steps_ = {0.002, 0.002, 0.002, 0.002};
   int next_ = 0;
 };
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "dynamics/dynamics.hpp"
-#include "safety/flung_legs.hpp"
 #include "safety/power_limiter.hpp"
-#include "surefoot/stand_controller.hpp"
+#include "safety/runaway_legs.hpp"
+#include "surefoot/gains.hpp"
+#include "surefoot/robot.hpp"
+#include "surefoot/types.hpp"
 
 namespace surefoot {
 
@@ -16,11 +18,15 @@ LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept;
 /// allowed, in torque mode. Real-time: yes.
 class TorqueCommand {
  public:
-  TorqueCommand(const Robot& robot, const StandOptions& options)
-      : robot_(robot), options_(options) {}
+  /// @param motor_damping [N.m.s/rad] added to every command @param power_limit [W] most it may
+  /// take
+  TorqueCommand(const Robot& robot, double motor_damping, double power_limit)
+      : robot_(robot), motor_damping_(motor_damping), power_limit_(power_limit) {}
 
   /// Look at the joints, with every estimate. @param dt [s] since the last
-  void watch(const RobotState& state, double dt) noexcept { flung_.update(speeds(state), dt); }
+  void observe_joints(const RobotState& state, double dt) noexcept {
+    runaway_legs_.update(joint_speeds(state), dt);
+  }
 
   /// @param leg whose motors get no torques and damp from now on, from 0 on; -1: none
   void set_lost_leg(int leg) noexcept { lost_leg_ = leg; }
@@ -45,23 +51,25 @@ class TorqueCommand {
   const LimitedTorques& limited() const noexcept { return limited_; }
   void reset() noexcept {
     limited_ = {};
-    flung_.reset();
+    runaway_legs_.reset();
     lost_leg_ = -1;
-    faded_in_ = 0.0;
+    lost_damping_share_ = 0.0;
   }
 
  private:
-  Vector12 speeds(const RobotState& state) const noexcept;
-  bool limit_flung_legs(const Vector12& dq) noexcept;
+  Vector12 joint_speeds(const RobotState& state) const noexcept;
+  bool limit_runaway_legs(const Vector12& dq) noexcept;
 
   Robot robot_;
-  StandOptions options_;
+  double motor_damping_;    // [N.m.s/rad]
+  double power_limit_;      // [W]
   LimitedTorques limited_;  // motor order
-  FlungLegs flung_;
+  RunawayLegs runaway_legs_;
   int lost_leg_ = -1;
-  Vector12 torque_share_ = Vector12::Ones();    // of each motor
-  double damping_ = 0.0;                        // [N.m.s/rad]
-  double lost_damping_ = 0.0, faded_in_ = 0.0;  // [N.m.s/rad] of the lost leg; its share by now
+  Vector12 torque_share_ = Vector12::Ones();  // of each motor
+  double damping_ = 0.0;                      // [N.m.s/rad]
+  double lost_damping_ = 0.0,
+         lost_damping_share_ = 0.0;  // [N.m.s/rad] of the lost leg; its share by now
 };
 
 }  // namespace surefoot

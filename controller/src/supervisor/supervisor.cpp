@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surefoot/supervisor.hpp"
 
+#include "common/text.hpp"
 #include "supervisor/supervisor_impl.hpp"
 #include "surefoot/error.hpp"
-#include "text.hpp"
 
 namespace surefoot {
 
@@ -37,34 +37,36 @@ Supervisor::Supervisor(Supervisor&&) noexcept = default;
 const LowCmd& Supervisor::update(const LowState& low_state) noexcept {
   return impl_->tick(low_state);
 }
-const LowCmd& Supervisor::bridge(double age) noexcept { return impl_->bridge(age); }
-void Supervisor::lose() noexcept { impl_->lose(); }
-void Supervisor::count_reports(double come, double missing) noexcept {
-  impl_->arming.count(come, missing);
+const LowCmd& Supervisor::update_without_state(double age) noexcept {
+  return impl_->update_without_state(age);
 }
-RequestStatus Supervisor::request(Mode mode) noexcept { return impl_->requests.ask(mode); }
-RequestStatus Supervisor::arm() noexcept { return impl_->requests.ask_to_arm(); }
+void Supervisor::report_link_lost() noexcept { impl_->report_link_lost(); }
+void Supervisor::count_samples(double received, double missing) noexcept {
+  impl_->arming.add_link_counts(received, missing);
+}
+RequestStatus Supervisor::request(Mode mode) noexcept { return impl_->requests.request_mode(mode); }
+RequestStatus Supervisor::arm() noexcept { return impl_->requests.request_arming(); }
 void Supervisor::stop() noexcept { impl_->requests.stop(); }
 
 Mode Supervisor::mode() const noexcept { return impl_->requests.context().mode; }
 bool Supervisor::armed() const noexcept { return impl_->requests.context().armed; }
-FaultId Supervisor::reason() const noexcept { return impl_->reason; }
-ArmingReport Supervisor::arming() const noexcept { return impl_->report.read(); }
+FaultId Supervisor::damping_fault() const noexcept { return impl_->reason; }
+ArmingReport Supervisor::arming() const noexcept { return impl_->arming_report.read(); }
 FaultReport Supervisor::faults() const noexcept { return impl_->faults.read(); }
 void Supervisor::heartbeat() noexcept { ++impl_->heartbeats; }
-double Supervisor::height() const noexcept { return impl_->height; }
+double Supervisor::rise_progress() const noexcept { return impl_->height; }
 double Supervisor::rise_time() const noexcept { return impl_->plan.time; }
 bool Supervisor::fading() const noexcept { return impl_->requests.context().fading; }
-RiseStage Supervisor::stage() const noexcept { return impl_->shown_stage; }
-bool Supervisor::stuck() const noexcept { return impl_->gave_up; }
+RiseStage Supervisor::rise_stage() const noexcept { return impl_->published_stage; }
+bool Supervisor::rise_failed() const noexcept { return impl_->gave_up; }
 
 void Supervisor::set_body_reference(const BodyReference& target) noexcept {
   impl_->stand.set_body_reference(target);
 }
 void Supervisor::set_gains(const Gains& gains) { impl_->set_gains(gains); }
-const StandController& Supervisor::stand() const noexcept { return impl_->stand; }
-bool Supervisor::fresh() const noexcept { return impl_->fresh; }
-double Supervisor::power() const noexcept { return impl_->safety.power(); }
+const StandController& Supervisor::stand_controller() const noexcept { return impl_->stand; }
+bool Supervisor::command_is_fresh() const noexcept { return impl_->fresh; }
+double Supervisor::measured_power() const noexcept { return impl_->safety.power(); }
 
 const char* to_string(Mode mode) noexcept {
   constexpr std::array<const char*, 5> names = {"passive", "rise", "stand", "sit", "damping"};

@@ -2,22 +2,22 @@
 // What is found wrong in a good report, and what is done about it.
 #include <cmath>
 
-#include "supervisor/lean.hpp"
+#include "supervisor/common/tilt.hpp"
 #include "supervisor/supervisor_impl.hpp"
 
 namespace surefoot {
 
 namespace {
 
-constexpr double kFallTilt = 0.7;     // [rad] while rising and sitting ...
-constexpr double kRollTilt = 0.8;     // [rad] ... but for who lies yet: see RollWatch
-constexpr double kForesight = 0.1;    // [s] that the tilt is foreseen
-constexpr double kBatteryTime = 1.0;  // [s]
+constexpr double kFallTilt = 0.7;        // [rad] while rising and sitting ...
+constexpr double kRollTilt = 0.8;        // [rad] ... but for who lies yet: see RolloverMonitor
+constexpr double kTiltPrediction = 0.1;  // [s] that the tilt is foreseen
+constexpr double kBatteryTime = 1.0;     // [s]
 // Of the height of the centre of mass: how far the capture point may be outside three feet. What is
 // left of the fourth leg, braking, bears that much for long enough.
-constexpr double kOutside = 0.03;
-constexpr double kPushed = 0.1;        // of the weight: who is pushed will be elsewhere in a moment
-constexpr double kLossWatched = 0.05;  // share of reports
+constexpr double kMaxOutside = 0.03;
+constexpr double kMaxPush = 0.1;   // of the weight: who is pushed will be elsewhere in a moment
+constexpr double kMaxLoss = 0.05;  // share of reports
 
 }  // namespace
 
@@ -25,19 +25,19 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   motors.update(state, dt, stand.lost_leg(), log);
   judge_legs();
   stand.set_torque_share(motors.torque_share());
-  springs.set_torque_share(motors.torque_share());
-  if (standing()) {
-    sensors.update(stand.estimator_report(), stand.state(), dt, log);
+  impedance.set_torque_share(motors.torque_share());
+  if (is_standing()) {
+    estimator_faults.update(stand.estimator_report(), stand.state(), dt, log);
   } else {
-    sensors.reset(now.mode == Mode::kSit, log);
+    estimator_faults.reset(context.mode == Mode::kSit, log);
   }
   encoders.update(state, dt, stand.lost_leg());
   log.set(FaultId::kEncoder, encoders.motor() >= 0, encoders.motor());
-  pace.update(state, dt);
-  log.set(FaultId::kClock, pace.fast());
-  log.set(FaultId::kQuaternion, sensors.quaternion_bad() || !imu.attitude_fits());
-  log.set(FaultId::kAccelerometer, sensors.accelerometer_bad() || imu.accelerometer_bad());
-  log.set(FaultId::kGyroscope, sensors.gyroscope_bad() || imu.gyroscope_bad());
+  clock_monitor.update(state, dt);
+  log.set(FaultId::kClock, clock_monitor.fast());
+  log.set(FaultId::kQuaternion, estimator_faults.quaternion_bad() || !imu.attitude_plausible());
+  log.set(FaultId::kAccelerometer, estimator_faults.accelerometer_bad() || imu.accelerometer_bad());
+  log.set(FaultId::kGyroscope, estimator_faults.gyroscope_bad() || imu.gyroscope_bad());
   judge_tilt(state);
   judge_rest(state, dt);
 }
@@ -51,16 +51,16 @@ void Supervisor::Impl::judge_legs() noexcept {
     return;
   }
   for (const FaultId id : {FaultId::kMotorMode, FaultId::kMotorWeak}) {
-    if (!log.report().has(id) || !standing()) continue;
+    if (!log.report().has(id) || !is_standing()) continue;
     const int motor = log.report().motor[static_cast<int>(id)];
     const int leg = motor / kLegJoints;
     const Reference& wanted = stand.reference();
-    const double height = wanted.p_com.z() - wanted.feet[diagonal(leg)].p_world.z();
-    const double push = stand.state().f_outside.head<2>().norm();
+    const double height = wanted.p_com.z() - wanted.feet[diagonal_leg(leg)].p_world.z();
+    const double push = stand.state().f_external.head<2>().norm();
     // What is no number is no reason to.
-    const bool quiet = push <= kPushed * kGravity * robot.mass();
-    if (!quiet || !(stand.margin_without(leg) >= -kOutside * height)) continue;
-    stand.give_up(leg);
+    const bool quiet = push <= kMaxPush * kGravity * robot.mass();
+    if (!quiet || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
+    stand.give_up_leg(leg);
     log.set(id, false);
     log.set(FaultId::kLegLost, true, motor);
     return;
@@ -68,39 +68,39 @@ void Supervisor::Impl::judge_legs() noexcept {
 }
 
 void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
-  log.set(FaultId::kLoss, arming.loss() > kLossWatched);
+  log.set(FaultId::kLoss, arming.loss() > kMaxLoss);
   const BmsState& bms = state.bms;
-  const bool told = bms.SOC > 0 || bms.bms_status > 0 || bms.version_h > 0;
+  const bool battery_reported = bms.SOC > 0 || bms.bms_status > 0 || bms.version_h > 0;
   log.set(FaultId::kBattery,
-          battery.update(told && bms.SOC < options.battery_low, dt, kBatteryTime));
-  const unsigned beats = heartbeats;
-  silence = beats == heard ? silence + dt : 0.0;
-  heard = beats;
-  log.set(FaultId::kOperator, silence > options.operator_timeout);
+          battery.update(battery_reported && bms.SOC < options.battery_low, dt, kBatteryTime));
+  const unsigned count = heartbeats;
+  operator_silence = count == last_heartbeats ? operator_silence + dt : 0.0;
+  last_heartbeats = count;
+  log.set(FaultId::kOperator, operator_silence > options.operator_timeout);
 }
 
 // With the rate at which it goes on: a body that falls fast is let go of early.
 void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
-  if (!drives()) {
+  if (!applies_torque()) {
     log.set(FaultId::kTilt, false);
     return;
   }
   // A controller that stands knows better than the IMU, and judges by its own gain.
-  Quaternion R = springs.R_world_base();
-  double most = upward() ? kFallTilt : kRollTilt;
-  if (standing()) {
+  Quaternion R = impedance.R_world_base();
+  double most = is_raising_body() ? kFallTilt : kRollTilt;
+  if (is_standing()) {
     R = Quaternion(stand.state().q.segment<4>(3).data());
     most = stand.gains().fall_tilt;
   }
   const std::array<float, 3> gyroscope = state.imu.gyroscope;  // packed: copied
-  const Vector3 w = springs.R_base_imu() * Vector3(gyroscope[0], gyroscope[1], gyroscope[2]);
+  const Vector3 w = impedance.R_base_imu() * Vector3(gyroscope[0], gyroscope[1], gyroscope[2]);
   const Vector3 up = R.conjugate() * Vector3::UnitZ();  // in base axes
-  const double tilt = lean(up);
+  const double tilt = tilt_angle(up);
   const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);
   // d(up)/dt = up x w; the tilt grows as its z falls.
   const double rate = -up.cross(w).z() / sine;
   // While the body lies it may roll off a leg.
-  const double ahead = standing() || upward() ? kForesight : 0.0;
+  const double ahead = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
   log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
 
@@ -108,12 +108,13 @@ void Supervisor::Impl::react() noexcept {
   for (const FaultId asked : {FaultId::kStop, FaultId::kButton}) {
     if (log.report().has(asked)) latch(asked);
   }
-  if (!drives()) return;
+  if (!applies_torque()) return;
   // What is wrong with the report alone is bridged first: see tick().
-  const FaultId worst = log.report().first(FaultReaction::kDamp, bad);
+  const FaultId worst = log.report().first_active(FaultReaction::kDamp, sample_fault);
   if (worst != FaultId::kNone) latch(worst);
-  const bool up = now.mode == Mode::kStand || now.mode == Mode::kRise;
-  if (up && log.report().first(FaultReaction::kSit) != FaultId::kNone) enter(Mode::kSit);
+  const bool up = context.mode == Mode::kStand || context.mode == Mode::kRise;
+  if (up && log.report().first_active(FaultReaction::kSit) != FaultId::kNone)
+    enter_mode(Mode::kSit);
 }
 
 }  // namespace surefoot

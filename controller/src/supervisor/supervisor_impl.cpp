@@ -37,17 +37,17 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
       plan(plan_rise(r, kPlannedShare * watts(o))),
       arming(r, {o.arming_time, o.temperature_warning, o.joint_margin, plan.torque_share}),
       folding(plan, gains.fold_wait),
-      weighing(plan),
-      pressing(plan),
+      weight_check(plan),
+      press_check(plan),
       motion(plan),
-      springs(r, plan, kLimitedShare * watts(o)),
+      impedance(r, plan, kLimitedShare * watts(o)),
       stand(r, gains, within_power(o)),
       safety(r),
       motors(r, o.temperature_warning, o.temperature_stop, o.joint_margin),
-      sensors(o.payload_limit),
-      rate(r.config().tau_max),
+      estimator_faults(o.payload_limit),
+      rate_limiter(r.config().tau_max),
       damping_kd(gains.damping_kd) {
-  now.trusted = o.start == Start::kStanding;
+  context.checks_waived = o.start == Start::kStanding;
   publish();
 }
 
@@ -55,7 +55,7 @@ Supervisor::Impl::Impl(const Robot& r, const Gains& gains, const SupervisorOptio
 const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   const double step = clock.advance(state.tick);
   const double dt = step > 0.0 ? std::min(step, TickClock::kMaxStep) : clock.period();
-  const bool good = read(state, step, dt);
+  const bool good = read_sample(state, step, dt);
   log.set(FaultId::kLink, false);
   log.set(FaultId::kStop, requests.take_stop());
   const bool pressed = decode_wireless_remote(state.wirelessRemote).pressed(kStopButton);
@@ -63,39 +63,40 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   if (good) judge(state, dt);
   react();
   if (good) {
-    obey(requests.take());
-    if (now.trusted && now.mode == Mode::kPassive && !now.armed) take_over();
-    move(state, dt);
+    handle_request(requests.take());
+    if (context.checks_waived && context.mode == Mode::kPassive && !context.armed) take_over();
+    step_motion(state, dt);
   }
   const LowCmd* out = nullptr;
-  if (!drives()) {
-    rate.rest(damping_kd);
-    out = &keeper.accept(damping_low_cmd(damping_kd));
+  if (!applies_torque()) {
+    rate_limiter.set_damping_only(damping_kd);
+    out = &command_hold.accept(damping_low_cmd(damping_kd));
   } else if (good) {
     out = &command(state, dt);
   } else {
-    out = &keeper.refuse(dt, damping_kd);
-    motors.interrupted();
-    if (keeper.latched() || clock.gap() > kAwayTime) latch(bad);
+    out = &command_hold.repeat_or_damp(dt, damping_kd);
+    motors.skip_command();
+    if (command_hold.latched() || clock.gap() > kRobotWatchdogTime) latch(sample_fault);
   }
-  if (good) motors.sent(*out, state);
-  const bool program = good && fade.needs(Source::kProgram);
-  fresh = good && (!program || is_fresh(stand.rung()));
-  const bool bridged = stand.rung() != Rung::kSolved && stand.rung() != Rung::kDamping;
+  if (good) motors.record_command(*out, state);
+  const bool program = good && fade.uses(TorqueSource::kController);
+  fresh = good && (!program || is_fresh(stand.fallback_level()));
+  const bool bridged = stand.fallback_level() != FallbackLevel::kSolved &&
+                       stand.fallback_level() != FallbackLevel::kDamping;
   log.set(FaultId::kProgram, program && bridged);
   publish();
   return *out;
 }
 
 // Judged again: since another thread asked, the robot has gone on.
-void Supervisor::Impl::obey(int request) noexcept {
+void Supervisor::Impl::handle_request(int request) noexcept {
   if (request == Requests::kArm) {
-    if (judge_arming(now) != RequestStatus::kAccepted) return;
-    const bool take = now.trusted && now.mode == Mode::kDamping;
-    now.mode = Mode::kPassive;
-    now.armed = true;
-    keeper.reset();
-    pace = {};  // at rest it goes on saying what it said last
+    if (judge_arming(context) != RequestStatus::kAccepted) return;
+    const bool take = context.checks_waived && context.mode == Mode::kDamping;
+    context.mode = Mode::kPassive;
+    context.armed = true;
+    command_hold.reset();
+    clock_monitor = {};  // at rest it goes on saying what it said last
     for (const FaultId over :
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
       log.set(over, false);  // it begins anew
@@ -106,9 +107,9 @@ void Supervisor::Impl::obey(int request) noexcept {
     } else {
       stand.reset();  // all four legs are its own again
     }
-  } else if (request != Requests::kNothing) {
+  } else if (request != Requests::kNoRequest) {
     const Mode mode = static_cast<Mode>(request);
-    if (judge_request(now, mode) == RequestStatus::kAccepted) enter(mode);
+    if (judge_request(context, mode) == RequestStatus::kAccepted) enter_mode(mode);
   }
 }
 
@@ -116,36 +117,36 @@ void Supervisor::Impl::obey(int request) noexcept {
 void Supervisor::Impl::take_over() noexcept {
   stand.reset();
   motors.reset();
-  now.mode = Mode::kStand;
-  now.armed = true;
+  context.mode = Mode::kStand;
+  context.armed = true;
   stage =
       RiseStage::kUp;  // or it would be thought to lie, and be let go of instead of sitting down
-  motion.start(1.0, springs.q());
-  rate.forget();
-  fade.jump(Source::kProgram);
+  motion.start(1.0, impedance.q());
+  rate_limiter.reset();
+  fade.switch_to(TorqueSource::kController);
 }
 
 void Supervisor::Impl::latch(FaultId why) noexcept {
   requests.take();  // what was asked before is void
-  if (now.mode == Mode::kDamping) return;
-  now.mode = Mode::kDamping;
-  now.armed = now.ready = false;
-  arming.distrust();  // what it was before it was let go of says nothing: the second begins anew
-  fade.jump(Source::kDamping);
-  rate.rest(damping_kd);
-  unsolved = held_back = {};
+  if (context.mode == Mode::kDamping) return;
+  context.mode = Mode::kDamping;
+  context.armed = context.ready = false;
+  arming.clear_ready();  // what it was before it was let go of says nothing: the second begins anew
+  fade.switch_to(TorqueSource::kDamping);
+  rate_limiter.set_damping_only(damping_kd);
+  unsolved = rate_limited = {};
   log.set(FaultId::kTorqueRate, false);
   log.set(FaultId::kHanging, false);  // seen on the way up, which is over: it must not bar the next
   reason = why;
 }
 
 void Supervisor::Impl::publish() noexcept {
-  now.fading = fade.moving();
-  requests.publish(now);
-  report.write(arming.report());
+  context.fading = fade.active();
+  requests.publish(context);
+  arming_report.write(arming.report());
   faults.write(log.report());
-  shown_stage = stage;
-  const bool on_the_way = active() && upward();
+  published_stage = stage;
+  const bool on_the_way = active() && is_raising_body();
   height = on_the_way ? motion.position() : 0.0;
 }
 

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "safety/command_keeper.hpp"
+#include "safety/command_hold.hpp"
 #include "safety/tick_clock.hpp"
-#include "supervisor/arming.hpp"
-#include "supervisor/clock_watch.hpp"
-#include "supervisor/encoder_watch.hpp"
-#include "supervisor/fault_log.hpp"
-#include "supervisor/height_motion.hpp"
-#include "supervisor/imu_watch.hpp"
-#include "supervisor/joint_watch.hpp"
-#include "supervisor/leg_folding.hpp"
-#include "supervisor/leg_lift.hpp"
-#include "supervisor/leg_pressing.hpp"
-#include "supervisor/leg_springs.hpp"
-#include "supervisor/leg_weighing.hpp"
-#include "supervisor/motor_faults.hpp"
-#include "supervisor/published.hpp"
-#include "supervisor/repeated_report.hpp"
-#include "supervisor/requests.hpp"
-#include "supervisor/sensor_faults.hpp"
-#include "supervisor/torque_fade.hpp"
-#include "supervisor/torque_rate.hpp"
+#include "supervisor/arming/arming_checks.hpp"
+#include "supervisor/common/seqlock.hpp"
+#include "supervisor/faults/clock_monitor.hpp"
+#include "supervisor/faults/debounce.hpp"
+#include "supervisor/faults/encoder_monitor.hpp"
+#include "supervisor/faults/estimator_faults.hpp"
+#include "supervisor/faults/fault_log.hpp"
+#include "supervisor/faults/imu_monitor.hpp"
+#include "supervisor/faults/joint_monitor.hpp"
+#include "supervisor/faults/motor_faults.hpp"
+#include "supervisor/faults/repeated_sample.hpp"
+#include "supervisor/getting_up/checks/leg_weight_check.hpp"
+#include "supervisor/getting_up/checks/light_leg_check.hpp"
+#include "supervisor/getting_up/checks/rear_press_check.hpp"
+#include "supervisor/getting_up/folding/leg_folding.hpp"
+#include "supervisor/getting_up/joint_impedance.hpp"
+#include "supervisor/getting_up/rise_motion.hpp"
+#include "supervisor/modes/requests.hpp"
+#include "supervisor/modes/torque_fade.hpp"
+#include "supervisor/modes/torque_rate_limiter.hpp"
 #include "surefoot/safety.hpp"
 #include "surefoot/supervisor.hpp"
 
@@ -32,28 +33,28 @@ struct Supervisor::Impl {
   Impl(const Robot& robot, const Gains& gains, const SupervisorOptions& options);
 
   const LowCmd& tick(const LowState& state) noexcept;
-  const LowCmd& bridge(double age) noexcept;
-  void lose() noexcept;
+  const LowCmd& update_without_state(double age) noexcept;
+  void report_link_lost() noexcept;
   void set_gains(const Gains& gains);
 
   Robot robot;
   SupervisorOptions options;
   RisePlan plan;
-  Arming arming;
+  ArmingChecks arming;
   LegFolding folding;
-  LegWeighing weighing;
-  LegPressing pressing;
-  HeightMotion motion;
-  LegSprings springs;
+  LegWeightCheck weight_check;
+  RearPressCheck press_check;
+  RiseMotion motion;
+  JointImpedance impedance;
   StandController stand;
   Safety safety;
   Requests requests;
-  Published<ArmingReport> report;
-  Published<FaultReport> faults;
+  Seqlock<ArmingReport> arming_report;
+  Seqlock<FaultReport> faults;
   std::atomic<FaultId> reason{FaultId::kNone};
   std::atomic<unsigned> heartbeats{0};
   std::atomic<bool> gave_up{false};
-  std::atomic<RiseStage> shown_stage{RiseStage::kHoldLegs};
+  std::atomic<RiseStage> published_stage{RiseStage::kHoldLegs};
   std::atomic<double> height{0.0};
   bool fresh = false;
 
@@ -61,63 +62,66 @@ struct Supervisor::Impl {
   /// [s] After it no command lives: a longer step must be confirmed, for a tick may be mad.
   static constexpr double kLongestStep = 0.015;
 
-  bool read(const LowState& state, double step, double dt) noexcept;
-  FaultId find_bad(const LowState& state, double step) noexcept;
+  bool read_sample(const LowState& state, double step, double dt) noexcept;
+  FaultId find_sample_fault(const LowState& state, double step) noexcept;
   void judge(const LowState& state, double dt) noexcept;
   void judge_tilt(const LowState& state) noexcept;
   void judge_legs() noexcept;
   void judge_rest(const LowState& state, double dt) noexcept;
   void react() noexcept;
-  void obey(int request) noexcept;
+  void handle_request(int request) noexcept;
   void take_over() noexcept;
-  void enter(Mode mode) noexcept;
+  void enter_mode(Mode mode) noexcept;
   void start_rise() noexcept;
-  void move(const LowState& state, double dt) noexcept;
+  void step_motion(const LowState& state, double dt) noexcept;
   void rise(const LowState& state, double dt) noexcept;
   void hold_legs(const LowState& state, double dt) noexcept;
   void fold(double dt) noexcept;
   void weigh(const LowState& state, double dt) noexcept;
   void press(const LowState& state, double dt) noexcept;
-  void go_up(const LowState& state, double dt) noexcept;
-  void refuse(FaultId why, int motor) noexcept;
+  void raise_body(const LowState& state, double dt) noexcept;
+  void abort_rise(FaultId why, int motor) noexcept;
   void sit(double dt) noexcept;
-  void lie() noexcept;
-  void forget() noexcept;
+  void enter_passive() noexcept;
+  void invalidate_state() noexcept;
   void latch(FaultId why) noexcept;
-  Drive drive(Source source, const LowState& state) noexcept;
+  MotorDemand demand_of(TorqueSource source, const LowState& state) noexcept;
   const LowCmd& command(const LowState& state, double dt) noexcept;
   void publish() noexcept;
-  bool active() const noexcept { return now.mode != Mode::kPassive && now.mode != Mode::kDamping; }
-  bool drives() const noexcept {
-    return active() || fade.moving();
+  bool active() const noexcept {
+    return context.mode != Mode::kPassive && context.mode != Mode::kDamping;
+  }
+  bool applies_torque() const noexcept {
+    return active() || fade.active();
   }  ///< torques, not damping alone
-  bool upward() const noexcept { return stage == RiseStage::kUp; }
-  bool standing() const noexcept { return now.mode == Mode::kStand && !fade.moving(); }
+  bool is_raising_body() const noexcept { return stage == RiseStage::kUp; }
+  bool is_standing() const noexcept { return context.mode == Mode::kStand && !fade.active(); }
 
-  RequestContext now;
+  RequestContext context;
   TickClock clock{kLongestStep};
-  CommandKeeper keeper;
+  CommandHold command_hold;
   TorqueFade fade;
   JointReference reference;  // of the springs
   RiseStage stage = RiseStage::kHoldLegs;
-  LegLift lift;
+  LightLegCheck light_leg_check;
   FaultLog log;
   MotorFaults motors;
-  SensorFaults sensors;
-  TorqueRate rate;
-  RepeatedReport repeated;
+  EstimatorFaults estimator_faults;
+  TorqueRateLimiter rate_limiter;
+  RepeatedSample repeated;
   std::uint32_t last_tick = 0;
-  bool known = false;     // has it ever been heard, since it was lost?
-  double unheard = 0.0;   // [s] in which every report was bad
-  double unlooked = 0.0;  // [s] in which no report's numbers could be looked at, up to the last
-  ImuWatch imu;
-  JointWatch joints;
-  EncoderWatch encoders;
-  ClockWatch pace;
-  Lasting battery, held_back, unsolved;
-  FaultId bad = FaultId::kNone;  // what is wrong with the report itself
-  unsigned heard = 0;            // heartbeats
-  double silence = 0.0;          // [s] since the last of them
+  bool state_received = false;  // since the link was lost
+  double bad_time = 0.0;        // [s] in which every report was bad
+  double unchecked_time =
+      0.0;  // [s] in which no report's numbers could be looked at, up to the last
+  ImuMonitor imu;
+  JointMonitor joints;
+  EncoderMonitor encoders;
+  ClockMonitor clock_monitor;
+  Debounce battery, rate_limited, unsolved;
+  FaultId sample_fault = FaultId::kNone;  // what is wrong with the report itself
+  unsigned last_heartbeats = 0;           // heartbeats
+  double operator_silence = 0.0;          // [s] since the last of them
   double damping_kd;
 };
 

@@ -4,43 +4,44 @@
 
 namespace surefoot {
 
-const LowCmd& Supervisor::Impl::bridge(double age) noexcept {
+const LowCmd& Supervisor::Impl::update_without_state(double age) noexcept {
   if (requests.take_stop()) {
     log.set(FaultId::kStop, true);
     latch(FaultId::kStop);
   }
   fresh = false;
   const bool known_age = age >= 0.0;  // neither negative nor NaN
-  if (!known_age || age > kStaleTime) forget();
+  if (!known_age || age > kStaleTime) invalidate_state();
   publish();
   // Reports that were bad have not made the last command any younger.
-  if (drives() && known_age && age + keeper.age() <= kHoldTime) return keeper.last();
-  motors.interrupted();
-  rate.rest(damping_kd);  // torques come back from nothing
-  return keeper.damp(damping_kd);
+  if (applies_torque() && known_age && age + command_hold.age() <= kHoldTime)
+    return command_hold.last();
+  motors.skip_command();
+  rate_limiter.set_damping_only(damping_kd);  // torques come back from nothing
+  return command_hold.damp(damping_kd);
 }
 
 // Nothing valid has come for a while: what was asked of another moment is void.
-void Supervisor::Impl::forget() noexcept {
-  now.seen = false;
+void Supervisor::Impl::invalidate_state() noexcept {
+  context.state_valid = false;
   requests.take();
 }
 
-void Supervisor::Impl::lose() noexcept {
-  if (now.armed) {
+void Supervisor::Impl::report_link_lost() noexcept {
+  if (context.armed) {
     log.set(FaultId::kLink, true);
     latch(FaultId::kLink);
   }
-  forget();
-  arming.distrust();
+  invalidate_state();
+  arming.clear_ready();
   // What was before says nothing of what comes.
   clock.reset();
   joints = {};
   encoders = {};
-  pace = {};
+  clock_monitor = {};
   imu = {};
   repeated = {};
-  known = now.ready = fresh = false;
+  state_received = context.ready = fresh = false;
   publish();
 }
 

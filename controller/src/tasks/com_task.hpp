@@ -11,9 +11,9 @@ namespace surefoot {
 Vector3 com_acceleration(const Gains& gains, const Reference& reference,
                          const Dynamics& dynamics) noexcept;
 
-/// Rows of the centre of mass: (sum(f) + f_outside) / m + g = a, exact for any motion of the
+/// Rows of the centre of mass: (sum(f) + f_external) / m + g = a, exact for any motion of the
 /// joints.
-BodyRows com_task(const Gains& gains, const Vector3& acceleration, const Vector3& f_outside,
+BodyRows com_task(const Gains& gains, const Vector3& acceleration, const Vector3& f_external,
                   double mass) noexcept;
 
 }  // namespace surefoot

@@ -7,12 +7,12 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kLeastDamping = 1.0;  // [1/s] for which a foot that is not damped is taken
+constexpr double kMinDamping = 1.0;  // [1/s] for which a foot that is not damped is taken
 
 // No more than what damping balances at foot_speed.
-Vector3 pull(const Gains& gains, const Vector3& way) noexcept {
-  const Vector3 pull = gains.foot_kp * way;
-  const double most = std::max(gains.foot_kd, kLeastDamping) * gains.foot_speed;
+Vector3 stiffness_acceleration(const Gains& gains, const Vector3& offset) noexcept {
+  const Vector3 pull = gains.foot_kp * offset;
+  const double most = std::max(gains.foot_kd, kMinDamping) * gains.foot_speed;
   const double size = pull.norm();
   return size > most ? Vector3(most / size * pull) : pull;
 }
@@ -25,7 +25,7 @@ FeetMatrix feet_accelerations(const Gains& gains, const Reference& reference,
   for (int leg = 0; leg < kLegs; ++leg) {
     const FootReference& foot = reference.feet[leg];
     const LegDynamics& L = dynamics.legs()[leg];
-    a.col(leg) = foot.a_world + pull(gains, foot.p_world - L.p_world_contact) +
+    a.col(leg) = foot.a_world + stiffness_acceleration(gains, foot.p_world - L.p_world_contact) +
                  gains.foot_kd * (foot.v_world - L.v_world_contact);
   }
   return a;

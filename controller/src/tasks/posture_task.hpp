@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "robot/joint_table.hpp"
 #include "tasks/body_rows.hpp"
-#include "wbc/joint_table.hpp"
 
 namespace surefoot {
 

@@ -9,8 +9,9 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kShare = 0.1;  // of the tolerance: violated
-constexpr double kFar = 1e4;    // in H's metric, trace(H) = n: no answer is as far from another
+constexpr double kViolationShare = 0.1;  // of the tolerance: violated
+constexpr double kMaxDistance =
+    1e4;  // in H's metric, trace(H) = n: no answer is as far from another
 
 double bound_of(const QpProblem& problem, int row, double side) noexcept {
   return side > 0.0 ? problem.u[row] : -problem.l[row];
@@ -18,9 +19,9 @@ double bound_of(const QpProblem& problem, int row, double side) noexcept {
 
 }  // namespace
 
-ActiveSet::ActiveSet(int n, int n_eq, int n_in, int most_changes)
+ActiveSet::ActiveSet(int n, int n_eq, int n_in, int max_changes)
     : n_eq_(n_eq),
-      most_changes_(most_changes),
+      max_changes_(max_changes),
       rows_(n, n_eq),
       x_(Eigen::VectorXd::Zero(n)),
       Cx_(Eigen::VectorXd::Zero(n_in)) {}
@@ -28,12 +29,12 @@ ActiveSet::ActiveSet(int n, int n_eq, int n_in, int most_changes)
 ActiveSet::Outcome ActiveSet::solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x,
                                     Eigen::VectorXd& y, Eigen::VectorXd& z) noexcept {
   changes_ = 0;
-  if (!begin(problem, z) || !drop_pulling_rows()) return Outcome::kGaveUp;
+  if (!begin(problem, z) || !drop_negative_multipliers()) return Outcome::kGaveUp;
   for (;;) {
-    const Violation violation = worst(problem, kShare * tolerance);
+    const Violation violation = most_violated(problem, kViolationShare * tolerance);
     if (violation.row == kNotFinite) return Outcome::kGaveUp;
     if (violation.row == kNone) break;
-    const Outcome added = add(problem, violation);
+    const Outcome added = add_violated(problem, violation);
     if (added != Outcome::kSolved) return added;
   }
   x = x_;
@@ -53,14 +54,14 @@ bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexce
     const double side = z[row] > 0.0 ? 1.0 : -1.0;
     const double bound = bound_of(problem, row, side);
     if (!(std::abs(bound) < kNoBound)) continue;
-    rows_.look_at(problem.C.row(row), side);
+    rows_.project(problem.C.row(row), side);
     rows_.append(row, side, bound, 0.0);  // what depends on the rows before is left out
   }
   return true;
 }
 
 // Until every multiplier pushes, the rows are no set that the method can begin with.
-bool ActiveSet::drop_pulling_rows() noexcept {
+bool ActiveSet::drop_negative_multipliers() noexcept {
   for (;;) {
     rows_.solve_multipliers();
     Eigen::Index worst = -1;
@@ -71,7 +72,7 @@ bool ActiveSet::drop_pulling_rows() noexcept {
       worst = k;
     }
     if (worst < 0) return true;
-    if (changes_ == most_changes_) return false;
+    if (changes_ == max_changes_) return false;
     rows_.remove(worst);
     ++changes_;
   }
@@ -79,7 +80,7 @@ bool ActiveSet::drop_pulling_rows() noexcept {
 
 // Where x is furthest outside. Rows of the set are on their bounds: what rounding says of them is
 // no violation, and the method would swap rows for it.
-ActiveSet::Violation ActiveSet::worst(const QpProblem& problem, double tolerance) noexcept {
+ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double tolerance) noexcept {
   x_ = rows_.solve_x();
   Cx_.noalias() = problem.C * x_;
   for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) Cx_[rows_.row(k)] = rows_.value(k);
@@ -95,37 +96,39 @@ ActiveSet::Violation ActiveSet::worst(const QpProblem& problem, double tolerance
 }
 
 // Move towards the row until it holds, or until another row's multiplier is used up: that one goes.
-ActiveSet::Outcome ActiveSet::add(const QpProblem& problem, const Violation& violation) noexcept {
+ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
+                                           const Violation& violation) noexcept {
   const auto& [row, side, amount] = violation;
   double missing = amount, multiplier = 0.0;
   for (;;) {
-    if (changes_ == most_changes_) return Outcome::kGaveUp;
+    if (changes_ == max_changes_) return Outcome::kGaveUp;
     ++changes_;
-    rows_.look_at(problem.C.row(row), side);
+    rows_.project(problem.C.row(row), side);
     const bool dependent = rows_.is_dependent();
-    double length = dependent ? kInfinite : missing / rows_.length();
+    double length = dependent ? kInfinite : missing / rows_.squared_residual();
     Eigen::Index blocking = -1;
     for (Eigen::Index k = n_eq_; k < rows_.count(); ++k) {
-      if (rows_.share(k) <= 0.0 || rows_.share(k) * length <= rows_.multiplier(k)) continue;
-      length = rows_.multiplier(k) / rows_.share(k);
+      if (rows_.dual_direction(k) <= 0.0 || rows_.dual_direction(k) * length <= rows_.multiplier(k))
+        continue;
+      length = rows_.multiplier(k) / rows_.dual_direction(k);
       blocking = k;
     }
-    if (!(length < kInfinite)) return contradiction(missing);
+    if (!(length < kInfinite)) return judge_infeasibility(missing);
     rows_.step(length);
     multiplier += length;
     if (blocking < 0) {
       const bool joined = rows_.append(row, side, bound_of(problem, row, side), multiplier);
       return joined ? Outcome::kSolved : Outcome::kGaveUp;
     }
-    if (!dependent) missing -= length * rows_.length();
+    if (!dependent) missing -= length * rows_.squared_residual();
     rows_.remove(blocking);
   }
 }
 
 // A row that follows from others and wants what they forbid. Where it only nearly follows, a point
 // far away may satisfy them all: then another method has to look.
-ActiveSet::Outcome ActiveSet::contradiction(double missing) noexcept {
-  const bool certain = missing > kFar * rows_.new_part();
+ActiveSet::Outcome ActiveSet::judge_infeasibility(double missing) noexcept {
+  const bool certain = missing > kMaxDistance * rows_.residual_norm();
   return certain ? Outcome::kInfeasible : Outcome::kGaveUp;
 }
 

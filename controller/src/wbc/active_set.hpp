@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "wbc/active_rows.hpp"
+#include "wbc/active_constraints.hpp"
 
 namespace surefoot {
 
@@ -10,13 +10,13 @@ namespace surefoot {
 /// The dual method of Goldfarb and Idnani (1983): rows join one by one, the most violated first,
 /// and leave when their multiplier would change its sign. From one tick to the next hardly any row
 /// changes, so that most solves are one small factorisation. It ends, or finds the rows to
-/// contradict each other; rounding is the caller's to check. Real-time: yes, at most most_changes.
+/// contradict each other; rounding is the caller's to check. Real-time: yes, at most max_changes.
 class ActiveSet {
  public:
-  static constexpr int kMostChanges = 100;
+  static constexpr int kMaxChanges = 100;
 
-  /// @param most_changes rows that may join or leave in a solve
-  ActiveSet(int n, int n_eq, int n_in, int most_changes = kMostChanges);
+  /// @param max_changes rows that may join or leave in a solve
+  ActiveSet(int n, int n_eq, int n_in, int max_changes = kMaxChanges);
 
   enum class Outcome { kSolved, kInfeasible, kGaveUp };
 
@@ -38,14 +38,14 @@ class ActiveSet {
     double amount = 0.0;  // of the side's inequality
   };
   bool begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept;
-  bool drop_pulling_rows() noexcept;
-  Violation worst(const QpProblem& problem, double tolerance) noexcept;
-  Outcome add(const QpProblem& problem, const Violation& violation) noexcept;
-  Outcome contradiction(double missing) noexcept;
+  bool drop_negative_multipliers() noexcept;
+  Violation most_violated(const QpProblem& problem, double tolerance) noexcept;
+  Outcome add_violated(const QpProblem& problem, const Violation& violation) noexcept;
+  Outcome judge_infeasibility(double missing) noexcept;
 
   Eigen::Index n_eq_;
-  int most_changes_;
-  ActiveRows rows_;  // equalities first: they never leave
+  int max_changes_;
+  ActiveConstraints rows_;  // equalities first: they never leave
   Eigen::VectorXd x_, Cx_;
   int changes_ = 0;
 };

@@ -11,13 +11,14 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kAhead = 0.08;  // [s] that a push is expected to last
-constexpr double kNear = 0.03;   // [m] inside an edge, where it begins to count
-constexpr double kLeast = 0.01;  // of the weight along it; none would let the body wander there
+constexpr double kPushDuration = 0.08;  // [s] that a push is expected to last
+constexpr double kEdgeRange = 0.03;     // [m] inside an edge, where it begins to count
+constexpr double kMinAlongShare =
+    0.01;  // of the weight along it; none would let the body wander there
 
 }  // namespace
 
-void BrakingAxes::turn(BodyRows& position) const noexcept {
+void BrakingAxes::apply_to(BodyRows& position) const noexcept {
   if (along == 1.0) return;
   position.A_base = (R * position.A_base).eval();
   position.A_force = (R * position.A_force).eval();
@@ -29,25 +30,25 @@ BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
                          const Reference& reference, double mass) noexcept {
   BrakingAxes axes;
   const SupportPolygon polygon = support_polygon(dynamics, reference);
-  const Eigen::Vector2d capture = capture_point(dynamics, kAhead / mass * state.f_outside);
-  std::array<double, kLegs> near = {};  // 0 .. 1 at the edge, and on outside of it
+  const Eigen::Vector2d capture = capture_point(dynamics, kPushDuration / mass * state.f_external);
+  std::array<double, kLegs> edge_proximity = {};  // 0 .. 1 at the edge, and on outside of it
   int worst = 0;
-  for (int k = 0; k < polygon.edges(); ++k) {
-    near[k] = std::max(1.0 - polygon.edge(k, capture).margin / kNear, 0.0);
-    if (near[k] > near[worst]) worst = k;
+  for (int k = 0; k < polygon.edge_count(); ++k) {
+    edge_proximity[k] = std::max(1.0 - polygon.edge(k, capture).margin / kEdgeRange, 0.0);
+    if (edge_proximity[k] > edge_proximity[worst]) worst = k;
   }
-  if (!(near[worst] > 0.0)) return axes;
+  if (!(edge_proximity[worst] > 0.0)) return axes;
   const Eigen::Vector2d across = polygon.edge(worst, capture).outward;
   const Eigen::Vector2d along(-across.y(), across.x());
   double other = 0.0;  // how much of an edge there is along it
-  for (int k = 0; k < polygon.edges(); ++k) {
+  for (int k = 0; k < polygon.edge_count(); ++k) {
     if (k == worst) continue;
     const double part = std::abs(polygon.edge(k, capture).outward.dot(along));
-    other = std::max(other, part * near[k] / near[worst]);
+    other = std::max(other, part * edge_proximity[k] / edge_proximity[worst]);
   }
   axes.R.row(0) << across.x(), across.y(), 0.0;
   axes.R.row(1) << along.x(), along.y(), 0.0;
-  axes.along = 1.0 - std::min(near[worst], 1.0) * (1.0 - kLeast) * (1.0 - other);
+  axes.along = 1.0 - std::min(edge_proximity[worst], 1.0) * (1.0 - kMinAlongShare) * (1.0 - other);
   return axes;
 }
 

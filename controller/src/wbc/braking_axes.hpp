@@ -21,10 +21,10 @@ struct BrakingAxes {
   double along = 1.0;               ///< share of the weight that braking along the edge keeps
 
   /// Turn the rows of the body's position into these axes, and weigh them so. Real-time: yes.
-  void turn(BodyRows& position) const noexcept;
+  void apply_to(BodyRows& position) const noexcept;
 };
 
-/// @param mass [kg] of the robot; its f_outside is expected to last. Real-time: yes.
+/// @param mass [kg] of the robot; its f_external is expected to last. Real-time: yes.
 BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
                          const Reference& reference, double mass) noexcept;
 

@@ -7,11 +7,12 @@
 
 namespace surefoot {
 
-bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration, const Vector6& outside,
-              double smallest_determinant, Condensed& out) noexcept {
+bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
+              const Vector6& external_wrench, double smallest_determinant,
+              Condensed& out) noexcept {
   const StageScope stage(Stage::kCondense);
   Matrix6 A = dynamics.M_base();
-  Vector6 r = dynamics.h_base() - outside;
+  Vector6 r = dynamics.h_base() - external_wrench;
   Matrix6x12 base_from_force;
 
   for (int leg = 0; leg < kLegs; ++leg) {

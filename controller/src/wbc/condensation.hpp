@@ -29,9 +29,9 @@ struct Condensed {
 /// Eliminate; false when a leg is singular (foot near hip height, or leg straight).
 /// @param feet_acceleration desired contact accelerations, world axes [m/s^2]
 /// @param smallest_determinant of a leg's Jacobian [m^3] that may still be inverted
-/// @param outside wrench on the base from neither joints nor feet, base axes [N], [N.m]
+/// @param external_wrench on the base from neither joints nor feet, base axes [N], [N.m]
 /// Real-time: yes.
-bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration, const Vector6& outside,
-              double smallest_determinant, Condensed& out) noexcept;
+bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
+              const Vector6& external_wrench, double smallest_determinant, Condensed& out) noexcept;
 
 }  // namespace surefoot

@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kQuietTicks = 10;  // without slack before the hard program is tried again
-constexpr double kSlack = 1e-5;  // more of it is giving way
+constexpr int kTicksWithoutSlack = 10;  // without slack before the hard program is tried again
+constexpr double kMinSlack = 1e-5;      // more of it is giving way
 
 int elastic_count(const ElasticRows& rows) {
   int count = 0;
@@ -20,8 +20,8 @@ int elastic_count(const ElasticRows& rows) {
 
 // Of the hard program: before it counts as impossible; of the elastic one: after which no further
 // attempt begins.
-const ElasticSolver::Budget ElasticSolver::kUsual{40, 160};
-const ElasticSolver::Budget ElasticSolver::kShort{1, 1};  // one attempt of ProxQP's each
+const ElasticSolver::Budget ElasticSolver::kDefaultBudget{40, 160};
+const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt of ProxQP's each
 
 // Rows of the large program: the hard rows and the upper sides of the elastic ones where they were,
 // then the lower sides, then s >= 0.
@@ -34,8 +34,8 @@ ElasticSolver::ElasticSolver(int n, int n_eq, const ElasticRows& rows, double to
       elastic_solver_(n + rows.groups, n_eq, n_in_ + elastic_count(rows) + rows.groups, tolerance),
       x_(Eigen::VectorXd::Zero(n)),
       slack_(Eigen::VectorXd::Zero(rows.groups)),
-      charged_(Eigen::VectorXd::Zero(rows.groups)),
-      start_(Eigen::VectorXd::Zero(elastic_.l.size())) {
+      group_multipliers_(Eigen::VectorXd::Zero(rows.groups)),
+      start_multipliers_(Eigen::VectorXd::Zero(elastic_.l.size())) {
   int next = n_in_;
   for (int row = 0; row < n_in_; ++row) {
     lower_row_.push_back(rows.group[row] >= 0 ? next++ : -1);
@@ -52,37 +52,37 @@ ElasticSolver::ElasticSolver(int n, int n_eq, const ElasticRows& rows, double to
 void ElasticSolver::reset() noexcept {
   hard_solver_.reset();
   elastic_solver_.reset();
-  yielding_ = false;
-  quiet_ticks_ = 0;
+  slack_active_ = false;
+  ticks_without_slack_ = 0;
 }
 
-QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& price,
+QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& penalty,
                               double curvature) noexcept {
-  return solve(problem, price, curvature, kUsual);
+  return solve(problem, penalty, curvature, kDefaultBudget);
 }
 
-QpResult ElasticSolver::solve_cold(const QpProblem& problem, const Eigen::VectorXd& price,
+QpResult ElasticSolver::solve_cold(const QpProblem& problem, const Eigen::VectorXd& penalty,
                                    double curvature) noexcept {
   reset();
-  return solve(problem, price, curvature, kShort);
+  return solve(problem, penalty, curvature, kColdBudget);
 }
 
-QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& price,
+QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& penalty,
                               double curvature, const Budget& budget) noexcept {
   int spent = 0;
   used_elastic_ = false;
-  if (!yielding_) {
+  if (!slack_active_) {
     QpResult result = hard_solver_.solve(problem, budget.hard, Feasibility::kDoubtful);
     if (result.status == Status::kNonFinite) return result;
-    if (result.status == Status::kOk && within_price(price)) {
+    if (result.status == Status::kOk && within_penalty(penalty)) {
       x_ = hard_solver_.x();
       slack_.setZero();
       return result;
     }
     spent = result.iterations;
-    start_elastic();
+    warm_start_elastic();
   }
-  write_elastic(problem, price, curvature);
+  write_elastic(problem, penalty, curvature);
   used_elastic_ = true;
   QpResult result = solve_elastic(budget.elastic);
   result.iterations += spent;
@@ -90,31 +90,32 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
 }
 
 // From the rows that the hard program had active last, and no slack.
-void ElasticSolver::start_elastic() noexcept {
-  quiet_ticks_ = 0;
-  start_.setZero();
+void ElasticSolver::warm_start_elastic() noexcept {
+  ticks_without_slack_ = 0;
+  start_multipliers_.setZero();
   for (int row = 0; row < n_in_; ++row) {
     const double z = hard_solver_.z()[row];
-    start_[z < 0.0 && lower_row_[row] >= 0 ? lower_row_[row] : row] = z;
+    start_multipliers_[z < 0.0 && lower_row_[row] >= 0 ? lower_row_[row] : row] = z;
   }
-  start_.tail(rows_.groups).setConstant(-1.0);
-  elastic_solver_.start_from(start_);
+  start_multipliers_.tail(rows_.groups).setConstant(-1.0);
+  elastic_solver_.warm_start_from(start_multipliers_);
 }
 
-bool ElasticSolver::within_price(const Eigen::VectorXd& price) noexcept {
-  charged_.setZero();
+bool ElasticSolver::within_penalty(const Eigen::VectorXd& penalty) noexcept {
+  group_multipliers_.setZero();
   for (int row = 0; row < n_in_; ++row) {
-    if (rows_.group[row] >= 0) charged_[rows_.group[row]] += std::abs(hard_solver_.z()[row]);
+    if (rows_.group[row] >= 0)
+      group_multipliers_[rows_.group[row]] += std::abs(hard_solver_.z()[row]);
   }
-  return (charged_.array() <= price.array()).all();
+  return (group_multipliers_.array() <= penalty.array()).all();
 }
 
-void ElasticSolver::write_elastic(const QpProblem& problem, const Eigen::VectorXd& price,
+void ElasticSolver::write_elastic(const QpProblem& problem, const Eigen::VectorXd& penalty,
                                   double curvature) noexcept {
   elastic_.H.topLeftCorner(n_, n_) = problem.H;
   elastic_.H.bottomRightCorner(rows_.groups, rows_.groups).diagonal().setConstant(curvature);
   elastic_.g.head(n_) = problem.g;
-  elastic_.g.tail(rows_.groups) = price;
+  elastic_.g.tail(rows_.groups) = penalty;
   elastic_.A.leftCols(n_) = problem.A;
   elastic_.b = problem.b;
   elastic_.C.topLeftCorner(n_in_, n_) = problem.C;
@@ -135,9 +136,9 @@ QpResult ElasticSolver::solve_elastic(int budget) noexcept {
   if (result.status == Status::kNonFinite) return result;
   x_ = elastic_solver_.x().head(n_);
   slack_ = elastic_solver_.x().tail(rows_.groups);
-  const bool gave = slack_.maxCoeff() > kSlack || result.status != Status::kOk;
-  quiet_ticks_ = gave ? 0 : quiet_ticks_ + 1;
-  yielding_ = quiet_ticks_ < kQuietTicks;
+  const bool has_slack = slack_.maxCoeff() > kMinSlack || result.status != Status::kOk;
+  ticks_without_slack_ = has_slack ? 0 : ticks_without_slack_ + 1;
+  slack_active_ = ticks_without_slack_ < kTicksWithoutSlack;
   return result;
 }
 

@@ -29,19 +29,20 @@ class ElasticSolver {
     elastic_solver_.set_tolerance(tolerance);
   }
 
-  /// @param price shape (groups,) @param curvature more than 0
-  QpResult solve(const QpProblem& problem, const Eigen::VectorXd& price, double curvature) noexcept;
+  /// @param penalty shape (groups,) @param curvature more than 0
+  QpResult solve(const QpProblem& problem, const Eigen::VectorXd& penalty,
+                 double curvature) noexcept;
 
   /// From nothing, and with one attempt of ProxQP's behind the active set instead of several.
-  QpResult solve_cold(const QpProblem& problem, const Eigen::VectorXd& price,
+  QpResult solve_cold(const QpProblem& problem, const Eigen::VectorXd& penalty,
                       double curvature) noexcept;
 
   void reset() noexcept;
   const Eigen::VectorXd& x() const noexcept { return x_; }
   const Eigen::VectorXd& slack() const noexcept { return slack_; }  ///< shape (groups,)
-  bool yielding() const noexcept { return yielding_; }
+  bool slack_active() const noexcept { return slack_active_; }
   /// The program that the last answer is of: the caller's, or the large one with slacks.
-  const QpProblem& solved(const QpProblem& problem) const noexcept {
+  const QpProblem& solved_problem(const QpProblem& problem) const noexcept {
     return used_elastic_ ? elastic_ : problem;
   }
 
@@ -49,12 +50,12 @@ class ElasticSolver {
   struct Budget {
     int hard, elastic;  // inner iterations of ProxQP
   };
-  static const Budget kUsual, kShort;
-  QpResult solve(const QpProblem& problem, const Eigen::VectorXd& price, double curvature,
+  static const Budget kDefaultBudget, kColdBudget;
+  QpResult solve(const QpProblem& problem, const Eigen::VectorXd& penalty, double curvature,
                  const Budget& budget) noexcept;
-  void start_elastic() noexcept;
-  bool within_price(const Eigen::VectorXd& price) noexcept;
-  void write_elastic(const QpProblem& problem, const Eigen::VectorXd& price,
+  void warm_start_elastic() noexcept;
+  bool within_penalty(const Eigen::VectorXd& penalty) noexcept;
+  void write_elastic(const QpProblem& problem, const Eigen::VectorXd& penalty,
                      double curvature) noexcept;
   QpResult solve_elastic(int budget) noexcept;
 
@@ -63,10 +64,10 @@ class ElasticSolver {
   std::vector<int> lower_row_;  // where an elastic row's lower side stands in elastic_
   QpProblem elastic_;
   QpSolver hard_solver_, elastic_solver_;
-  Eigen::VectorXd x_, slack_, charged_, start_;
-  bool yielding_ = false;
+  Eigen::VectorXd x_, slack_, group_multipliers_, start_multipliers_;
+  bool slack_active_ = false;
   bool used_elastic_ = false;
-  int quiet_ticks_ = 0;
+  int ticks_without_slack_ = 0;
 };
 
 }  // namespace surefoot

@@ -5,8 +5,8 @@
 
 namespace surefoot {
 
-void write_force_rows(const ProgramTerms& terms, int first, double unit, QpProblem& out) noexcept {
-  constexpr int kRows = ProgramLayout::kFootRows;
+void write_force_rows(const QpTerms& terms, int first, double unit, QpProblem& out) noexcept {
+  constexpr int kRows = QpLayout::kFootRows;
   const ConeRows full = friction_cone(terms.ground_normal, terms.friction.maxCoeff());
   for (int leg = 0; leg < kLegs; ++leg) {
     auto C = out.C.block<kRows, 3>(leg * kRows, first + 3 * leg);
@@ -29,7 +29,7 @@ void write_force_rows(const ProgramTerms& terms, int first, double unit, QpProbl
       u.setConstant(kNoBound);
       u.head<3>().setZero();
     }
-    const int hold = ProgramLayout::kHard + leg;
+    const int hold = QpLayout::kHard + leg;
     out.C.block<1, 3>(hold, first + 3 * leg) = terms.ground_normal.transpose();
     out.l[hold] = terms.hold_down[leg] > 0.0 ? terms.hold_down[leg] / unit : -kNoBound;
     out.u[hold] = kNoBound;

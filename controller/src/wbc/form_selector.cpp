@@ -9,28 +9,28 @@ namespace surefoot {
 
 namespace {
 constexpr double kSmallestDepth = 0.05;  // [m] of a stance foot below its hip axis
-constexpr double kBackDepth = 0.06;      // [m] it has to come down again by
-constexpr double kBackDeterminant = 1.2;
+constexpr double kRegularDepth = 0.06;   // [m] it has to come down again by
+constexpr double kRegularDeterminant = 1.2;
 constexpr double kSoftDepth = 0.02;  // [m] less depth and its row is as soft as it gets
 constexpr double kSoftDeterminant = 0.7;
 }  // namespace
 
-Form FormSelector::update(const Dynamics& dynamics, const Reference& reference,
-                          Form wanted) noexcept {
+QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference,
+                            QpForm wanted) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
     const double determinant = std::abs(L.J_leg.determinant()) / smallest_determinant_;
     const bool deep =
-        L.depth > (singular_[leg] ? kBackDepth : kSmallestDepth) || !reference.feet[leg].stance;
-    singular_[leg] = !deep || determinant < (singular_[leg] ? kBackDeterminant : 1.0);
+        L.depth > (singular_[leg] ? kRegularDepth : kSmallestDepth) || !reference.feet[leg].stance;
+    singular_[leg] = !deep || determinant < (singular_[leg] ? kRegularDeterminant : 1.0);
     const double shallow =
         reference.feet[leg].stance ? (kSmallestDepth - L.depth) / kSoftDepth : 0.0;
     const double soft = std::max(shallow, (1.0 - determinant) / kSoftDeterminant);
     softness_[leg] = std::clamp(soft, 0.0, 1.0);
   }
-  if (wanted != Form::kAuto) return wanted;
+  if (wanted != QpForm::kAuto) return wanted;
   const bool any = std::any_of(singular_.begin(), singular_.end(), [](bool s) { return s; });
-  return dynamics.condensable() && !any ? Form::kCondensed : Form::kGeneral;
+  return dynamics.condensable() && !any ? QpForm::kCondensed : QpForm::kGeneral;
 }
 
 }  // namespace surefoot

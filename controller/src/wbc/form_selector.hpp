@@ -18,7 +18,7 @@ class FormSelector {
       : smallest_determinant_(smallest_determinant) {}
 
   /// Judge the legs anew; returns kCondensed or kGeneral, or what was asked for.
-  Form update(const Dynamics& dynamics, const Reference& reference, Form wanted) noexcept;
+  QpForm update(const Dynamics& dynamics, const Reference& reference, QpForm wanted) noexcept;
 
   const std::array<bool, kLegs>& singular() const noexcept { return singular_; }
   /// How much each foot's row gives way: 0 met exactly .. 1 as cheap as `weight_foot_soft` has it.

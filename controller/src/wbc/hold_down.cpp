@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "wbc/limits.hpp"
+#include "tasks/foot_loads.hpp"
 
 namespace surefoot {
 

@@ -25,8 +25,8 @@ bool finite(const Reference& r) noexcept {
 Status check_state(const RobotState& state, const Robot& robot) noexcept {
   if (state.q.size() != robot.nq() || state.v.size() != robot.nv()) return Status::kWrongSize;
   if (!state.q.allFinite() || !state.v.allFinite() || !state.contact.allFinite() ||
-      !state.f_outside.allFinite() || !state.f_lasting.allFinite() ||
-      !state.moment_outside.allFinite() || !state.friction.allFinite()) {
+      !state.f_external.allFinite() || !state.f_sustained.allFinite() ||
+      !state.moment_external.allFinite() || !state.friction.allFinite()) {
     return Status::kNonFinite;
   }
   const auto share = [](const Eigen::Vector4d& x) {
@@ -42,10 +42,10 @@ Status check_state(const RobotState& state, const Robot& robot) noexcept {
 Status check_reference(const Reference& r, const Robot& robot) noexcept {
   if (r.posture.size() != 0 && r.posture.size() != robot.nv() - 6) return Status::kWrongSize;
   if (!finite(r)) return Status::kNonFinite;
-  const bool sound = std::abs(r.R_world_base.norm() - 1.0) <= kUnitTolerance &&
+  const bool valid = std::abs(r.R_world_base.norm() - 1.0) <= kUnitTolerance &&
                      std::abs(r.ground_normal.norm() - 1.0) <= kUnitTolerance &&
                      r.ground_normal.z() > 0.1;
-  return sound ? Status::kOk : Status::kBadReference;
+  return valid ? Status::kOk : Status::kBadReference;
 }
 
 }  // namespace surefoot

@@ -57,7 +57,7 @@ void ProxqpRunner::set_tolerance(double tolerance) noexcept {
   workspace_->qp.settings.eps_duality_gap_abs = kSolverGap * tolerance;
 }
 
-void ProxqpRunner::take(const QpProblem& problem) noexcept {
+void ProxqpRunner::set_problem(const QpProblem& problem) noexcept {
   auto& model = workspace_->qp.model;
   model.H = problem.H;
   model.g = problem.g;

@@ -19,7 +19,7 @@ class ProxqpRunner {
   void set_tolerance(double tolerance) noexcept;
 
   /// Copy the problem to where ProxQP looks for it.
-  void take(const QpProblem& problem) noexcept;
+  void set_problem(const QpProblem& problem) noexcept;
 
   struct Outcome {
     int iterations = 0;       ///< inner ones

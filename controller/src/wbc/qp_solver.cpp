@@ -18,19 +18,19 @@ constexpr int kTightFactor = 10;
 }  // namespace
 
 struct QpSolver::Workspace {
-  Workspace(int n, int n_eq, int n_in, int most_changes)
-      : active_set(n, n_eq, n_in, most_changes), proxqp(n, n_eq, n_in), check(n, n_eq, n_in) {}
+  Workspace(int n, int n_eq, int n_in, int max_changes)
+      : active_set(n, n_eq, n_in, max_changes), proxqp(n, n_eq, n_in), check(n, n_eq, n_in) {}
   ActiveSet active_set;
   ProxqpRunner proxqp;  // has the answer, whoever found it
   QpCheck check;
 };
 
 QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance)
-    : QpSolver(n, n_eq, n_in, tolerance, ActiveSet::kMostChanges) {}
+    : QpSolver(n, n_eq, n_in, tolerance, ActiveSet::kMaxChanges) {}
 
-QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance, int most_changes)
-    : workspace_(std::make_unique<Workspace>(n, n_eq, n_in, most_changes)),
-      patience_(tolerance < kTight ? kTightFactor : 1) {
+QpSolver::QpSolver(int n, int n_eq, int n_in, double tolerance, int max_changes)
+    : workspace_(std::make_unique<Workspace>(n, n_eq, n_in, max_changes)),
+      attempt_factor_(tolerance < kTight ? kTightFactor : 1) {
   set_tolerance(tolerance);
 }
 
@@ -38,8 +38,8 @@ QpSolver::~QpSolver() = default;
 
 void QpSolver::reset() noexcept { has_answer_ = false; }
 
-void QpSolver::start_from(const Eigen::VectorXd& z) noexcept {
-  forget();
+void QpSolver::warm_start_from(const Eigen::VectorXd& z) noexcept {
+  clear_answer();
   workspace_->proxqp.z() = z;
   has_answer_ = true;
 }
@@ -55,7 +55,7 @@ void QpSolver::set_tolerance(double tolerance) noexcept {
 
 QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasibility) noexcept {
   const StageScope stage(Stage::kSolve);
-  if (!has_answer_) forget();
+  if (!has_answer_) clear_answer();
   QpResult result = try_active_set(problem);
   if (result.status == Status::kOk) return result;
   if (!QpCheck::finite(problem)) {
@@ -86,15 +86,15 @@ QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget) noexcept {
   ProxqpRunner& proxqp = workspace_->proxqp;
   QpResult result;
   int spent = 0;
-  proxqp.take(problem);
-  for (int attempt = 0; attempt < patience_ * kAttempts; ++attempt) {
-    if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) forget();
+  proxqp.set_problem(problem);
+  for (int attempt = 0; attempt < attempt_factor_ * kAttempts; ++attempt) {
+    if (attempt % kAttempts == kWarmAttempts || !x().allFinite()) clear_answer();
     const ProxqpRunner::Outcome outcome = proxqp.run();
     spent += outcome.iterations;
     result = check(problem);
     if (result.status == Status::kOk) break;
     if (outcome.infeasible) result.status = Status::kInfeasible;
-    if (spent >= patience_ * budget) break;
+    if (spent >= attempt_factor_ * budget) break;
     drop_slack_multipliers(problem);
   }
   result.iterations = spent;
@@ -102,7 +102,7 @@ QpResult QpSolver::run_proxqp(const QpProblem& problem, int budget) noexcept {
   return result;
 }
 
-void QpSolver::forget() noexcept {
+void QpSolver::clear_answer() noexcept {
   ProxqpRunner& proxqp = workspace_->proxqp;
   proxqp.x().setZero();
   proxqp.y().setZero();

@@ -31,8 +31,8 @@ class QpSolver {
  public:
   /// @param tolerance of the residuals; what is accepted is 5 times that
   QpSolver(int n, int n_eq, int n_in, double tolerance);
-  /// @param most_changes of the active rows before ProxQP takes over; 0: nearly always
-  QpSolver(int n, int n_eq, int n_in, double tolerance, int most_changes);
+  /// @param max_changes of the active rows before ProxQP takes over; 0: nearly always
+  QpSolver(int n, int n_eq, int n_in, double tolerance, int max_changes);
   ~QpSolver();
 
   /// Solve, warm started from the last answer; go on from a corrected one while our check fails,
@@ -48,7 +48,7 @@ class QpSolver {
   void reset() noexcept;
 
   /// Take the rows where z is not zero for active when the next solve starts.
-  void start_from(const Eigen::VectorXd& z) noexcept;
+  void warm_start_from(const Eigen::VectorXd& z) noexcept;
 
   /// Ask for this from the next solve on.
   void set_tolerance(double tolerance) noexcept;
@@ -63,10 +63,10 @@ class QpSolver {
   QpResult run_proxqp(const QpProblem& problem, int budget) noexcept;
   QpResult check(const QpProblem& problem) noexcept;
   void drop_slack_multipliers(const QpProblem& problem) noexcept;
-  void forget() noexcept;
+  void clear_answer() noexcept;
   std::unique_ptr<Workspace> workspace_;
   double tolerance_;
-  int patience_;
+  int attempt_factor_;
   bool has_answer_ = false;
 };
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "common/text.hpp"
 #include "surefoot/error.hpp"
-#include "text.hpp"
 #include "wbc/input_check.hpp"
-#include "wbc/terms_writer.hpp"
+#include "wbc/qp_terms_writer.hpp"
 #include "wbc/whole_body_solver.hpp"
 
 namespace surefoot {
@@ -37,7 +37,7 @@ struct WholeBodyController::Impl {
   Gains gains;
   JointTable joints;
   Dynamics dynamics;
-  TermsWriter writer;
+  QpTermsWriter writer;
   WholeBodySolver solver;
   Solution solution;
 };
@@ -51,7 +51,7 @@ WholeBodyController::~WholeBodyController() = default;
 WholeBodyController::WholeBodyController(WholeBodyController&&) noexcept = default;
 
 const Solution& WholeBodyController::solution() const noexcept { return impl_->solution; }
-const QpProblem& WholeBodyController::program() const noexcept { return impl_->solver.solved(); }
+const QpProblem& WholeBodyController::qp() const noexcept { return impl_->solver.solved_problem(); }
 const Gains& WholeBodyController::gains() const noexcept { return impl_->gains; }
 void WholeBodyController::reset() noexcept {
   impl_->solver.reset();
@@ -129,7 +129,7 @@ Reference WholeBodyController::hold(const RobotState& state) {
 const Solution& WholeBodyController::solve(const Dynamics& dynamics, const RobotState& state,
                                            const Reference& reference) noexcept {
   Impl& s = *impl_;
-  const Eigen::Vector4d& softness = s.solver.select(dynamics, reference);
+  const Eigen::Vector4d& softness = s.solver.select_form(dynamics, reference);
   const FeetMatrix* previous = s.solution.forces.isZero() ? nullptr : &s.solution.forces;
   const Status written = s.writer.write(s.gains, dynamics, state, reference, softness, previous);
   if (written != Status::kOk) {

@@ -3,29 +3,29 @@
 
 #include "surefoot/error.hpp"
 #include "surefoot/stage_clock.hpp"
-#include "wbc/own_limits.hpp"
+#include "wbc/released_legs.hpp"
 
 namespace surefoot {
 
 namespace {
 
-constexpr double kSaturated = 1e-3;   // share of tau_max: nearer to its limit a motor is at it
-constexpr double kCurvature = 1.0;    // of the slacks' cost, before scaling
-constexpr double kTightest = 1e-12;   // tolerance that rounding lets be reached
-constexpr double kRelaxed = 10.0;     // times the tolerance, for a program that would not be solved
-constexpr double kLeastShare = 1e-5;  // of the cost, for the tasks that are not the user's own
+constexpr double kSaturated = 1e-3;  // share of tau_max: nearer to its limit a motor is at it
+constexpr double kCurvature = 1.0;   // of the slacks' cost, before scaling
+constexpr double kTightest = 1e-12;  // tolerance that rounding lets be reached
+constexpr double kRelaxed = 10.0;    // times the tolerance, for a program that would not be solved
+constexpr double kMinBuiltInShare = 1e-5;  // of the cost, for the tasks that are not the user's own
 
 ElasticRows elastic_rows(const JointTable& joints) {
-  const ProgramLayout layout(static_cast<int>(joints.size()));
+  const QpLayout layout(static_cast<int>(joints.size()));
   ElasticRows rows;
-  rows.groups = ProgramLayout::kGroups;
+  rows.groups = QpLayout::kGroups;
   rows.group.assign(layout.rows(), -1);
   for (int leg = 0; leg < kLegs; ++leg) {
-    rows.group[layout.hold_down() + leg] = ProgramLayout::hold_down_group(leg);
+    rows.group[layout.hold_down() + leg] = QpLayout::hold_down_group(leg);
   }
   for (int k = 0; k < layout.joints; ++k) {
-    rows.group[layout.torque() + k] = ProgramLayout::torque_group(joints[k].group);
-    rows.group[layout.acceleration() + k] = ProgramLayout::acceleration_group(joints[k].group);
+    rows.group[layout.torque() + k] = QpLayout::torque_group(joints[k].group);
+    rows.group[layout.acceleration() + k] = QpLayout::acceleration_group(joints[k].group);
   }
   return rows;
 }
@@ -44,14 +44,14 @@ WholeBodySolver::WholeBodySolver(const Robot& robot, const WholeBodyOptions& opt
       selector_(units_.smallest_determinant),
       condensed_(joints_, units_),
       general_(robot.nv(), joints_, units_),
-      condensed_solver_(ProgramLayout::kForces, 0, elastic_rows(motors_only(joints_)),
+      condensed_solver_(QpLayout::kForces, 0, elastic_rows(motors_only(joints_)),
                         options.tolerance),
-      general_solver_(robot.nv() + ProgramLayout::kForces, 6 + ProgramLayout::kForces,
-                      elastic_rows(joints_), options.tolerance),
-      price_(Eigen::VectorXd::Zero(ProgramLayout::kGroups)),
+      general_solver_(robot.nv() + QpLayout::kForces, 6 + QpLayout::kForces, elastic_rows(joints_),
+                      options.tolerance),
+      penalty_(Eigen::VectorXd::Zero(QpLayout::kGroups)),
       accelerations_(Eigen::VectorXd::Zero(robot.nv())),
       torques_(Eigen::VectorXd::Zero(robot.nv() - 6)) {
-  if (options.form == Form::kCondensed && !Dynamics(robot).condensable()) {
+  if (options.form == QpForm::kCondensed && !Dynamics(robot).condensable()) {
     throw Error("robot '" + robot.config().name +
                 "': the condensed form got nv = " + std::to_string(robot.nv()) +
                 ", expected 18: a free base and four chains of three joints (hip, thigh, calf); "
@@ -65,100 +65,103 @@ void WholeBodySolver::reset() noexcept {
   selector_ = FormSelector(units_.smallest_determinant);
 }
 
-const Eigen::Vector4d& WholeBodySolver::select(const Dynamics& dynamics,
-                                               const Reference& reference) noexcept {
+const Eigen::Vector4d& WholeBodySolver::select_form(const Dynamics& dynamics,
+                                                    const Reference& reference) noexcept {
   form_ = selector_.update(dynamics, reference, options_.form);
   return selector_.softness();
 }
 
 const QpProblem& WholeBodySolver::problem() const noexcept {
-  return form_ == Form::kCondensed ? condensed_.problem() : general_.problem();
+  return form_ == QpForm::kCondensed ? condensed_.problem() : general_.problem();
 }
 
 const ElasticSolver& WholeBodySolver::elastic() const noexcept {
-  return form_ == Form::kCondensed ? condensed_solver_ : general_solver_;
+  return form_ == QpForm::kCondensed ? condensed_solver_ : general_solver_;
 }
 
 ElasticSolver& WholeBodySolver::elastic() noexcept {
-  return form_ == Form::kCondensed ? condensed_solver_ : general_solver_;
+  return form_ == QpForm::kCondensed ? condensed_solver_ : general_solver_;
 }
 
-const QpProblem& WholeBodySolver::solved() const noexcept { return elastic().solved(problem()); }
+const QpProblem& WholeBodySolver::solved_problem() const noexcept {
+  return elastic().solved_problem(problem());
+}
 
-void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
+void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const QpTerms& terms,
                             Solution& out) noexcept {
   const StageScope stage(Stage::kProgram);
-  const bool condensed = form_ == Form::kCondensed;
+  const bool condensed = form_ == QpForm::kCondensed;
   if (condensed && !terms.has_condensed) {
     out.status = Status::kSingular;
     return;
   }
   if (condensed) {
-    condensed_.pose(terms);
+    condensed_.build(terms);
   } else {
-    general_.pose(dynamics, terms);
+    general_.build(dynamics, terms);
   }
   const double scale = condensed ? condensed_.cost_scale() : general_.cost_scale();
-  price_.head<kLegs>().setConstant(scale * gains.penalty_hold_down);
-  price_.segment<ProgramLayout::kLegGroups>(kLegs).setConstant(scale * gains.penalty_torque);
-  price_.tail<ProgramLayout::kLegGroups>().setConstant(scale * gains.penalty_joint_limit);
+  penalty_.head<kLegs>().setConstant(scale * gains.penalty_hold_down);
+  penalty_.segment<QpLayout::kLegGroups>(kLegs).setConstant(scale * gains.penalty_torque);
+  penalty_.tail<QpLayout::kLegGroups>().setConstant(scale * gains.penalty_joint_limit);
   // Heavy tasks make all others small in a cost of trace n, and those must not drown in the
   // tolerance.
-  const double own_share = condensed ? condensed_.own_share() : general_.own_share();
-  if (!(own_share >= kLeastShare)) {
+  const double built_in_share = condensed ? condensed_.built_in_share() : general_.built_in_share();
+  if (!(built_in_share >= kMinBuiltInShare)) {
     out.status = Status::kBadTask;
     return;
   }
   curvature_ = scale * kCurvature;
-  tolerance_ = std::max(own_share * options_.tolerance, std::min(options_.tolerance, kTightest));
+  tolerance_ =
+      std::max(built_in_share * options_.tolerance, std::min(options_.tolerance, kTightest));
   elastic().set_tolerance(tolerance_);
-  take(elastic().solve(problem(), price_, curvature_), dynamics, terms, out);
+  take_result(elastic().solve(problem(), penalty_, curvature_), dynamics, terms, out);
 }
 
-void WholeBodySolver::solve_cold(const Dynamics& dynamics, const ProgramTerms& terms,
+void WholeBodySolver::solve_cold(const Dynamics& dynamics, const QpTerms& terms,
                                  Solution& out) noexcept {
   const StageScope stage(Stage::kProgram);
   elastic().set_tolerance(kRelaxed * tolerance_);
-  take(elastic().solve_cold(problem(), price_, curvature_), dynamics, terms, out);
+  take_result(elastic().solve_cold(problem(), penalty_, curvature_), dynamics, terms, out);
 }
 
-void WholeBodySolver::take(const QpResult& result, const Dynamics& dynamics,
-                           const ProgramTerms& terms, Solution& out) noexcept {
+void WholeBodySolver::take_result(const QpResult& result, const Dynamics& dynamics,
+                                  const QpTerms& terms, Solution& out) noexcept {
   out.status = result.status;
   out.iterations = result.iterations;
   out.primal_residual = result.primal_residual;
   out.dual_residual = result.dual_residual;
   if (result.status != Status::kOk) return;
-  if (form_ == Form::kCondensed) {
-    condensed_.read(elastic().x(), forces_, accelerations_, torques_);
+  if (form_ == QpForm::kCondensed) {
+    condensed_.read_solution(elastic().x(), forces_, accelerations_, torques_);
   } else {
-    general_.read(elastic().x(), forces_, accelerations_, torques_);
+    general_.read_solution(elastic().x(), forces_, accelerations_, torques_);
   }
   out.form = form_;
-  keep_own_limits(joints_, dynamics, terms.limits, accelerations_, torques_);
-  write(dynamics, terms.limits, out);
+  clamp_released_legs(joints_, dynamics, terms.limits, accelerations_, torques_);
+  write_solution(dynamics, terms.limits, out);
 }
 
-void WholeBodySolver::write(const Dynamics& dynamics, const JointLimits& limits,
-                            Solution& out) noexcept {
+void WholeBodySolver::write_solution(const Dynamics& dynamics, const JointLimits& limits,
+                                     Solution& out) noexcept {
   const Eigen::VectorXd& slack = elastic().slack();
   out.accelerations = accelerations_;
   out.accelerations.head<3>() += dynamics.a_base_shift();
   out.forces = Eigen::Map<const FeetMatrix>(forces_.data());
-  out.torque_residual = 0.0;
+  out.clipped_torque = 0.0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const double tau = std::min(std::max(torques_[k], limits.tau_lower[k]), limits.tau_upper[k]);
     const double taken = std::abs(tau - torques_[k]);
-    out.torque_residual = std::max(out.torque_residual, taken);
+    out.clipped_torque = std::max(out.clipped_torque, taken);
     const double near = kSaturated * joints_[k].tau_max;
     if (taken > near || limits.tau_upper[k] - tau < near || tau - limits.tau_lower[k] < near) {
       out.status = Status::kSaturated;
     }
     out.torques[joints_[k].v - 6] = tau;
   }
-  out.hold_down_missing = units_.force * slack.head<kLegs>().maxCoeff();
-  out.torque_excess = slack.segment<ProgramLayout::kLegGroups>(kLegs).maxCoeff();
-  out.joint_limit_excess = units_.angular * slack.tail<ProgramLayout::kLegGroups>().maxCoeff();
+  out.hold_down_violation = units_.force * slack.head<kLegs>().maxCoeff();
+  out.torque_limit_violation = slack.segment<QpLayout::kLegGroups>(kLegs).maxCoeff();
+  out.joint_limit_violation = units_.angular * slack.tail<QpLayout::kLegGroups>().maxCoeff();
 }
 
 }  // namespace surefoot

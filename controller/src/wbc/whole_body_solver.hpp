@@ -2,10 +2,10 @@
 #pragma once
 
 #include "surefoot/whole_body_controller.hpp"
-#include "wbc/condensed_program.hpp"
+#include "wbc/condensed_qp.hpp"
 #include "wbc/elastic_solver.hpp"
 #include "wbc/form_selector.hpp"
-#include "wbc/general_program.hpp"
+#include "wbc/general_qp.hpp"
 
 namespace surefoot {
 
@@ -16,38 +16,38 @@ class WholeBodySolver {
   WholeBodySolver(const Robot& robot, const WholeBodyOptions& options);
 
   /// Choose the form; returns how soft each foot's row is, 0 .. 1.
-  const Eigen::Vector4d& select(const Dynamics& dynamics, const Reference& reference) noexcept;
+  const Eigen::Vector4d& select_form(const Dynamics& dynamics, const Reference& reference) noexcept;
 
   /// Solve in that form. On failure only the solution's status and residuals change.
-  void solve(const Gains& gains, const Dynamics& dynamics, const ProgramTerms& terms,
+  void solve(const Gains& gains, const Dynamics& dynamics, const QpTerms& terms,
              Solution& out) noexcept;
 
   /// Solve what solve() posed once more, from nothing, in one attempt, and to the relaxed
   /// tolerance: ten times the program's, checked as strictly as any.
-  void solve_cold(const Dynamics& dynamics, const ProgramTerms& terms, Solution& out) noexcept;
+  void solve_cold(const Dynamics& dynamics, const QpTerms& terms, Solution& out) noexcept;
 
   void reset() noexcept;
 
   const QpProblem& problem() const noexcept;  ///< of the form in force
   const ElasticSolver& elastic() const noexcept;
-  const QpProblem& solved() const noexcept;  ///< the same, with slacks where something gave
+  const QpProblem& solved_problem() const noexcept;  ///< the same, with slacks where something gave
 
  private:
   ElasticSolver& elastic() noexcept;
-  void take(const QpResult& result, const Dynamics& dynamics, const ProgramTerms& terms,
-            Solution& out) noexcept;
-  void write(const Dynamics& dynamics, const JointLimits& limits, Solution& out) noexcept;
+  void take_result(const QpResult& result, const Dynamics& dynamics, const QpTerms& terms,
+                   Solution& out) noexcept;
+  void write_solution(const Dynamics& dynamics, const JointLimits& limits, Solution& out) noexcept;
 
   Robot robot_;
   WholeBodyOptions options_;
   JointTable joints_;
-  ProgramUnits units_;
+  QpUnits units_;
   FormSelector selector_;
-  Form form_ = Form::kGeneral;
-  CondensedProgram condensed_;
-  GeneralProgram general_;
+  QpForm form_ = QpForm::kGeneral;
+  CondensedQp condensed_;
+  GeneralQp general_;
   ElasticSolver condensed_solver_, general_solver_;
-  Eigen::VectorXd price_, accelerations_, torques_;
+  Eigen::VectorXd penalty_, accelerations_, torques_;
   double curvature_ = 1.0, tolerance_ = 0.0;  // of the program that was posed last
   Vector12 forces_ = Vector12::Zero();
 };

@@ -5,7 +5,7 @@ from typing import Any
 
 from surefoot._core import Robot
 from surefoot.assess.references.force_qp import ForceQp
-from surefoot.assess.references.pd import JointPd
+from surefoot.assess.references.joint_pd import JointPd
 
 FACTORIES: dict[str, Callable[[Robot], Any]] = {"pd": JointPd, "force_qp": ForceQp}
 

@@ -24,10 +24,10 @@ import numpy as np
 from scipy.optimize import nnls
 
 from surefoot._core import LowCmd, LowState, Robot, StateEstimator
-from surefoot.low_cmd_layout import LOW_CMD
-from surefoot.low_state_layout import LOW_STATE, MOTORS
-from surefoot.sim.rotations import Array
-from surefoot.sim.support import GRAVITY
+from surefoot.geometry.rotations import Array
+from surefoot.messages.low_cmd_layout import LOW_CMD
+from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
+from surefoot.sim.lip_push_limit import GRAVITY
 
 KP_POSITION, KD_POSITION = 150.0, 25.0  # [1/s^2], [1/s]
 KP_ROTATION, KD_ROTATION = 200.0, 30.0  # [1/s^2], [1/s]
@@ -37,8 +37,8 @@ U = np.full(12, 3.0)
 ALPHA, BETA = 0.001, 0.1
 KP_JOINT, KD_JOINT = 0.8, 0.8  # [N.m/rad], [N.m.s/rad]
 SERVO = 0x0A
-_ROOT_S, _NEAR = np.sqrt(S), np.sqrt(BETA * U)
-_EDGES = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
+_SQRT_S, _SQRT_BETA_U = np.sqrt(S), np.sqrt(BETA * U)
+_PYRAMID_SIGNS = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
 
 
 class ForceQp:
@@ -63,13 +63,15 @@ class ForceQp:
         pinocchio.ccrba(self._model, self._data, robot.q_standing(), np.zeros(robot.nv))
         self._inertia = np.array(self._data.Ig.inertia)
         self._estimator = StateEstimator(robot)
-        self._rays = _pyramids(robot.config.friction)
+        self._rays = _pyramid_edges(robot.config.friction)
         self._A = np.vstack([np.tile(np.eye(3), 4), np.zeros((3, 12))])
-        still = np.vstack([np.diag(np.sqrt(ALPHA * W)), np.diag(_NEAR)]) @ self._rays
-        self._rows = np.vstack([np.zeros((6, 16)), still])
+        regularisation = (
+            np.vstack([np.diag(np.sqrt(ALPHA * W)), np.diag(_SQRT_BETA_U)]) @ self._rays
+        )
+        self._ls_matrix = np.vstack([np.zeros((6, 16)), regularisation])
         self._forces = np.zeros(12)
         self._tick: int | None = None
-        self._place, self._attitude = np.zeros(3), np.eye(3)
+        self._position_desired, self._rotation_desired = np.zeros(3), np.eye(3)
 
     def update(self, state: LowState) -> LowCmd:
         """Compute one tick."""
@@ -77,26 +79,26 @@ class ForceQp:
         first, self._tick = self._tick is None, state.tick
         if first or step > 0:
             self._estimator.update(state, max(step, 1) / 1000.0)
-        believed = self._estimator.state
+        estimate = self._estimator.state
         pin, model, data = self._pin, self._model, self._data
-        pin.computeJointJacobians(model, data, believed.q)
+        pin.computeJointJacobians(model, data, estimate.q)
         for frame in self._feet:
             pin.updateFramePlacement(model, data, frame)
-        R, place = data.oMi[1].rotation, believed.q[:3]
-        com = pin.centerOfMass(model, data, believed.q, False)
+        R, position = data.oMi[1].rotation, estimate.q[:3]
+        com = pin.centerOfMass(model, data, estimate.q, False)
         if first:
-            self._place, self._attitude = np.array(place), np.array(R)
-        wanted = self._wrench(place, R, R @ believed.v[:3], R @ believed.v[3:6])
+            self._position_desired, self._rotation_desired = np.array(position), np.array(R)
+        desired = self._desired_wrench(position, R, R @ estimate.v[:3], R @ estimate.v[3:6])
         feet = np.array([data.oMf[frame].translation for frame in self._feet]) - self._radius
-        self._forces = self._solve(feet - com, wanted)
-        torque = np.zeros(MOTORS)
+        self._forces = self._solve(feet - com, desired)
+        torque = np.zeros(MOTOR_COUNT)
         for leg, frame in enumerate(self._feet):
             torque -= self._force_to_torque(frame, self._forces[3 * leg : 3 * leg + 3])
         return self._command(state, np.clip(torque, -self._tau_max, self._tau_max))
 
-    def _wrench(self, place: Array, R: Array, v: Array, w: Array) -> Array:
-        a = KP_POSITION * (self._place - place) - KD_POSITION * v
-        error = self._pin.log3(self._attitude @ R.T)
+    def _desired_wrench(self, position: Array, R: Array, v: Array, w: Array) -> Array:
+        a = KP_POSITION * (self._position_desired - position) - KD_POSITION * v
+        error = self._pin.log3(self._rotation_desired @ R.T)
         dw = KP_ROTATION * error - KD_ROTATION * w
         up = np.array([0.0, 0.0, GRAVITY])
         return np.concatenate([self._mass * (a + up), R @ self._inertia @ R.T @ dw])
@@ -109,29 +111,29 @@ class ForceQp:
         moment = -self._pin.skew(self._radius) @ force  # about the frame
         return np.asarray((np.concatenate([force, moment]) @ J)[self._motors])
 
-    def _solve(self, arms: Array, wanted: Array) -> Array:
+    def _solve(self, lever_arms: Array, desired: Array) -> Array:
         """Return the forces (12,): edges of the pyramids with weights that are not negative."""
         A = self._A
-        for leg, arm in enumerate(arms):
-            A[3:, 3 * leg : 3 * leg + 3] = self._pin.skew(arm)
+        for leg, lever_arm in enumerate(lever_arms):
+            A[3:, 3 * leg : 3 * leg + 3] = self._pin.skew(lever_arm)
         # The rows below those of the wrench are the same in every tick.
-        self._rows[:6] = _ROOT_S[:, None] * (A @ self._rays)
-        goal = np.concatenate([_ROOT_S * wanted, np.zeros(12), _NEAR * self._forces])
-        weights, _ = nnls(self._rows, goal)
+        self._ls_matrix[:6] = _SQRT_S[:, None] * (A @ self._rays)
+        ls_target = np.concatenate([_SQRT_S * desired, np.zeros(12), _SQRT_BETA_U * self._forces])
+        weights, _ = nnls(self._ls_matrix, ls_target)
         return np.asarray(self._rays @ weights)
 
     def _command(self, state: LowState, torque: Array) -> LowCmd:
         command = LowCmd()
-        motors = command.raw.view(LOW_CMD)[0]["motorCmd"][:MOTORS]
+        motors = command.raw.view(LOW_CMD)[0]["motorCmd"][:MOTOR_COUNT]
         motors["mode"], motors["dq"], motors["tau"] = SERVO, 0.0, torque
-        motors["q"] = state.raw.view(LOW_STATE)[0]["motorState"]["q"][:MOTORS]
+        motors["q"] = state.raw.view(LOW_STATE)[0]["motorState"]["q"][:MOTOR_COUNT]
         motors["Kp"], motors["Kd"] = KP_JOINT, KD_JOINT
         return command
 
 
-def _pyramids(friction: float) -> Array:
+def _pyramid_edges(friction: float) -> Array:
     """Return the edges (12, 16) of the four feet's friction pyramids: a cone is their hull."""
-    edges = np.vstack([friction * _EDGES, np.ones(4)])
+    edges = np.vstack([friction * _PYRAMID_SIGNS, np.ones(4)])
     rays = np.zeros((12, 16))
     for leg in range(4):
         rays[3 * leg : 3 * leg + 3, 4 * leg : 4 * leg + 4] = edges

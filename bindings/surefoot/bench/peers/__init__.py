@@ -1,8 +1,8 @@
 """Whole ticks of ours and of TSID and PlaCo, interleaved, on the same robot, tasks and motion."""
 
-from surefoot.bench.peers.options import PeerOptions, PeerProblem
-from surefoot.bench.peers.rows import RATIOS
+from surefoot.bench.peers.options import PeerError, PeerOptions
+from surefoot.bench.peers.result_rows import RATIOS
 from surefoot.bench.peers.run import add_peers, run_peers
 from surefoot.bench.peers.text import peers_text
 
-__all__ = ["RATIOS", "PeerOptions", "PeerProblem", "add_peers", "peers_text", "run_peers"]
+__all__ = ["RATIOS", "PeerError", "PeerOptions", "add_peers", "peers_text", "run_peers"]

@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from surefoot.bench.peers.options import PeerOptions, PeerProblem
+from surefoot.bench.peers.options import PeerError, PeerOptions
 
-LONGEST_INSTALL = 900.0  # [s]
-PIP = ["-q", "--disable-pip-version-check", "--retries", "1", "--only-binary", ":all:"]
-PYTHON_OF_LIBRARIES = "3.13"
-SITE = "SITE"  # stands for the environment's site-packages in a step
-_MARK = ".complete"
+INSTALL_TIMEOUT = 900.0  # [s]
+PIP_OPTIONS = ["-q", "--disable-pip-version-check", "--retries", "1", "--only-binary", ":all:"]
+LIBTSID_PYTHON = "3.13"
+SITE_PLACEHOLDER = "SITE"  # stands for the environment's site-packages in a step
+_COMPLETE_FILE = ".complete"
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Environment:
         scripts = "Scripts" if sys.platform == "win32" else "bin"
         return self.folder(options) / scripts / "python"
 
-    def site(self, options: PeerOptions) -> Path:
+    def site_packages(self, options: PeerOptions) -> Path:
         """Return its site-packages."""
         folder = self.folder(options)
         if sys.platform == "win32":
@@ -54,18 +54,20 @@ class Environment:
         return {name: pins[name] for name in names if name in pins}
 
     def prepare(self, options: PeerOptions) -> Path:
-        """Install it unless it is complete; return its interpreter, or raise PeerProblem."""
-        python, mark = self.python(options), self.folder(options) / _MARK
-        wanted = f"{sys.version}\n{self.steps}\n"
-        if _text(mark) == wanted and python.exists():
+        """Install it unless it is complete; return its interpreter, or raise PeerError."""
+        python, mark = self.python(options), self.folder(options) / _COMPLETE_FILE
+        expected_mark = f"{sys.version}\n{self.steps}\n"
+        if _text(mark) == expected_mark and python.exists():
             return python
-        options.say(f"peers: installing {self.name} in {self.folder(options)} (about a minute)")
+        options.report_progress(
+            f"peers: installing {self.name} in {self.folder(options)} (about a minute)"
+        )
         _run([sys.executable, "-m", "venv", "--clear", str(self.folder(options))])
-        site = str(self.site(options))
+        site = str(self.site_packages(options))
         for step in self.steps:
-            words = [site if word == SITE else word for word in step]
-            _run([str(python), "-m", "pip", "install", *PIP, *words])
-        mark.write_text(wanted, encoding="utf-8")
+            words = [site if word == SITE_PLACEHOLDER else word for word in step]
+            _run([str(python), "-m", "pip", "install", *PIP_OPTIONS, *words])
+        mark.write_text(expected_mark, encoding="utf-8")
         return python
 
 
@@ -76,7 +78,7 @@ TSID = Environment(
     "tsid",
     (
         (
-            *("--no-deps", "--python-version", PYTHON_OF_LIBRARIES, "--target", SITE),
+            *("--no-deps", "--python-version", LIBTSID_PYTHON, "--target", SITE_PLACEHOLDER),
             "libtsid==1.9.0",
         ),
         (
@@ -99,29 +101,29 @@ TSID = Environment(
 PLACO = Environment("placo", (("placo==0.10.2",),))
 
 
-def own_variables() -> dict[str, str]:
+def clean_environment() -> dict[str, str]:
     """Return the system's variables without Python's: PYTHONPATH would bring in our packages."""
     return {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
 
 
 def _run(words: list[str]) -> None:
-    """Run a command quietly; raises PeerProblem with the last thing that it said."""
+    """Run a command quietly; raises PeerError with the last thing that it said."""
     try:
-        done = subprocess.run(
+        process = subprocess.run(
             words,
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,
             errors="replace",
-            timeout=LONGEST_INSTALL,
-            env=own_variables(),
+            timeout=INSTALL_TIMEOUT,
+            env=clean_environment(),
             check=False,
         )
     except (OSError, subprocess.TimeoutExpired) as problem:
-        raise PeerProblem(f"its environment could not be made: {problem}") from None
-    if done.returncode != 0:
-        said = (done.stderr or done.stdout).strip().splitlines() or ["without a word"]
-        raise PeerProblem(f"its environment could not be made: {said[-1].strip()}")
+        raise PeerError(f"its environment could not be made: {problem}") from None
+    if process.returncode != 0:
+        output_lines = (process.stderr or process.stdout).strip().splitlines() or ["without a word"]
+        raise PeerError(f"its environment could not be made: {output_lines[-1].strip()}")
 
 
 def _text(file: Path) -> str | None:

@@ -9,12 +9,12 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from surefoot.bench.peers.contestant import Contestant, Ticks
-from surefoot.bench.peers.options import PeerProblem
+from surefoot.bench.peers.implementation import Implementation, Ticks
+from surefoot.bench.peers.options import PeerError
 
 
 def interleave(
-    contestants: dict[str, Contestant], ticks: int, block: int
+    implementations: dict[str, Implementation], ticks: int, block: int
 ) -> tuple[dict[str, Ticks], dict[str, str]]:
     """Let everybody compute every tick, block by block in turns; first once to warm up.
 
@@ -27,16 +27,16 @@ def interleave(
     played: dict[str, list[Ticks]] = {}
     with without_garbage_collection():
         for _ in ("warm up", "count"):
-            played = {name: [] for name in contestants}
+            played = {name: [] for name in implementations}
             for turn, first in enumerate(range(0, ticks, block)):
-                names = list(contestants)[:: -1 if turn % 2 else 1]
+                names = list(implementations)[:: -1 if turn % 2 else 1]
                 for name in names:
                     if name in reasons:
                         continue
                     try:
                         count = min(block, ticks - first)
-                        played[name].append(contestants[name].play(first, count))
-                    except PeerProblem as problem:
+                        played[name].append(implementations[name].run_ticks(first, count))
+                    except PeerError as problem:
                         reasons[name] = str(problem)
     return {
         name: np.concatenate(blocks) for name, blocks in played.items() if name not in reasons

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from surefoot.bench.peers.compiled import Program
+from surefoot.bench.peers.cpp_program import CppProgram
 from surefoot.bench.peers.environment import PLACO, TSID, Environment
 
 
@@ -16,17 +16,17 @@ class Peer:
         name: In the figures.
         environment: Its own.
         script: Its worker, a file in workers/.
-        program: The same in C++, if there is one; its libraries are the environment's.
-        tick: What its clock runs over.
-        problem: Where its problem is not quite ours.
+        cpp_program: The same in C++, if there is one; its libraries are the environment's.
+        tick_description: What its clock runs over.
+        problem_differences: Where its problem is not quite ours.
     """
 
     name: str
     environment: Environment
     script: str
-    program: Program | None
-    tick: str
-    problem: str
+    cpp_program: CppProgram | None
+    tick_description: str
+    problem_differences: str
 
 
 PEERS = (
@@ -34,7 +34,7 @@ PEERS = (
         "tsid",
         TSID,
         "tsid_worker.py",
-        Program("tsid_tick.cpp", ("tsid", "eiquadprog", "pinocchio_default")),
+        CppProgram("tsid_tick.cpp", ("tsid", "eiquadprog", "pinocchio_default")),
         "computeProblemData (kinematics in it), solve with eiquadprog-rt, sizes fixed (C++) "
         "or eiquadprog-fast (Python, which has no other), getActuatorForces",
         "four facets of friction a foot (ours 14), constant torque limits, hard (ours by the "
@@ -51,7 +51,7 @@ PEERS = (
         "positions and velocities, a torque cost of weight 0",
     ),
 )
-OUR_PROGRAM = Program("surefoot_tick.cpp", ("surefoot", "pinocchio_default"))
+OUR_PROGRAM = CppProgram("surefoot_tick.cpp", ("surefoot", "pinocchio_default"))
 OUR_TICKS = {
     "state_to_torque": "WholeBodyController.update (kinematics in it): RobotState to torques, "
     "contact points at the foot frames",

@@ -11,31 +11,33 @@ from typing import Any
 import numpy as np
 
 from surefoot._core import Error
-from surefoot.bench.peers.bout import Played
-from surefoot.bench.peers.files import write_problem
 from surefoot.bench.peers.interleave import chosen_processor, one_processor
-from surefoot.bench.peers.languages import Pythons, bouts, prepare_peers
 from surefoot.bench.peers.options import PeerOptions
+from surefoot.bench.peers.paired_run import PairedResult
+from surefoot.bench.peers.paired_run_setup import Interpreters, make_paired_runs, prepare_peers
 from surefoot.bench.peers.peer import PEERS, Peer
 from surefoot.bench.peers.problem import (
-    POSTURE,
-    STIFFNESS,
-    calm_ticks,
+    POSTURE_GAINS,
+    TASK_GAINS,
     make_problem,
+    ticks_before_push,
 )
-from surefoot.bench.peers.rows import RATIOS, ratios_of, rows_of
+from surefoot.bench.peers.problem_files import write_problem
+from surefoot.bench.peers.result_rows import RATIOS, compute_ratios, make_rows
 from surefoot.bench.peers.weights import GRAVITY
 from surefoot.bench.recording import Recording, record
 from surefoot.bench.run import Bench
 from surefoot.bench.settings import BenchSettings
-from surefoot.robot_files import describe_robot
+from surefoot.robot.description import describe_robot
 
 SCENARIOS = ("quiet", "motion", "push50")
 # What every side is asked for; docs/peers.md says it at length.
 TASKS = {
     "what": "centre of mass, base orientation, posture, even forces; four feet down, friction, "
     "bounds of normal force and torque",
-    "stiffness_and_damping": {k: list(v) for k, v in {**STIFFNESS, "posture": POSTURE}.items()},
+    "stiffness_and_damping": {
+        k: list(v) for k, v in {**TASK_GAINS, "posture": POSTURE_GAINS}.items()
+    },
 }
 
 
@@ -68,8 +70,8 @@ def run_peers(
         says why, never an exception.
     """
     options = options or PeerOptions()
-    several = [recordings] if isinstance(recordings, Recording) else list(recordings)
-    robot = several[0].robot
+    recording_list = [recordings] if isinstance(recordings, Recording) else list(recordings)
+    robot = recording_list[0].robot
     rows: list[dict[str, Any]]
     try:
         urdf = options.urdf or describe_robot(robot.name).urdf
@@ -77,28 +79,36 @@ def run_peers(
         reason = f"a peer needs the robot's URDF: {problem}"
         rows = [{"peer": peer.name, "language": "python", "reason": reason} for peer in peers]
     else:
-        pythons = prepare_peers(peers, options)
-        played = [_play(recording, urdf, options, pythons) for recording in several]
-        calm = np.concatenate([np.arange(len(r.reports)) < calm_ticks(r) for r in several])
+        interpreters = prepare_peers(peers, options)
+        played = [
+            _run_recording(recording, urdf, options, interpreters) for recording in recording_list
+        ]
+        calm = np.concatenate(
+            [np.arange(len(r.reports)) < ticks_before_push(r) for r in recording_list]
+        )
         rows = []
         for same_language in zip(*played, strict=True):
-            rows += rows_of(reduce(Played.then, same_language), robot.mass * GRAVITY, calm)
+            rows += make_rows(
+                reduce(PairedResult.append, same_language), robot.mass * GRAVITY, calm
+            )
     return {
-        **ratios_of(rows),
+        **compute_ratios(rows),
         "rows": rows,
         "tasks": TASKS,
-        "scenarios": {r.scenario: len(r.reports) for r in several},
+        "scenarios": {r.scenario: len(r.reports) for r in recording_list},
         "block": options.block,
         "processor": chosen_processor(),
     }
 
 
-def _play(recording: Recording, urdf: Path, options: PeerOptions, pythons: Pythons) -> list[Played]:
+def _run_recording(
+    recording: Recording, urdf: Path, options: PeerOptions, interpreters: Interpreters
+) -> list[PairedResult]:
     """Play a recording in every language."""
     problem = make_problem(recording, urdf)
     with tempfile.TemporaryDirectory(prefix="surefoot-peers-") as folder:
         file = write_problem(problem, recording.reports, Path(folder))
-        options.say(f"peers: playing {recording.scenario}")
-        all_bouts = bouts(problem, recording, options, pythons, file)
+        options.report_progress(f"peers: playing {recording.scenario}")
+        paired_runs = make_paired_runs(problem, recording, options, interpreters, file)
         with one_processor():
-            return [bout.play(len(problem), options.block) for bout in all_bouts]
+            return [paired_run.run(len(problem), options.block) for paired_run in paired_runs]

@@ -10,7 +10,7 @@ from surefoot._core import Gains, Robot
 GRAVITY = 9.81
 # Of forces, per N^2. Ours draws to the forces that fulfil the tasks, which costs the tasks nothing;
 # the peers draw to a quarter of the weight and to zero: so little that it costs them nothing.
-FORCE = 1e-6
+FORCE_WEIGHT = 1e-6
 
 
 def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
@@ -32,16 +32,16 @@ def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
     pinocchio.framesForwardKinematics(model, data, q)
     feet = np.array([data.oMf[i].translation for i in robot.foot_frame_ids])
     inverse = np.linalg.inv(data.Ig.inertia)
-    turning = np.hstack([inverse @ pinocchio.skew(foot - data.com[0]) for foot in feet])
-    quarter = 0.25 * robot.mass * GRAVITY
-    angular = np.sqrt(3.0) / (quarter * np.linalg.norm(turning))
+    angular_response = np.hstack([inverse @ pinocchio.skew(foot - data.com[0]) for foot in feet])
+    foot_load = 0.25 * robot.mass * GRAVITY
+    angular = np.sqrt(3.0) / (foot_load * np.linalg.norm(angular_response))
     # Hip axes are as high as the thighs' joints: the second of each leg.
     hips = [data.oMi[model.getJointId(robot.config.joint_names[i])] for i in range(1, 12, 3)]
-    length = float(np.mean([hip.translation[2] for hip in hips]) - feet[:, 2].mean())
+    leg_length = float(np.mean([hip.translation[2] for hip in hips]) - feet[:, 2].mean())
     com = gains.weight_com_horizontal * (2.0 / GRAVITY) ** 2
     return {
         "com": 1.0,
         "base": float(gains.weight_base_tilt * angular**2 / com),
-        "posture": float(gains.weight_posture * (length / GRAVITY) ** 2 / com),
-        "force": FORCE,
+        "posture": float(gains.weight_posture * (leg_length / GRAVITY) ** 2 / com),
+        "force": FORCE_WEIGHT,
     }

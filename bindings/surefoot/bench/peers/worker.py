@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from surefoot.bench.peers.contestant import Ticks
-from surefoot.bench.peers.environment import own_variables
-from surefoot.bench.peers.options import PeerProblem
+from surefoot.bench.peers.environment import clean_environment
+from surefoot.bench.peers.implementation import Ticks
+from surefoot.bench.peers.options import PeerError
 
 
 class Worker:
@@ -26,18 +26,18 @@ class Worker:
         versions: Of the packages behind it.
     """
 
-    def __init__(self, words: list[str], width: int, patience: float) -> None:
+    def __init__(self, words: list[str], width: int, timeout: float) -> None:
         """Start it and wait until it is ready.
 
         Args:
             words: The command.
             width: Numbers that a tick is told in.
-            patience: Longest silence while an answer is awaited [s].
+            timeout: Longest silence while an answer is awaited [s].
 
         Raises:
-            PeerProblem: It could not be started, ended, or kept silent.
+            PeerError: It could not be started, ended, or kept silent.
         """
-        self._width, self._patience = width, patience
+        self._width, self._timeout = width, timeout
         self._errors = tempfile.TemporaryFile()
         try:
             self._process = subprocess.Popen(
@@ -46,33 +46,33 @@ class Worker:
                 stdout=subprocess.PIPE,
                 stderr=self._errors,
                 bufsize=0,
-                env={**own_variables(), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
+                env={**clean_environment(), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
             )
         except OSError as problem:
             self._errors.close()
-            raise PeerProblem(f"could not be started: {problem}") from None
+            raise PeerError(f"could not be started: {problem}") from None
         self._buffer = b""
         try:
-            self.versions = self._greeting()
-        except PeerProblem:
+            self.versions = self._read_versions()
+        except PeerError:
             self.close()
             raise
 
-    def play(self, first: int, count: int) -> Ticks:
-        """Have it compute ticks, shape (count, width); raises PeerProblem."""
+    def run_ticks(self, first: int, count: int) -> Ticks:
+        """Have it compute ticks, shape (count, width); raises PeerError."""
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(f"play {first} {count}\n".encode())
         except OSError:
-            raise PeerProblem(self._epitaph()) from None
+            raise PeerError(self._exit_description()) from None
         size = 8 * self._width * count
-        deadline = time.monotonic() + self._patience
+        deadline = time.monotonic() + self._timeout
         while len(self._buffer) < size:
             self._read(deadline)
         ticks = np.frombuffer(self._buffer[:size], dtype="<f8").reshape(count, self._width)
         self._buffer = self._buffer[size:]
         if not np.isfinite(ticks).all():
-            raise PeerProblem(f"answered with a number that is not finite, ticks from {first} on")
+            raise PeerError(f"answered with a number that is not finite, ticks from {first} on")
         return ticks
 
     def close(self) -> None:
@@ -88,29 +88,29 @@ class Worker:
             self._process.wait()
         self._errors.close()
 
-    def _greeting(self) -> dict[str, Any]:
-        deadline = time.monotonic() + self._patience
+    def _read_versions(self) -> dict[str, Any]:
+        deadline = time.monotonic() + self._timeout
         while b"\n" not in self._buffer:
             self._read(deadline)
         line, _, self._buffer = self._buffer.partition(b"\n")
         try:
             versions = json.loads(line)["versions"]
         except (ValueError, KeyError, TypeError):
-            raise PeerProblem(f"got {line[:80]!r} from it, expected its versions") from None
+            raise PeerError(f"got {line[:80]!r} from it, expected its versions") from None
         return dict(versions)
 
     def _read(self, deadline: float) -> None:
         assert self._process.stdout is not None
-        left = deadline - time.monotonic()
-        if left <= 0.0 or not select.select([self._process.stdout], [], [], left)[0]:
+        remaining = deadline - time.monotonic()
+        if remaining <= 0.0 or not select.select([self._process.stdout], [], [], remaining)[0]:
             self._process.kill()
-            raise PeerProblem(f"no answer within {self._patience:g} s")
+            raise PeerError(f"no answer within {self._timeout:g} s")
         chunk = self._process.stdout.read(1 << 16)
         if not chunk:
-            raise PeerProblem(self._epitaph())
+            raise PeerError(self._exit_description())
         self._buffer += chunk
 
-    def _epitaph(self) -> str:
+    def _exit_description(self) -> str:
         """Say how it ended, and its last words."""
         try:
             status = self._process.wait(timeout=2.0)
@@ -118,24 +118,24 @@ class Worker:
             return "closed its output"
         how = f"signal {signal.Signals(-status).name}" if status < 0 else f"status {status}"
         self._errors.seek(0)
-        said = self._errors.read().decode(errors="replace").strip().splitlines()
-        return f"ended with {how}" + (f": {said[-1].strip()}" if said else "")
+        error_lines = self._errors.read().decode(errors="replace").strip().splitlines()
+        return f"ended with {how}" + (f": {error_lines[-1].strip()}" if error_lines else "")
 
 
-def worker_maker(
-    command: Callable[[], list[str]], width: int, patience: float
+def worker_factory(
+    command: Callable[[], list[str]], width: int, timeout: float
 ) -> Callable[[], Worker]:
     """Ask for a worker's command now, which may take minutes; return what starts it later.
 
-    What goes wrong with the command is raised as PeerProblem when the worker is to be started.
+    What goes wrong with the command is raised as PeerError when the worker is to be started.
     """
     try:
         words = command()
-    except (PeerProblem, OSError) as problem:
+    except (PeerError, OSError) as problem:
         reason = str(problem)
 
-        def refuse() -> Worker:
-            raise PeerProblem(reason)
+        def raise_error() -> Worker:
+            raise PeerError(reason)
 
-        return refuse
-    return lambda: Worker(words, width, patience)
+        return raise_error
+    return lambda: Worker(words, width, timeout)

@@ -1,13 +1,13 @@
 """Quadratic programs recorded tick after tick, in a plain format that others can read."""
 
-from surefoot.bench.problems.export import export_qpbenchmark
+from surefoot.bench.problems.qp_sequence import QpSequence, load_sequence
+from surefoot.bench.problems.qpbenchmark_export import export_qpbenchmark
 from surefoot.bench.problems.record import check_scenario, record_problems
 from surefoot.bench.problems.scenarios import SCENARIOS
-from surefoot.bench.problems.sequence import Sequence, load_sequence
 
 __all__ = [
     "SCENARIOS",
-    "Sequence",
+    "QpSequence",
     "check_scenario",
     "export_qpbenchmark",
     "load_sequence",

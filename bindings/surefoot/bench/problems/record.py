@@ -7,20 +7,20 @@ from collections import defaultdict
 from collections.abc import Iterator
 from typing import Any
 
-from surefoot._core import Error, Form, QpProblem, StandController, StandOptions, is_usable
-from surefoot.bench.problems.limp import run_limp
+from surefoot._core import Error, QpForm, QpProblem, StandController, StandOptions, is_usable
+from surefoot.bench.problems.qp_sequence import QpSequence, make_qp_sequence
 from surefoot.bench.problems.scenarios import SCENARIOS, Scenario
-from surefoot.bench.problems.sequence import Sequence, make_sequence
-from surefoot.robot_files import RobotDescription
+from surefoot.bench.problems.three_legged_stance import run_limp
+from surefoot.robot.description import RobotDescription
 
-LIMP = "limp"
-NAMES = (*SCENARIOS, LIMP)
+THREE_LEGGED_STANCE = "limp"
+SCENARIO_NAMES = (*SCENARIOS, THREE_LEGGED_STANCE)
 _PACKAGES = ("surefoot", "pin", "mujoco", "example-robot-data")
 
 
 def record_problems(
-    robot: str | RobotDescription, scenario: str, form: Form, rate: float = 500.0, seed: int = 1
-) -> list[Sequence]:
+    robot: str | RobotDescription, scenario: str, form: QpForm, rate: float = 500.0, seed: int = 1
+) -> list[QpSequence]:
     """Run a scenario and keep every program that was solved.
 
     Args:
@@ -37,16 +37,16 @@ def record_problems(
         Error: An unknown name, or a robot that fell.
     """
     check_scenario(scenario)
-    if scenario == LIMP:
+    if scenario == THREE_LEGGED_STANCE:
         programs = run_limp(robot, form, rate, seed)
     else:
-        programs = run_stand(robot, SCENARIOS[scenario], form, rate, seed)
+        programs = stand_problems(robot, SCENARIOS[scenario], form, rate, seed)
     found: dict[int, tuple[list[int], list[QpProblem]]] = defaultdict(lambda: ([], []))
     for tick, program in programs:
         ticks, problems = found[len(program.g)]
         ticks.append(tick)
         problems.append(program)
-    least = min(found)
+    smallest_size = min(found)
     meta: dict[str, Any] = {
         "robot": robot if isinstance(robot, str) else robot.name,
         "scenario": scenario,
@@ -56,29 +56,30 @@ def record_problems(
         "versions": {name: importlib.metadata.version(name) for name in _PACKAGES},
     }
     return [
-        make_sequence({**meta, "elastic": size > least}, *found[size]) for size in sorted(found)
+        make_qp_sequence({**meta, "elastic": size > smallest_size}, *found[size])
+        for size in sorted(found)
     ]
 
 
 def check_scenario(name: str) -> None:
     """Raise Error unless it is one of NAMES."""
-    if name not in NAMES:
-        raise Error(f"scenario: got '{name}', expected one of {', '.join(NAMES)}")
+    if name not in SCENARIO_NAMES:
+        raise Error(f"scenario: got '{name}', expected one of {', '.join(SCENARIO_NAMES)}")
 
 
-def run_stand(
-    robot: str | RobotDescription, scenario: Scenario, form: Form, rate: float, seed: int
+def stand_problems(
+    robot: str | RobotDescription, scenario: Scenario, form: QpForm, rate: float, seed: int
 ) -> Iterator[tuple[int, QpProblem]]:
     """Yield (tick, program) of the stand controller; a robot that falls ends the sequence."""
-    plant = scenario.plant(robot, rate, seed)
-    told = scenario.robot(plant.robot)
-    controller = StandController(told, told.config.gains, StandOptions(form=form))
+    plant = scenario.make_plant(robot, rate, seed)
+    assumed_robot = scenario.controller_robot(plant.robot)
+    controller = StandController(assumed_robot, assumed_robot.config.gains, StandOptions(form=form))
     report = plant.reset()
     for tick in range(round(scenario.duration * rate)):
-        scenario.steer(controller, tick / rate)
+        scenario.apply_reference(controller, tick / rate)
         command = controller.update(report)
         if is_usable(controller.status):
-            yield tick, controller.program
+            yield tick, controller.qp
         report = plant.step(command)
         if plant.truth.fell:
             return

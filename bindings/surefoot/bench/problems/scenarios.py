@@ -15,15 +15,15 @@ from surefoot._core import (
     StandController,
     WholeBodyController,
 )
-from surefoot.robot_files import RobotDescription
+from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings, Push
 
-PUSH_LENGTH = 0.1  # [s]
+PUSH_DURATION = 0.1  # [s]
 PUSH_TIMES = (1.0, 4.0)  # [s] lateral, forward
-WEAK = 1.3  # times the greatest torque of standing are left to motors that saturate
-SLIPPERY = 0.2  # friction that the controller counts on; the ground's is half more
+WEAK_TORQUE_FACTOR = 1.3  # times the greatest torque of standing are left to motors that saturate
+SLIPPERY_FRICTION = 0.2  # friction that the controller counts on; the ground's is half more
 
-Body = Callable[[float], BodyReference]
+BodyTrajectory = Callable[[float], BodyReference]
 
 
 def _sway(time: float) -> BodyReference:
@@ -47,44 +47,46 @@ class Scenario:
     """One recorded run of the stand controller.
 
     Attributes:
-        what: In words.
+        description: In words.
         duration: [s].
         push: Share of what the linear inverted pendulum survives; 0 is none.
         friction: Between foot and ground, and 2/3 of that is counted on; None is the usual.
-        strength: What the controller is told of the motors: so many times the greatest torque that
+        torque_factor: What the controller is told of the motors: so many times the greatest torque that
             standing takes; None is all they have.
-        body: Where the body is asked to be at a time [s], told before every tick; None is to stay.
+        body_reference: Where the body is asked to be at a time [s], told before every tick; None is to stay.
     """
 
-    what: str
+    description: str
     duration: float = 7.0
     push: float = 0.0
     friction: float | None = None
-    strength: float | None = None
-    body: Body | None = None
+    torque_factor: float | None = None
+    body_reference: BodyTrajectory | None = None
 
-    def steer(self, controller: StandController, time: float) -> None:
+    def apply_reference(self, controller: StandController, time: float) -> None:
         """Tell the controller what comes before the tick at a time [s]."""
-        if self.body is not None:
-            controller.set_body_reference(self.body(time))
+        if self.body_reference is not None:
+            controller.set_body_reference(self.body_reference(time))
 
-    def robot(self, robot: Robot) -> Robot:
+    def controller_robot(self, robot: Robot) -> Robot:
         """Return the robot as the controller is told of it."""
         config = robot.config  # a copy
         if self.friction is not None:
             config.friction = self.friction / 1.5
-        if self.strength is not None:
-            config.tau_max = np.minimum(config.tau_max, self.strength * _standing_torque(robot))
+        if self.torque_factor is not None:
+            config.tau_max = np.minimum(
+                config.tau_max, self.torque_factor * _standing_torque(robot)
+            )
         return Robot.from_serialized_model(robot.serialized_model(), config)
 
-    def plant(self, robot: str | RobotDescription, rate: float, seed: int) -> Plant:
+    def make_plant(self, robot: str | RobotDescription, rate: float, seed: int) -> Plant:
         """Return the robot and its ground."""
         friction = 0.8 if self.friction is None else self.friction
         plant = Plant(robot, PlantSettings(control_rate=rate, seed=seed, friction=friction))
         for direction, time in zip(("lateral", "forward"), PUSH_TIMES, strict=True):
             if self.push > 0.0:
-                impulse = self.push * plant.lip_limit(direction, PUSH_LENGTH)
-                plant.add_push(Push(direction, impulse, PUSH_LENGTH, time))
+                impulse = self.push * plant.lip_push_limit(direction, PUSH_DURATION)
+                plant.add_push(Push(direction, impulse, PUSH_DURATION, time))
         return plant
 
 
@@ -98,12 +100,16 @@ def _standing_torque(robot: Robot) -> float:
 
 SCENARIOS: dict[str, Scenario] = {
     "quiet": Scenario("quiet standing", 4.0),
-    "motion": Scenario("the body sways in six directions", 10.0, body=_sway),
+    "motion": Scenario("the body sways in six directions", 10.0, body_reference=_sway),
     "push50": Scenario("pushes of 50 % of the LIP limit, lateral and forward", push=0.5),
     "push80": Scenario("pushes of 80 %", push=0.8),
     "push100": Scenario("pushes of 100 %", push=1.0),
-    "slippery": Scenario("pushes of 30 % at friction 0.3", push=0.3, friction=1.5 * SLIPPERY),
+    "slippery": Scenario(
+        "pushes of 30 % at friction 0.3", push=0.3, friction=1.5 * SLIPPERY_FRICTION
+    ),
     "weak": Scenario(
-        "pushes of 50 % with motors hardly stronger than standing", push=0.5, strength=WEAK
+        "pushes of 50 % with motors hardly stronger than standing",
+        push=0.5,
+        torque_factor=WEAK_TORQUE_FACTOR,
     ),
 }

@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from surefoot.bench.problems.sequence import Sequence
+from surefoot.bench.problems.qp_sequence import QpSequence
 
 MAGIC = b"SFQPSEQ1"
 FIELDS = (
     "wall_ns",
     "cpu_ns",
-    "said",
+    "status",
     "iterations",
     "allocations",
     "primal",
@@ -24,7 +24,7 @@ FIELDS = (
 Records = dict[str, npt.NDArray[np.float64]]
 
 
-def write_raw(sequence: Sequence, path: Path) -> None:
+def write_raw(sequence: QpSequence, path: Path) -> None:
     """Write MAGIC, int64 n, equalities, inequalities, ticks, then H, g, A, b, C, l, u."""
     size = (sequence.g.shape[1], sequence.b.shape[1], sequence.l.shape[1], len(sequence))
     with path.open("wb") as file:

@@ -3,33 +3,32 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterable
-from collections.abc import Sequence as Listed
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from surefoot._core import Error
-from surefoot.bench.machine import describe_machine
-from surefoot.bench.problems.sequence import Sequence
-from surefoot.bench.solvers.build import BASELINE, SOLVERS, Builder
-from surefoot.bench.solvers.figures import ACCEPT, figures
-from surefoot.bench.solvers.process import Work, describe, run_program
+from surefoot.bench.problems.qp_sequence import QpSequence
 from surefoot.bench.solvers.raw_file import Records, write_raw
+from surefoot.bench.solvers.solver_build import BASELINE, SOLVERS, SolverBuilder
+from surefoot.bench.solvers.solver_process import SolverFiles, describe_solver, run_program
+from surefoot.bench.solvers.solver_statistics import ACCEPT_FACTOR, solver_statistics
+from surefoot.system.machine import describe_machine
 
 MODES = ("warm", "cold")
-TOLERANCE, TIGHT = 1e-6, 1e-12
-_OWN = "surefoot"
+TOLERANCE, REFERENCE_TOLERANCE = 1e-6, 1e-12
+_REFERENCE_SOLVER = "surefoot"
 Runs = dict[str, dict[str, list[tuple[Records | None, str | None]]]]
 
 
 def run_solvers(
-    sequences: Iterable[Sequence],
-    solvers: Listed[str] | None = None,
+    sequences: Iterable[QpSequence],
+    solvers: Sequence[str] | None = None,
     repeats: int = 1,
     folder: Path | None = None,
-    extra: Listed[Path] = (),
+    extra: Sequence[Path] = (),
 ) -> dict[str, Any]:
     """Solve every program with every solver, warm and cold, and return the figures as JSON types.
 
@@ -48,48 +47,55 @@ def run_solvers(
     for name in names:
         if name not in known:
             raise Error(f"solvers: got '{name}', expected some of {', '.join(known)}")
-    builder = Builder(folder, extra)
-    programs = {name: builder.program(name) for name in (BASELINE, *names)}
-    own = programs.get(_OWN) or builder.program(_OWN)
-    about = {name: _about(program) for name, program in programs.items()}
-    found = {s.name: _run_sequence(s, programs, own, about, repeats) for s in sequences}
+    builder = SolverBuilder(folder, extra)
+    programs = {name: builder.build(name) for name in (BASELINE, *names)}
+    reference_program = programs.get(_REFERENCE_SOLVER) or builder.build(_REFERENCE_SOLVER)
+    descriptions = {name: _describe(program) for name, program in programs.items()}
+    found = {
+        s.name: _run_sequence(s, programs, reference_program, descriptions, repeats)
+        for s in sequences
+    }
     return {
         "tolerance": TOLERANCE,
-        "accepted": ACCEPT * TOLERANCE,
+        "accepted": ACCEPT_FACTOR * TOLERANCE,
         "repeats": repeats,
         "sequences": found,
         "machine": describe_machine(),
     }
 
 
-def _about(program: Path | str) -> dict[str, str]:
-    return {"reason": program} if isinstance(program, str) else describe(program)
+def _describe(program: Path | str) -> dict[str, str]:
+    return {"reason": program} if isinstance(program, str) else describe_solver(program)
 
 
 def _run_sequence(
-    sequence: Sequence,
+    sequence: QpSequence,
     programs: dict[str, Path | str],
-    own: Path | str,
-    about: dict[str, dict[str, str]],
+    reference_program: Path | str,
+    descriptions: dict[str, dict[str, str]],
     repeats: int,
 ) -> dict[str, Any]:
     ready = {name: path for name, path in programs.items() if isinstance(path, Path)}
     with tempfile.TemporaryDirectory(prefix="surefoot-solvers-") as name:
         folder = Path(name)
         write_raw(sequence, folder / "sequence")
-        work = Work(folder / "sequence", None, len(sequence), folder / "records")
+        work = SolverFiles(folder / "sequence", None, len(sequence), folder / "records")
         reference: float | None = None
-        if isinstance(own, Path):
+        if isinstance(reference_program, Path):
             # Asked for more than rounding leaves it says that it failed; what it has is the best.
-            answers, _ = run_program(own, work, "warm", TIGHT, folder / "answers")
-            reference = None if answers is None else _worst(answers)
-            work = Work(work.sequence, folder / "answers", work.ticks, work.records)
+            answers, _ = run_program(
+                reference_program, work, "warm", REFERENCE_TOLERANCE, folder / "answers"
+            )
+            reference = None if answers is None else _worst_residual(answers)
+            work = SolverFiles(work.sequence, folder / "answers", work.ticks, work.records)
         runs: Runs = {name: {mode: [] for mode in MODES} for name in ready}
         for _ in range(repeats):
             for mode in MODES:
                 for name, path in ready.items():
                     runs[name][mode].append(run_program(path, work, mode, TOLERANCE))
-    entries = {name: {**about[name], **_entry(runs.get(name))} for name in programs}
+    entries = {
+        name: {**descriptions[name], **_statistics_by_mode(runs.get(name))} for name in programs
+    }
     return {
         "ticks": len(sequence),
         "variables": sequence.g.shape[1],
@@ -101,12 +107,14 @@ def _run_sequence(
     }
 
 
-def _worst(records: Records) -> float | None:
+def _worst_residual(records: Records) -> float | None:
     worst = max(float(records[name].max()) for name in ("primal", "dual", "gap"))
     return worst if np.isfinite(worst) else None
 
 
-def _entry(runs: dict[str, list[tuple[Records | None, str | None]]] | None) -> dict[str, Any]:
+def _statistics_by_mode(
+    runs: dict[str, list[tuple[Records | None, str | None]]] | None,
+) -> dict[str, Any]:
     if runs is None:
         return {"warm": None, "cold": None}
     entry: dict[str, Any] = {}
@@ -116,5 +124,5 @@ def _entry(runs: dict[str, list[tuple[Records | None, str | None]]] | None) -> d
         entry[mode] = {"reason": reason}
         if found:
             joined = {name: np.concatenate([r[name] for r in found]) for name in found[0]}
-            entry[mode] |= figures(joined, TOLERANCE)
+            entry[mode] |= solver_statistics(joined, TOLERANCE)
     return entry

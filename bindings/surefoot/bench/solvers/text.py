@@ -6,7 +6,7 @@ from typing import Any
 
 from surefoot.bench.text import machine_line
 
-HEAD: tuple[str, ...] = (
+HEADER: tuple[str, ...] = (
     "[us]",
     "start",
     "p50",
@@ -34,7 +34,7 @@ def solvers_text(result: dict[str, Any]) -> str:
     parts = [machine_line(result["machine"])]
     reasons: dict[str, None] = {}
     for name, sequence in result["sequences"].items():
-        rows = [HEAD]
+        rows = [HEADER]
         entries = {"(nothing)": sequence["baseline"], **sequence["solvers"]}
         for solver, entry in entries.items():
             for mode in ("warm", "cold"):
@@ -57,37 +57,41 @@ def _add_rows(
     if entry.get("reason"):
         reasons[f"{solver}: {entry['reason']}"] = None
         return
-    found = entry[mode]
-    if found["reason"]:
-        reasons[f"{solver} {mode}: {found['reason']}"] = None
-    if "n" in found:
-        rows.append(_row(solver, mode, entry, found, is_baseline=solver == "(nothing)"))
+    mode_statistics = entry[mode]
+    if mode_statistics["reason"]:
+        reasons[f"{solver} {mode}: {mode_statistics['reason']}"] = None
+    if "n" in mode_statistics:
+        rows.append(_row(solver, mode, entry, mode_statistics, is_baseline=solver == "(nothing)"))
 
 
 def _row(
-    solver: str, mode: str, entry: dict[str, Any], found: dict[str, Any], is_baseline: bool
+    solver: str,
+    mode: str,
+    entry: dict[str, Any],
+    mode_statistics: dict[str, Any],
+    is_baseline: bool,
 ) -> tuple[str, ...]:
-    wall, cpu = found["wall_us"], found["cpu_us"]
+    wall, cpu = mode_statistics["wall_us"], mode_statistics["cpu_us"]
     times = [wall["p50"], wall["p99"], wall["max"], cpu["p50"], cpu["p99"]]
     numbers = ["-" if value is None else f"{value:.2f}" for value in times]
     if is_baseline:
         return (solver, mode, *numbers, *["-"] * 6, entry["interface"])
     counts = ("failures", "no_status", "wrong", "said_solved_but_wrong")
-    steps, mallocs = found["iterations"]["mean"], found["allocations"]["mean"]
+    steps, mallocs = mode_statistics["iterations"]["mean"], mode_statistics["allocations"]["mean"]
     return (
         solver,
         mode,
         *numbers,
         "-" if steps is None else f"{steps:.1f}",
         "-" if mallocs is None else f"{mallocs:.1f}",
-        *(str(found[name]) for name in counts),
+        *(str(mode_statistics[name]) for name in counts),
         entry["interface"],
     )
 
 
 def _align(rows: list[tuple[str, ...]]) -> list[str]:
-    widths = [max(len(row[k]) for row in rows) for k in range(len(HEAD))]
-    ends = (0, 1, len(HEAD) - 1)
+    widths = [max(len(row[k]) for row in rows) for k in range(len(HEADER))]
+    ends = (0, 1, len(HEADER) - 1)
     return [
         "  ".join(
             cell.ljust(width) if k in ends else cell.rjust(width)

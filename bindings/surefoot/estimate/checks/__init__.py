@@ -7,13 +7,13 @@ doubtful is a warning.
 from __future__ import annotations
 
 from surefoot._core import Robot
-from surefoot.estimate.checks.evidence import cut_windows
 from surefoot.estimate.checks.imu import check_accelerometer, check_gyroscope
 from surefoot.estimate.checks.joints import check_angles, check_velocities
-from surefoot.estimate.checks.legs import check_legs
+from surefoot.estimate.checks.leg_order import check_legs
 from surefoot.estimate.checks.quaternion import check_quaternion
 from surefoot.estimate.checks.torques import check_torques
-from surefoot.estimate.sensor_log import SensorLog
+from surefoot.estimate.checks.windows import cut_windows
+from surefoot.sensor_log.sensor_log import SensorLog
 
 __all__ = ["check_log"]
 

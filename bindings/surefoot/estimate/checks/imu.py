@@ -5,21 +5,21 @@ from __future__ import annotations
 import numpy as np
 
 from surefoot._core import Error, Robot
-from surefoot.estimate.checks.evidence import (
-    DEGREES,
-    ENOUGH,
-    TURN,
+from surefoot.estimate.checks.quaternion import quaternion_rotations
+from surefoot.estimate.checks.windows import (
+    DEG_PER_RAD,
+    MIN_ROTATION,
+    MIN_WINDOWS,
     Windows,
     finite_median,
     unit_rows,
 )
-from surefoot.estimate.checks.quaternion import quaternion_turns
-from surefoot.estimate.sensor_log import SensorLog
-from surefoot.row_rotations import Array, matrices_from_xyzw
+from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
+from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-FULL_SCALE = 36.0  # [rad/s] gyroscopes end at 2000 deg/s
-TILTED = 0.05  # [rad] turn of what the accelerometer feels that counts as one
+GYRO_FULL_SCALE = 36.0  # [rad/s] gyroscopes end at 2000 deg/s
+MIN_TILT = 0.05  # [rad] turn of what the accelerometer feels that counts as one
 
 
 def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
@@ -47,47 +47,49 @@ def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
     """Compare the gyroscope with the turns of quaternion or of gravity; raises Error."""
     size = np.linalg.norm(log.columns["gyroscope"], axis=1)
     size = size[np.isfinite(size)]
-    if len(size) and np.percentile(size, 99.0) > FULL_SCALE:
+    if len(size) and np.percentile(size, 99.0) > GYRO_FULL_SCALE:
         raise Error(
             f"{log.source}: column 'gyroscope': got {np.percentile(size, 99.0):.3g} and more in "
-            f"1 % of the rows, expected up to {FULL_SCALE:g} rad/s: it seems to be in deg/s"
+            f"1 % of the rows, expected up to {GYRO_FULL_SCALE:g} rad/s: it seems to be in deg/s"
         )
     if len(windows) == 0:
         return []
-    turns = quaternion_turns(log, windows)
+    turns = quaternion_rotations(log, windows)
     if turns is not None:
-        return _compare(log, windows.turned, turns, TURN, "quaternion")
-    return _compare(log, *_tilts(windows), TILTED, "accelerometer")
+        return _compare(log, windows.gyro_rotation, turns, MIN_ROTATION, "quaternion")
+    return _compare(log, *_tilt_rotations(windows), MIN_TILT, "accelerometer")
 
 
-def _tilts(windows: Windows) -> tuple[Array, Array]:
+def _tilt_rotations(windows: Windows) -> tuple[Array, Array]:
     """Return how the gyroscope, and how gravity in the accelerometer, tilted over 0.5 s."""
     span = 5
     if len(windows) <= span:
         return np.zeros((0, 3)), np.zeros((0, 3))
-    up = unit_rows(windows.felt)
-    total = np.cumsum(windows.turned, axis=0)
+    up = unit_rows(windows.mean_acceleration)
+    total = np.cumsum(windows.gyro_rotation, axis=0)
     turned = total[span:] - total[:-span]
     axis = up[span:]
     turned = turned - axis * np.sum(axis * turned, axis=1, keepdims=True)  # yaw is not felt
     return turned, np.cross(up[:-span], up[span:])
 
 
-def _compare(log: SensorLog, turned: Array, turns: Array, least: float, other: str) -> list[str]:
+def _compare(
+    log: SensorLog, turned: Array, turns: Array, threshold: float, other: str
+) -> list[str]:
     size = np.linalg.norm(turns, axis=1)
-    told = size > least
-    still = np.linalg.norm(turned[~told], axis=1)
-    if told.sum() >= ENOUGH:
-        ratio = float(np.median(np.linalg.norm(turned[told], axis=1) / size[told]))
-        if 0.5 * DEGREES < ratio < 2.0 * DEGREES:
+    rotating = size > threshold
+    gyro_while_still = np.linalg.norm(turned[~rotating], axis=1)
+    if rotating.sum() >= MIN_WINDOWS:
+        ratio = float(np.median(np.linalg.norm(turned[rotating], axis=1) / size[rotating]))
+        if 0.5 * DEG_PER_RAD < ratio < 2.0 * DEG_PER_RAD:
             raise Error(
                 f"{log.source}: column 'gyroscope': got turns of {ratio:.1f} times those of the "
                 f"{other}, expected rad/s: it seems to be in deg/s"
             )
         if not 0.5 < ratio < 2.0:
             return [f"gyroscope turns {ratio:.2g} times as far as the {other}"]
-    elif len(still) >= ENOUGH and np.median(still) > 3.0 * least:
-        rate = float(np.median(still))
+    elif len(gyro_while_still) >= MIN_WINDOWS and np.median(gyro_while_still) > 3.0 * threshold:
+        rate = float(np.median(gyro_while_still))
         return [
             f"gyroscope turns by {rate:.2g} rad at a time while the {other} stands still: a bias, "
             "or deg/s?"

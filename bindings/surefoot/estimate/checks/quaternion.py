@@ -5,19 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from surefoot._core import Error
-from surefoot.estimate.checks.evidence import (
-    ENOUGH,
+from surefoot.estimate.checks.windows import (
+    MIN_WINDOWS,
     Windows,
     angles_between,
     unit_rows,
 )
-from surefoot.estimate.sensor_log import SensorLog
-from surefoot.row_rotations import Array, matrices_from_xyzw, rotation_vectors
+from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rotation_vectors
+from surefoot.sensor_log.sensor_log import SensorLog
 
-WRONG, RIGHT = 20.0, 10.0  # [deg] between two verticals
-UNLIKE, ALIKE = 0.5, 0.15  # squared error of turns, of their size
-_TURN = 0.01  # [rad] in a window: a tenth of a rad/s, which no bias hides
-_SPOILED = 0.1  # of unit length
+WRONG_TILT, RIGHT_TILT = 20.0, 10.0  # [deg] between two verticals
+WRONG_ROTATION_ERROR, RIGHT_ROTATION_ERROR = 0.5, 0.15  # squared error of turns, of their size
+_MIN_ROTATION = 0.01  # [rad] in a window: a tenth of a rad/s, which no bias hides
+_NORM_TOLERANCE = 0.1  # of unit length
 
 
 def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
@@ -31,12 +31,12 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
         return []
     first, second = (log.columns["quaternion"][rows] for rows in (windows.start, windows.end))
     lengths = np.linalg.norm(np.stack([first, second]), axis=2)
-    unit = (np.abs(lengths - 1.0) < _SPOILED).all(axis=0)
+    unit = (np.abs(lengths - 1.0) < _NORM_TOLERANCE).all(axis=0)
     if not unit.any():
         # All zeros is how a dead field looks: the estimator's own verdict says so.
         return [] if np.all(lengths == 0.0) else ["quaternion is far from unit length"]
     first, second = first[unit], second[unit]
-    up, turned = unit_rows(windows.felt[unit]), windows.turned[unit]
+    up, turned = unit_rows(windows.mean_acceleration[unit]), windows.gyro_rotation[unit]
     readings = {
         "w x y z": (first[:, [1, 2, 3, 0]], second[:, [1, 2, 3, 0]]),
         "x y z w": (first, second),
@@ -47,15 +47,21 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
     }
     scores = {name: _score(*pair, up, turned) for name, pair in readings.items()}
     tilt, error = scores.pop("w x y z")
-    if tilt > 180.0 - RIGHT and not error > UNLIKE:
+    if tilt > 180.0 - RIGHT_TILT and not error > WRONG_ROTATION_ERROR:
         raise Error(
             f"{log.source}: column 'accelerometer': got a vertical {tilt:.0f} deg from the "
             "quaternion's, whose turns are the gyroscope's, expected the specific force: + g "
             "upwards at rest"
         )
     for name, (other_tilt, other_error) in scores.items():
-        by_gravity = tilt > WRONG and other_tilt < RIGHT and not other_error > UNLIKE
-        by_turns = error > UNLIKE and other_error < ALIKE and other_tilt < WRONG
+        by_gravity = (
+            tilt > WRONG_TILT and other_tilt < RIGHT_TILT and not other_error > WRONG_ROTATION_ERROR
+        )
+        by_turns = (
+            error > WRONG_ROTATION_ERROR
+            and other_error < RIGHT_ROTATION_ERROR
+            and other_tilt < WRONG_TILT
+        )
         if by_gravity or by_turns:
             what = (
                 f"a vertical {tilt:.0f} deg from the accelerometer's"
@@ -66,10 +72,10 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
                 f"{log.source}: column 'quaternion': got {what}, expected w x y z, IMU to world; "
                 f"it fits if read as {name}"
             )
-    return _doubts(tilt, error, first)
+    return _warnings(tilt, error, first)
 
 
-def quaternion_turns(log: SensorLog, windows: Windows) -> Array | None:
+def quaternion_rotations(log: SensorLog, windows: Windows) -> Array | None:
     """Return the turn in each window (w, 3) [rad]; None without a quaternion of unit length."""
     if "quaternion" not in log.columns:
         return None
@@ -77,16 +83,16 @@ def quaternion_turns(log: SensorLog, windows: Windows) -> Array | None:
         log.columns["quaternion"][rows][:, [1, 2, 3, 0]] for rows in (windows.start, windows.end)
     ]
     lengths = np.linalg.norm(np.stack(pair), axis=2)
-    if not np.all(np.abs(lengths - 1.0) < _SPOILED):
+    if not np.all(np.abs(lengths - 1.0) < _NORM_TOLERANCE):
         return None
-    return _turns(*pair)
+    return _rotations(*pair)
 
 
 def _inverse(wxyz: Array) -> Array:
     return np.asarray(wxyz[:, [1, 2, 3, 0]] * [-1.0, -1.0, -1.0, 1.0])
 
 
-def _turns(first: Array, second: Array) -> Array:
+def _rotations(first: Array, second: Array) -> Array:
     """Return the rotation vectors between quaternions x y z w, in the first's own axes."""
     R = np.swapaxes(matrices_from_xyzw(first), 1, 2) @ matrices_from_xyzw(second)
     return rotation_vectors(R)
@@ -95,19 +101,19 @@ def _turns(first: Array, second: Array) -> Array:
 def _score(first: Array, second: Array, up: Array, turned: Array) -> tuple[float, float]:
     """Return the median angle of the verticals [deg] and the error of turns; NaN: cannot tell."""
     tilt = float(np.median(angles_between(matrices_from_xyzw(first)[:, 2, :], up)))
-    told = np.linalg.norm(turned, axis=1) > _TURN
-    if told.sum() < ENOUGH:
+    rotating = np.linalg.norm(turned, axis=1) > _MIN_ROTATION
+    if rotating.sum() < MIN_WINDOWS:
         return tilt, float("nan")
-    missed = np.sum((_turns(first, second)[told] - turned[told]) ** 2)
-    return tilt, float(missed / np.sum(turned[told] ** 2))
+    squared_error = np.sum((_rotations(first, second)[rotating] - turned[rotating]) ** 2)
+    return tilt, float(squared_error / np.sum(turned[rotating] ** 2))
 
 
-def _doubts(tilt: float, error: float, wxyz: Array) -> list[str]:
+def _warnings(tilt: float, error: float, wxyz: Array) -> list[str]:
     doubts = []
-    if tilt > WRONG:
+    if tilt > WRONG_TILT:
         doubts.append(f"quaternion's vertical is {tilt:.0f} deg from the accelerometer's")
-    elif not error < UNLIKE and abs(wxyz[0, 0]) < 0.1 and abs(wxyz[0, 3]) > 0.99:
+    elif not error < WRONG_ROTATION_ERROR and abs(wxyz[0, 0]) < 0.1 and abs(wxyz[0, 3]) > 0.99:
         doubts.append("quaternion begins as 0 0 0 1: a heading of 180 deg, or order x y z w?")
-    if error > UNLIKE:
+    if error > WRONG_ROTATION_ERROR:
         doubts.append("quaternion's turns are not the gyroscope's")
     return doubts

@@ -6,14 +6,14 @@ import numpy as np
 import numpy.typing as npt
 
 from surefoot._core import Error, Robot
-from surefoot.estimate.checks.evidence import finite_median
-from surefoot.estimate.sensor_log import SensorLog
-from surefoot.low_state_layout import LEGS
-from surefoot.row_rotations import Array
+from surefoot.estimate.checks.windows import finite_median
+from surefoot.geometry.batch_rotations import Array
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-PULLS = -0.3  # of a leg's share of the weight
-BEARS = 0.3
+MAX_PULLING_SHARE = -0.3  # of a leg's share of the weight
+MIN_LOADED_SHARE = 0.3
 
 
 def check_torques(robot: Robot, log: SensorLog) -> list[str]:
@@ -24,25 +24,25 @@ def check_torques(robot: Robot, log: SensorLog) -> list[str]:
     """
     if "tauEst" not in log.columns:
         return []
-    share = finite_median(log.columns["tauEst"])[2::3] / _carrying(robot, log)[2::3]
-    if np.all(share < PULLS):
+    share = finite_median(log.columns["tauEst"])[2::3] / _standing_torques(robot, log)[2::3]
+    if np.all(share < MAX_PULLING_SHARE):
         raise Error(
             f"{log.source}: column 'tauEst': got calf torques (median) of {np.mean(share):.2f} "
             "times those that carry the robot, expected their sign"
         )
-    pulling = [leg for leg, value in zip(LEGS, share, strict=True) if value < PULLS]
+    pulling = [leg for leg, value in zip(LEGS, share, strict=True) if value < MAX_PULLING_SHARE]
     return [f"tauEst of {', '.join(pulling)} pulls the ground up most of the time"] * bool(pulling)
 
 
-def bears_weight(robot: Robot, log: SensorLog, rows: npt.NDArray[np.int64]) -> bool:
+def feet_are_loaded(robot: Robot, log: SensorLog, rows: npt.NDArray[np.int64]) -> bool:
     """Return whether in most of some rows all calf torques tell that feet bear weight."""
     if "tauEst" not in log.columns:
         return False
-    share = finite_median(log.columns["tauEst"][rows])[2::3] / _carrying(robot, log)[2::3]
-    return bool(np.all(share > BEARS))
+    share = finite_median(log.columns["tauEst"][rows])[2::3] / _standing_torques(robot, log)[2::3]
+    return bool(np.all(share > MIN_LOADED_SHARE))
 
 
-def _carrying(robot: Robot, log: SensorLog) -> Array:
+def _standing_torques(robot: Robot, log: SensorLog) -> Array:
     """Return the torques (12,) [N.m] of a level robot at rest on four equally loaded feet."""
     import pinocchio
 

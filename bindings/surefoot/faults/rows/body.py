@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from surefoot.faults import setup_faults as setup
-from surefoot.faults.case import STANDING, UP, Row, case
-from surefoot.faults.reaction import WATCH, as_table, damp, refuse
-from surefoot.faults.world_faults import Hand, Shove
+from surefoot.faults.case import OFF_GROUND_MODES, STANDING_MODES, Row, case
+from surefoot.faults.expectation import WATCH, expect_damp, expect_refusal, table_expectation
+from surefoot.faults.kinds import initial_faults as setup
+from surefoot.faults.kinds.world_faults import LiftFault, PushFault
 
 RISING, LYING = ("rising",), ("lying",)
-DOWN = damp(as_table("tilt").within)  # a shove may trip the power protection before it tilts it
+FALL = expect_damp(
+    table_expectation("tilt").within
+)  # a shove may trip the power protection before it tilts it
 LANDING_LEVEL = 10  # of the power protection: a landing takes power
 
 MODEL = (
@@ -16,13 +18,19 @@ MODEL = (
         "model_mismatch",
         "mass or centre of mass are not the model's",
         (
-            case("wrong", "10 % more mass", lambda: setup.Loaded(0.1), WATCH, modes=UP),
+            case(
+                "wrong",
+                "10 % more mass",
+                lambda: setup.UnknownPayload(0.1),
+                WATCH,
+                modes=OFF_GROUND_MODES,
+            ),
             case(
                 "wrong",
                 "10 % more mass, 10 cm to the rear",
-                lambda: setup.Loaded(0.1, -0.1),
+                lambda: setup.UnknownPayload(0.1, -0.1),
                 WATCH,
-                modes=UP,
+                modes=OFF_GROUND_MODES,
             ),
         ),
     ),
@@ -30,8 +38,20 @@ MODEL = (
         "ground",
         "the ground is softer or more slippery than modelled",
         (
-            case("wrong", "friction 0.4", lambda: setup.Around(friction=0.4), WATCH, modes=UP),
-            case("wrong", "feet sink by 1 cm", lambda: setup.Around(sink=0.01), WATCH, modes=UP),
+            case(
+                "wrong",
+                "friction 0.4",
+                lambda: setup.ChangedSurroundings(friction=0.4),
+                WATCH,
+                modes=OFF_GROUND_MODES,
+            ),
+            case(
+                "wrong",
+                "feet sink by 1 cm",
+                lambda: setup.ChangedSurroundings(sink=0.01),
+                WATCH,
+                modes=OFF_GROUND_MODES,
+            ),
         ),
     ),
     Row(
@@ -41,8 +61,8 @@ MODEL = (
             case(
                 "wrong",
                 "15 % of its mass, 10 % allowed",
-                lambda: setup.Loaded(0.15, limit=0.1),
-                as_table("payload", 7.0),
+                lambda: setup.UnknownPayload(0.15, limit=0.1),
+                table_expectation("payload", 7.0),
                 modes=RISING,
             ),
         ),
@@ -54,8 +74,8 @@ MODEL = (
             case(
                 "wrong",
                 "feet in the air",
-                lambda: setup.Around(hung=True),
-                as_table("hanging", 6.0),
+                lambda: setup.ChangedSurroundings(hung=True),
+                table_expectation("hanging", 6.0),
                 modes=RISING,
             ),
         ),
@@ -64,13 +84,15 @@ MODEL = (
         "unknown_pose",
         "it starts from a pose that it should not",
         (
-            case("wrong", "it stands, held by its motors", setup.Standing, WATCH, modes=RISING),
+            case(
+                "wrong", "it stands, held by its motors", setup.StartsStanding, WATCH, modes=RISING
+            ),
             case(
                 "wrong",
                 "it says that it lies at 35 degrees",
-                setup.steep,
+                setup.reported_slope,
                 WATCH,
-                refuse(0.5),
+                expect_refusal(0.5),
                 None,
                 LYING,
             ),
@@ -85,9 +107,9 @@ FALLS = (
             case(
                 "wrong",
                 "it is rolled over",
-                lambda: Shove(4.0, 1.0, until_down=True),
-                DOWN,
-                modes=UP,
+                lambda: PushFault(4.0, 1.0, until_down=True),
+                FALL,
+                modes=OFF_GROUND_MODES,
             ),
         ),
     ),
@@ -98,9 +120,9 @@ FALLS = (
             case(
                 "wrong",
                 "a push of twice what it survives",
-                lambda: Shove(2.0, 0.0, until_down=True),
-                DOWN,
-                modes=STANDING,
+                lambda: PushFault(2.0, 0.0, until_down=True),
+                FALL,
+                modes=STANDING_MODES,
             ),
         ),
     ),
@@ -111,15 +133,15 @@ FALLS = (
             case(
                 "wrong",
                 "by 10 cm for a second",
-                lambda: Hand("trunk", 0.1, 1.0, 0.3),
-                as_table("lifted", 0.3),
-                modes=STANDING,
+                lambda: LiftFault("trunk", 0.1, 1.0, 0.3),
+                table_expectation("lifted", 0.3),
+                modes=STANDING_MODES,
                 level=LANDING_LEVEL,
             ),
             case(
                 "wrong",
                 "by 10 cm while it rises",
-                lambda: Hand("trunk", 0.1, 1.0, 0.3),
+                lambda: LiftFault("trunk", 0.1, 1.0, 0.3),
                 WATCH,
                 modes=RISING,
                 level=LANDING_LEVEL,
@@ -133,8 +155,8 @@ FALLS = (
             case(
                 "wrong",
                 "from 10 cm",
-                lambda: Hand("trunk", 0.1, 0.6),
-                as_table("lifted", 0.3),
+                lambda: LiftFault("trunk", 0.1, 0.6),
+                table_expectation("lifted", 0.3),
                 modes=("standing",),
                 level=LANDING_LEVEL,
             ),

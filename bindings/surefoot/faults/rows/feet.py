@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from surefoot.faults import injections as inject
-from surefoot.faults.case import STANDING, Row, case
-from surefoot.faults.fault import Fault, Together
-from surefoot.faults.reaction import WATCH, as_table
-from surefoot.faults.signals import Signal
-from surefoot.faults.world_faults import Hand, Living
+from surefoot.faults.case import STANDING_MODES, Row, case
+from surefoot.faults.expectation import WATCH, table_expectation
+from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds.fault import CombinedFault, Fault
+from surefoot.faults.kinds.signals import SignalFault
+from surefoot.faults.kinds.world_faults import LiftFault, WorkingFootSensors
 
-NO_FORCE = as_table("foot_force")
-some = inject.intermittent
+NO_FORCE = table_expectation("foot_force")
+intermittent = inject.intermittent
 
 
 def _feet(change: inject.Change, change_raw: inject.Change, foot: int | None = None) -> Fault:
-    return Together(
-        Living(), Signal("footForceEst", change, foot), Signal("footForce", change_raw, foot)
+    return CombinedFault(
+        WorkingFootSensors(),
+        SignalFault("footForceEst", change, foot),
+        SignalFault("footForce", change_raw, foot),
     )
 
 
@@ -62,7 +64,7 @@ ROWS = (
             case(
                 "intermittent",
                 "all zero in 1 report of 3",
-                lambda: _feet(some(inject.off, 3), some(inject.off, 3)),
+                lambda: _feet(intermittent(inject.off, 3), intermittent(inject.off, 3)),
                 WATCH,
                 WATCH,
             ),
@@ -78,14 +80,16 @@ ROWS = (
             case(
                 "wrong",
                 "a foot that a hand lifts by 2 cm says 60 N",
-                lambda: Together(_foot_at_60(), Hand("FR", 0.02, 0.4)),
+                lambda: CombinedFault(_foot_at_60(), LiftFault("FR", 0.02, 0.4)),
                 WATCH,
-                modes=STANDING,
+                modes=STANDING_MODES,
             ),
             case(
                 "garbage",
                 "a foot says zero or 60 N by turns",
-                lambda: Together(_foot_at_60(), _feet(*2 * (some(inject.off, 20, 10),), 0)),
+                lambda: CombinedFault(
+                    _foot_at_60(), _feet(*2 * (intermittent(inject.off, 20, 10),), 0)
+                ),
                 WATCH,
                 lying=WATCH,
             ),

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from surefoot.faults.case import Row, case
-from surefoot.faults.fault import Fault
-from surefoot.faults.link_faults import Link
-from surefoot.faults.reaction import WATCH
+from surefoot.faults.expectation import WATCH
+from surefoot.faults.kinds.fault import Fault
+from surefoot.faults.kinds.link_faults import LinkFault
 
 ROWS = (
     Row(
@@ -13,11 +13,11 @@ ROWS = (
         "nothing: the control",
         (
             case("off", "nothing", Fault, WATCH, WATCH),
-            case("off", "nothing, through frames", lambda: Link(_as_it_is), WATCH, WATCH),
+            case("off", "nothing, through frames", lambda: LinkFault(_unchanged), WATCH, WATCH),
         ),
     ),
 )
 
 
-def _as_it_is(frame: bytes, k: int) -> list[bytes]:
+def _unchanged(frame: bytes, k: int) -> list[bytes]:
     return [frame]

@@ -2,39 +2,39 @@
 
 from __future__ import annotations
 
-from surefoot.faults import injections as inject
 from surefoot.faults.case import Row, case
-from surefoot.faults.fault import Fault, Together
-from surefoot.faults.reaction import WATCH, as_table, refuse, sits
-from surefoot.faults.signals import Signal
+from surefoot.faults.expectation import WATCH, expect_refusal, expect_sit, table_expectation
+from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds.fault import CombinedFault, Fault
+from surefoot.faults.kinds.signals import SignalFault
 
-RISE = 6.0  # [s] what is seen while standing may wait so long
-NO_RATE, NO_RATE_LATER = as_table("gyroscope"), as_table("gyroscope", RISE)
-NO_ACCELERATION = as_table("accelerometer")
-NOTHING_TO_BEGIN_WITH = sits("accelerometer", RISE)
-SLOW_REFUSAL = refuse(0.5)  # of what is averaged
-some = inject.intermittent
-
-
-def _gyroscope(x: float) -> Signal:
-    return Signal("gyroscope", inject.offset([x, 0.0, 0.0]))
+RISE_TIME = 6.0  # [s] what is seen while standing may wait so long
+NO_RATE, NO_RATE_LATER = table_expectation("gyroscope"), table_expectation("gyroscope", RISE_TIME)
+NO_ACCELERATION = table_expectation("accelerometer")
+NO_INITIAL_ACCELERATION = expect_sit("accelerometer", RISE_TIME)
+SLOW_REFUSAL = expect_refusal(0.5)  # of what is averaged
+intermittent = inject.intermittent
 
 
-def _accelerometer(x: float, z: float) -> Signal:
-    return Signal("accelerometer", inject.offset([x, 0.0, z]))
+def _gyroscope(x: float) -> SignalFault:
+    return SignalFault("gyroscope", inject.offset([x, 0.0, 0.0]))
+
+
+def _accelerometer(x: float, z: float) -> SignalFault:
+    return SignalFault("accelerometer", inject.offset([x, 0.0, z]))
 
 
 def _dead_imu(change: inject.Change) -> Fault:
-    return Together(Signal("gyroscope", change), Signal("accelerometer", change))
+    return CombinedFault(SignalFault("gyroscope", change), SignalFault("accelerometer", change))
 
 
 def _frozen_imu() -> list[Fault]:
     names = ("gyroscope", "accelerometer", "quaternion")
-    return [Signal(name, inject.stuck()) for name in names]
+    return [SignalFault(name, inject.stuck()) for name in names]
 
 
 def _late_imu() -> list[Fault]:
-    return [Signal(name, inject.delayed(5)) for name in ("gyroscope", "accelerometer")]
+    return [SignalFault(name, inject.delayed(5)) for name in ("gyroscope", "accelerometer")]
 
 
 ROWS = (
@@ -62,10 +62,10 @@ ROWS = (
             case(
                 "slow",
                 "the gyroscope drifts by 0.02 rad/s every second",
-                lambda: Signal("gyroscope", inject.drifting(4e-5)),
-                as_table("gyroscope", 3.0),
+                lambda: SignalFault("gyroscope", inject.drifting(4e-5)),
+                table_expectation("gyroscope", 3.0),
                 WATCH,
-                rising=as_table("gyroscope", 3.0 + RISE),
+                rising=table_expectation("gyroscope", 3.0 + RISE_TIME),
             ),
         ),
     ),
@@ -83,52 +83,52 @@ ROWS = (
             case(
                 "stuck",
                 "rates and accelerations frozen",
-                lambda: Together(*_frozen_imu()),
+                lambda: CombinedFault(*_frozen_imu()),
                 NO_RATE,
                 rising=NO_RATE_LATER,
-                lying=refuse(0.1),
+                lying=expect_refusal(0.1),
             ),
             case(
                 "wrong",
                 "a rate saturated at 34.9 rad/s",
-                lambda: Signal("gyroscope", inject.constant(34.9), 0),
+                lambda: SignalFault("gyroscope", inject.constant(34.9), 0),
                 NO_RATE,
                 rising=NO_RATE_LATER,
-                lying=refuse(0.1),
+                lying=expect_refusal(0.1),
             ),
             case(
                 "garbage",
                 "rates anything up to 10 rad/s",
-                lambda: Signal("gyroscope", inject.garbage(10.0)),
-                as_table("attitude"),
+                lambda: SignalFault("gyroscope", inject.garbage(10.0)),
+                table_expectation("attitude"),
                 SLOW_REFUSAL,
             ),
             case(
                 "off",
                 "accelerations zero",
-                lambda: Signal("accelerometer", inject.off),
+                lambda: SignalFault("accelerometer", inject.off),
                 NO_ACCELERATION,
-                rising=NOTHING_TO_BEGIN_WITH,
+                rising=NO_INITIAL_ACCELERATION,
             ),
             case(
                 "stuck",
                 "accelerations frozen",
-                lambda: Signal("accelerometer", inject.stuck()),
+                lambda: SignalFault("accelerometer", inject.stuck()),
                 NO_ACCELERATION,
                 WATCH,
-                NOTHING_TO_BEGIN_WITH,
+                NO_INITIAL_ACCELERATION,
             ),
             case(
                 "delayed",
                 "rates and accelerations by 10 ms",
-                lambda: Together(*_late_imu()),
+                lambda: CombinedFault(*_late_imu()),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
                 "rates zero for 20 ms of every 200",
-                lambda: Signal("gyroscope", some(inject.off, 100, 10)),
+                lambda: SignalFault("gyroscope", intermittent(inject.off, 100, 10)),
                 WATCH,
                 None,
             ),
@@ -143,7 +143,9 @@ ROWS = (
             case(
                 "intermittent",
                 "a rate 20 rad/s too high for 10 ms of every second",
-                lambda: Signal("gyroscope", some(inject.offset([20.0, 0.0, 0.0]), 500, 5)),
+                lambda: SignalFault(
+                    "gyroscope", intermittent(inject.offset([20.0, 0.0, 0.0]), 500, 5)
+                ),
                 WATCH,
                 None,
             ),

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from surefoot.faults import injections as inject
 from surefoot.faults.case import Row, case
-from surefoot.faults.joint_faults import Outside
-from surefoot.faults.reaction import WATCH, as_table
-from surefoot.faults.signals import Signal
+from surefoot.faults.expectation import WATCH, table_expectation
+from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds.joint_faults import JointOutsideLimits
+from surefoot.faults.kinds.signals import SignalFault
 
 KNEE = 5  # FL_2
-some = inject.intermittent
+intermittent = inject.intermittent
 
 ROWS = (
     Row(
@@ -19,13 +19,13 @@ ROWS = (
             case(
                 "wrong",
                 "a knee says 0.3 rad beyond its stop",
-                lambda: Outside(0.3, KNEE, True),
-                as_table("joint_jump"),
+                lambda: JointOutsideLimits(0.3, KNEE, True),
+                table_expectation("joint_jump"),
             ),
             case(
                 "intermittent",
                 "a knee says 0.3 rad beyond its stop in 1 report of 25",
-                lambda: Outside(0.3, KNEE, True, 25),
+                lambda: JointOutsideLimits(0.3, KNEE, True, 25),
                 WATCH,
             ),
         ),
@@ -37,28 +37,28 @@ ROWS = (
             case(
                 "wrong",
                 "a knee says 100 rad/s",
-                lambda: Signal("dq", inject.constant(100.0), KNEE),
-                as_table("state_implausible"),
+                lambda: SignalFault("dq", inject.constant(100.0), KNEE),
+                table_expectation("state_implausible"),
             ),
-            case("off", "a knee says 0", lambda: Signal("dq", inject.off, KNEE), WATCH, WATCH),
+            case("off", "a knee says 0", lambda: SignalFault("dq", inject.off, KNEE), WATCH, WATCH),
             case(
                 "garbage",
                 "noise of 1 rad/s on all",
-                lambda: Signal("dq", inject.noise(1.0)),
+                lambda: SignalFault("dq", inject.noise(1.0)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "delayed",
                 "all by 10 ms",
-                lambda: Signal("dq", inject.delayed(5)),
+                lambda: SignalFault("dq", inject.delayed(5)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
                 "a knee says 25 rad/s in 1 report of 25",
-                lambda: Signal("dq", some(inject.constant(25.0), 25), KNEE),
+                lambda: SignalFault("dq", intermittent(inject.constant(25.0), 25), KNEE),
                 WATCH,
                 None,
             ),

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from surefoot.faults import clock_faults as clock
-from surefoot.faults import link_faults as link
 from surefoot.faults.case import Row, case
-from surefoot.faults.fault import Fault
-from surefoot.faults.reaction import WATCH, as_table, refuse, unless
+from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation, watch_unless
+from surefoot.faults.kinds import clock_faults as clock
+from surefoot.faults.kinds import link_faults as link
+from surefoot.faults.kinds.fault import Fault
 
-STALE = as_table("stale_tick")
-SLOW = refuse(0.5)  # until 1 % of the reports is missing
+STALE = table_expectation("stale_tick")
+SLOW = expect_refusal(0.5)  # until 1 % of the reports is missing
 
 
 def _suspended() -> Fault:
-    return clock.Suspended(250)
+    return clock.ProgramSuspended(250)
 
 
 LINK = (
@@ -21,12 +21,17 @@ LINK = (
         "stale_tick",
         "reports stand still",
         (
-            case("stuck", "the same frame for ever", lambda: link.Link(link.repeated()), STALE),
-            case("wrong", "new data, the same tick", lambda: clock.Frozen(), STALE),
+            case(
+                "stuck",
+                "the same frame for ever",
+                lambda: link.LinkFault(link.frozen_frame()),
+                STALE,
+            ),
+            case("wrong", "new data, the same tick", lambda: clock.FrozenTick(), STALE),
             case(
                 "intermittent",
                 "3 frames of 50 are the one before",
-                lambda: link.Link(link.now_and_then(link.silence, 50, 3)),
+                lambda: link.LinkFault(link.intermittent(link.no_frame, 50, 3)),
                 WATCH,
             ),
         ),
@@ -35,13 +40,30 @@ LINK = (
         "reordered_tick",
         "frames arrive twice, late or in another order",
         (
-            case("garbage", "each arrives twice", lambda: link.Link(link.twice), WATCH, WATCH),
             case(
-                "intermittent", "1 of 25 is overtaken", lambda: link.Link(link.swapped(25)), WATCH
+                "garbage",
+                "each arrives twice",
+                lambda: link.LinkFault(link.duplicated),
+                WATCH,
+                WATCH,
             ),
-            case("delayed", "1 of 25 is 6 ms late", lambda: link.Link(link.late(3, 25)), WATCH),
             case(
-                "wrong", "the robot begins anew at 0", lambda: clock.Tick(clock.restarted()), STALE
+                "intermittent",
+                "1 of 25 is overtaken",
+                lambda: link.LinkFault(link.swapped(25)),
+                WATCH,
+            ),
+            case(
+                "delayed",
+                "1 of 25 is 6 ms late",
+                lambda: link.LinkFault(link.delayed(3, 25)),
+                WATCH,
+            ),
+            case(
+                "wrong",
+                "the robot begins anew at 0",
+                lambda: clock.TickFault(clock.restarted_clock()),
+                STALE,
             ),
         ),
     ),
@@ -49,28 +71,34 @@ LINK = (
         "tick_wrap",
         "the robot's clock overflows",
         (
-            case("wrong", "32 bits", lambda: clock.Wrap(32), WATCH, WATCH),
-            case("wrong", "31 bits", lambda: clock.Wrap(31), WATCH, WATCH),
+            case("wrong", "32 bits", lambda: clock.TickOverflow(32), WATCH, WATCH),
+            case("wrong", "31 bits", lambda: clock.TickOverflow(31), WATCH, WATCH),
         ),
     ),
     Row(
         "tick_jump",
         "the robot's clock jumps, or goes at another speed",
         (
-            case("wrong", "50 ms ahead", lambda: clock.Tick(lambda t, k: t + 50), WATCH, None),
-            case("slow", "half as fast", lambda: clock.Tick(clock.at_speed(1)), WATCH, WATCH),
+            case("wrong", "50 ms ahead", lambda: clock.TickFault(lambda t, k: t + 50), WATCH, None),
+            case(
+                "slow",
+                "half as fast",
+                lambda: clock.TickFault(clock.clock_at_speed(1)),
+                WATCH,
+                WATCH,
+            ),
             case(
                 "wrong",
                 "twice as fast",
-                lambda: clock.Tick(clock.at_speed(4)),
-                unless("clock"),
+                lambda: clock.TickFault(clock.clock_at_speed(4)),
+                watch_unless("clock"),
                 None,
-                rising=as_table("clock"),
+                rising=table_expectation("clock"),
             ),
             case(
                 "intermittent",
                 "8 ms ahead in 1 frame of 50",
-                lambda: clock.Tick(lambda t, k: t + 8 * (k % 50 == 0)),
+                lambda: clock.TickFault(lambda t, k: t + 8 * (k % 50 == 0)),
                 WATCH,
                 None,
             ),
@@ -80,32 +108,48 @@ LINK = (
         "packet_loss",
         "frames are lost or damaged",
         (
-            case("off", "silence", lambda: link.Link(link.silence), STALE),
+            case("off", "silence", lambda: link.LinkFault(link.no_frame), STALE),
             case(
-                "garbage", "a bit of each is turned round", lambda: link.Link(link.flipped), STALE
+                "garbage",
+                "a bit of each is turned round",
+                lambda: link.LinkFault(link.flipped_bit),
+                STALE,
             ),
-            case("garbage", "random bytes", lambda: link.Link(link.noise), STALE),
-            case("wrong", "half of each is missing", lambda: link.Link(link.shortened), STALE),
-            case("wrong", "as long as another SDK's", lambda: link.Link(link.foreign(795)), STALE),
+            case("garbage", "random bytes", lambda: link.LinkFault(link.random_bytes), STALE),
+            case("wrong", "half of each is missing", lambda: link.LinkFault(link.truncated), STALE),
+            case(
+                "wrong",
+                "as long as another SDK's",
+                lambda: link.LinkFault(link.wrong_length(795)),
+                STALE,
+            ),
             case(
                 "slow",
                 "every second one",
-                lambda: link.Link(link.now_and_then(link.silence, 2)),
+                lambda: link.LinkFault(link.intermittent(link.no_frame, 2)),
                 WATCH,
             ),
-            case("delayed", "all by 6 ms", lambda: link.Link(link.late(3)), WATCH, WATCH),
-            case("intermittent", "4 %", lambda: link.Link(link.lost(0.04)), WATCH, SLOW),
-            case("intermittent", "8 %", lambda: link.Link(link.lost(0.08)), as_table("loss"), SLOW),
+            case("delayed", "all by 6 ms", lambda: link.LinkFault(link.delayed(3)), WATCH, WATCH),
+            case(
+                "intermittent", "4 %", lambda: link.LinkFault(link.random_loss(0.04)), WATCH, SLOW
+            ),
+            case(
+                "intermittent",
+                "8 %",
+                lambda: link.LinkFault(link.random_loss(0.08)),
+                table_expectation("loss"),
+                SLOW,
+            ),
             case(
                 "intermittent",
                 "8 ms of every 100",
-                lambda: link.Link(link.now_and_then(link.silence, 50, 4)),
+                lambda: link.LinkFault(link.intermittent(link.no_frame, 50, 4)),
                 WATCH,
             ),
             case(
                 "intermittent",
                 "a bit of 1 in 10 is turned round",
-                lambda: link.Link(link.now_and_then(link.flipped, 10)),
+                lambda: link.LinkFault(link.intermittent(link.flipped_bit, 10)),
                 WATCH,
             ),
         ),
@@ -116,12 +160,24 @@ CLOCK = (
         "control_overrun",
         "the control loop misses its turn",
         (
-            case("slow", "every second", lambda: clock.Missed(lambda k: k % 2 == 0), WATCH, None),
-            case("intermittent", "10 %", lambda: clock.Missed(clock.dice(0.1)), WATCH, None),
+            case(
+                "slow",
+                "every second",
+                lambda: clock.MissedPeriods(lambda k: k % 2 == 0),
+                WATCH,
+                None,
+            ),
+            case(
+                "intermittent",
+                "10 %",
+                lambda: clock.MissedPeriods(clock.random_periods(0.1)),
+                WATCH,
+                None,
+            ),
             case(
                 "stuck",
                 "6 ms of every 100",
-                lambda: clock.Missed(lambda k: k % 50 < 3),
+                lambda: clock.MissedPeriods(lambda k: k % 50 < 3),
                 WATCH,
                 None,
             ),
@@ -132,15 +188,22 @@ CLOCK = (
         "the program, or the robot's clock, stands still and goes on",
         (
             case(
-                "stuck", "the program for 0.5 s", lambda: clock.Suspended(250), STALE, refuse(0.55)
+                "stuck",
+                "the program for 0.5 s",
+                lambda: clock.ProgramSuspended(250),
+                STALE,
+                expect_refusal(0.55),
             ),
             case(
-                "wrong", "the clock steps by 0.5 s", lambda: clock.Tick(lambda t, k: t + 500), STALE
+                "wrong",
+                "the clock steps by 0.5 s",
+                lambda: clock.TickFault(lambda t, k: t + 500),
+                STALE,
             ),
             case(
                 "wrong",
                 "the clock steps back by 0.5 s",
-                lambda: clock.Tick(lambda t, k: t - 500),
+                lambda: clock.TickFault(lambda t, k: t - 500),
                 STALE,
             ),
         ),

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from surefoot.faults import injections as inject
-from surefoot.faults import motor_faults as motor
 from surefoot.faults.case import Case, Row, case
-from surefoot.faults.reaction import WATCH, as_table, unless
-from surefoot.faults.signals import Signal
+from surefoot.faults.expectation import WATCH, table_expectation, watch_unless
+from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds import motor_faults as motor
+from surefoot.faults.kinds.signals import SignalFault
 
 THIGH, KNEE = 4, 5  # FL_1, FL_2
-WEAK, HOT = unless("motor_weak"), as_table("temperature")
-OFF = as_table("motor_mode")
-some = inject.intermittent
+WEAK, HOT = watch_unless("motor_weak"), table_expectation("temperature")
+OFF = table_expectation("motor_mode")
+intermittent = inject.intermittent
 
 
-def _torque(change: inject.Change) -> Signal:
-    return Signal("tauEst", change, KNEE)
+def _torque(change: inject.Change) -> SignalFault:
+    return SignalFault("tauEst", change, KNEE)
 
 
 def _dead(injection: str, what: str, number: int, mode: int) -> Case:
@@ -23,16 +23,16 @@ def _dead(injection: str, what: str, number: int, mode: int) -> Case:
     return case(
         injection,
         what,
-        lambda: motor.Dead(number, mode),
-        as_table("leg_lost"),
+        lambda: motor.DeadMotor(number, mode),
+        table_expectation("leg_lost"),
         rising=OFF,
-        pushed=unless("motor_mode"),
-        gentle=True,
+        pushed=watch_unless("motor_mode"),
+        slow_descent=True,
     )
 
 
-def _heat(change: inject.Change) -> Signal:
-    return Signal("temperature", change, THIGH)
+def _heat(change: inject.Change) -> SignalFault:
+    return SignalFault("temperature", change, THIGH)
 
 
 ROWS = (
@@ -45,25 +45,27 @@ ROWS = (
             case(
                 "garbage", "a knee says anything", lambda: _torque(inject.garbage(10)), WEAK, WATCH
             ),
-            case("wrong", "a knee makes 60 % of it", lambda: motor.Weak(KNEE, 0.6), WEAK, WATCH),
+            case(
+                "wrong", "a knee makes 60 % of it", lambda: motor.WeakMotor(KNEE, 0.6), WEAK, WATCH
+            ),
             case(
                 "stuck",
                 "a leg goes on with old commands",
-                lambda: motor.Deaf([3, 4, 5]),
+                lambda: motor.UnresponsiveMotors([3, 4, 5]),
                 WEAK,
                 None,
             ),
             case(
                 "delayed",
                 "all by 20 ms",
-                lambda: Signal("tauEst", inject.delayed(10)),
+                lambda: SignalFault("tauEst", inject.delayed(10)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
                 "all 0 in 1 report of 10",
-                lambda: Signal("tauEst", some(inject.off, 10)),
+                lambda: SignalFault("tauEst", intermittent(inject.off, 10)),
                 WATCH,
                 WATCH,
             ),
@@ -75,7 +77,9 @@ ROWS = (
         (
             _dead("off", "a knee lets go, mode 8", KNEE, 8),
             _dead("wrong", "a thigh brakes, mode 0", THIGH, 0),
-            case("intermittent", "a knee, for 2 ms", lambda: motor.Dead(KNEE, 8, 1), WATCH, None),
+            case(
+                "intermittent", "a knee, for 2 ms", lambda: motor.DeadMotor(KNEE, 8, 1), WATCH, None
+            ),
         ),
     ),
     Row(
@@ -88,14 +92,14 @@ ROWS = (
                 "slow",
                 "5 C more every second",
                 lambda: _heat(inject.ramp(40, 5.0)),
-                as_table("temperature", 8.0),
+                table_expectation("temperature", 8.0),
                 None,
             ),
             case("garbage", "any number", lambda: _heat(inject.garbage(127, True)), WATCH, None),
             case(
                 "intermittent",
                 "120 C in 1 report of 25",
-                lambda: _heat(some(inject.constant(120), 25)),
+                lambda: _heat(intermittent(inject.constant(120), 25)),
                 WATCH,
                 None,
             ),

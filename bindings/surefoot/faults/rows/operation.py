@@ -4,51 +4,57 @@ from __future__ import annotations
 
 import math
 
-from surefoot.faults import operator_faults as operator
-from surefoot.faults.case import STANDING, Row, case
-from surefoot.faults.clock_faults import Operator
-from surefoot.faults.config_faults import BadConfig
-from surefoot.faults.reaction import WATCH, as_table, refuse
-from surefoot.faults.world_faults import Program
+from surefoot.faults.case import STANDING_MODES, Row, case
+from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation
+from surefoot.faults.kinds import operator_faults as operator
+from surefoot.faults.kinds.clock_faults import OperatorAction
+from surefoot.faults.kinds.invalid_config import InvalidConfig
+from surefoot.faults.kinds.world_faults import CorruptQp
 
 NAN = math.nan
-STOP, BUTTON = as_table("stop"), as_table("button")
-NO_SOLUTION, BRIDGED = as_table("controller"), as_table("program")
-TIMEOUT = 0.5  # [s] without a heartbeat
+STOP, BUTTON = table_expectation("stop"), table_expectation("button")
+NO_SOLUTION, COMMAND_HELD = table_expectation("controller"), table_expectation("program")
+HEARTBEAT_TIMEOUT = 0.5  # [s] without a heartbeat
 
 ROWS = (
     Row(
         "nan_in_command",
         "the program's numbers are no numbers",
         (
-            case("garbage", "NaN in every tick", lambda: Program(NAN), NO_SOLUTION, modes=STANDING),
+            case(
+                "garbage",
+                "NaN in every tick",
+                lambda: CorruptQp(NAN),
+                NO_SOLUTION,
+                modes=STANDING_MODES,
+            ),
             case(
                 "wrong",
                 "infinite in every tick",
-                lambda: Program(math.inf),
+                lambda: CorruptQp(math.inf),
                 NO_SOLUTION,
-                modes=STANDING,
+                modes=STANDING_MODES,
             ),
             case(
                 "intermittent",
                 "NaN in 1 tick of 25",
-                lambda: Program(NAN, 25),
-                BRIDGED,
-                modes=STANDING,
+                lambda: CorruptQp(NAN, 25),
+                COMMAND_HELD,
+                modes=STANDING_MODES,
             ),
             case(
                 "intermittent",
                 "NaN for 10 ms of every 100",
-                lambda: Program(NAN, 50, 5),
-                BRIDGED,
-                modes=STANDING,
+                lambda: CorruptQp(NAN, 50, 5),
+                COMMAND_HELD,
+                modes=STANDING_MODES,
             ),
             case(
                 "slow",
                 "too large for the tolerance in 1 tick of 25",
-                lambda: Program(1e8, 25, weight=1e4),
-                BRIDGED,
-                modes=STANDING,
+                lambda: CorruptQp(1e8, 25, weight=1e4),
+                COMMAND_HELD,
+                modes=STANDING_MODES,
             ),
         ),
     ),
@@ -57,22 +63,32 @@ ROWS = (
         "what is asked for jumps",
         (
             case(
-                "wrong", "20 cm down at once", lambda: Operator(operator.low), WATCH, modes=STANDING
+                "wrong",
+                "20 cm down at once",
+                lambda: OperatorAction(operator.lower_by_20_cm),
+                WATCH,
+                modes=STANDING_MODES,
             ),
-            case("garbage", "another pose in every tick", operator.restless, WATCH, modes=STANDING),
+            case(
+                "garbage",
+                "another pose in every tick",
+                operator.random_poses,
+                WATCH,
+                modes=STANDING_MODES,
+            ),
             case(
                 "off",
                 "a pose that is no number",
-                lambda: Operator(operator.nowhere),
+                lambda: OperatorAction(operator.nan_reference),
                 WATCH,
-                modes=STANDING,
+                modes=STANDING_MODES,
             ),
             case(
                 "intermittent",
                 "between two poses every 100 ms",
-                lambda: Operator(operator.to_and_fro),
+                lambda: OperatorAction(operator.alternating_pose),
                 WATCH,
-                modes=STANDING,
+                modes=STANDING_MODES,
             ),
         ),
     ),
@@ -83,9 +99,9 @@ ROWS = (
             case(
                 "off",
                 "heartbeats end",
-                lambda: operator.Gone(TIMEOUT),
-                as_table("operator", TIMEOUT),
-                refuse(TIMEOUT + 0.1),
+                lambda: operator.HeartbeatLost(HEARTBEAT_TIMEOUT),
+                table_expectation("operator", HEARTBEAT_TIMEOUT),
+                expect_refusal(HEARTBEAT_TIMEOUT + 0.1),
             ),
         ),
     ),
@@ -93,30 +109,30 @@ ROWS = (
         "emergency_stop",
         "the operator stops it",
         (
-            case("wrong", "stop()", lambda: Operator(operator.stop), STOP, STOP),
+            case("wrong", "stop()", lambda: OperatorAction(operator.stop), STOP, STOP),
             case(
                 "intermittent",
                 "stop(), again and again",
-                lambda: Operator(lambda s, k: s.stop()),
+                lambda: OperatorAction(lambda s, k: s.stop()),
                 STOP,
                 STOP,
             ),
             case(
                 "stuck",
                 "from another thread",
-                lambda: Operator(operator.stop_from_a_thread),
+                lambda: OperatorAction(operator.stop_from_a_thread),
                 STOP,
                 STOP,
             ),
-            case("stuck", "the remote's button B", operator.Pressed, BUTTON, BUTTON),
+            case("stuck", "the remote's button B", operator.RemoteStopPressed, BUTTON, BUTTON),
         ),
     ),
     Row(
         "api_misuse",
         "requests out of order",
         (
-            case("wrong", "every mode that is not next", operator.Misuse, WATCH, WATCH),
-            case("garbage", "requests from four threads", operator.Crowd, WATCH, None),
+            case("wrong", "every mode that is not next", operator.OutOfOrderRequests, WATCH, WATCH),
+            case("garbage", "requests from four threads", operator.ConcurrentRequests, WATCH, None),
         ),
     ),
     Row(
@@ -126,7 +142,7 @@ ROWS = (
             case(
                 "garbage",
                 "NaN, negative, out of range",
-                BadConfig,
+                InvalidConfig,
                 WATCH,
                 WATCH,
                 modes=("lying",),

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from surefoot.faults import injections as inject
-from surefoot.faults import motor_faults as motor
 from surefoot.faults.case import Row, case
-from surefoot.faults.joint_faults import Outside, Power
-from surefoot.faults.reaction import WATCH, as_table, refuse
-from surefoot.faults.signals import Signal
+from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation
+from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds import motor_faults as motor
+from surefoot.faults.kinds.joint_faults import JointOutsideLimits, PowerOverload
+from surefoot.faults.kinds.signals import SignalFault
 
-some = inject.intermittent
-LOW = as_table("battery")
+intermittent = inject.intermittent
+LOW = table_expectation("battery")
 
 ROWS = (
     Row(
@@ -20,14 +20,14 @@ ROWS = (
             case(
                 "wrong",
                 "reports say 3 times the level",
-                lambda: Power(3.0),
-                as_table("power"),
+                lambda: PowerOverload(3.0),
+                table_expectation("power"),
                 None,
             ),
             case(
                 "intermittent",
                 "2 reports of 10 say 3 times the level",
-                lambda: Power(3.0, 10, 2),
+                lambda: PowerOverload(3.0, 10, 2),
                 WATCH,
                 None,
             ),
@@ -40,8 +40,8 @@ ROWS = (
             case(
                 "wrong",
                 "a hip says 0.2 rad outside",
-                lambda: Outside(0.2, 3, False),
-                as_table("joint_jump"),
+                lambda: JointOutsideLimits(0.2, 3, False),
+                table_expectation("joint_jump"),
             ),
         ),
     ),
@@ -52,21 +52,21 @@ ROWS = (
             case(
                 "wrong",
                 "3 % of charge",
-                lambda: Signal("SOC", inject.constant(3)),
+                lambda: SignalFault("SOC", inject.constant(3)),
                 LOW,
-                refuse(LOW.within),
+                expect_refusal(LOW.within),
             ),
             case(
                 "slow",
                 "from 20 % by 10 % a second",
-                lambda: Signal("SOC", inject.ramp(20, -10.0)),
-                as_table("battery", 1.0),
+                lambda: SignalFault("SOC", inject.ramp(20, -10.0)),
+                table_expectation("battery", 1.0),
                 None,
             ),
             case(
                 "intermittent",
                 "0 % in 1 report of 10",
-                lambda: Signal("SOC", some(inject.off, 10)),
+                lambda: SignalFault("SOC", intermittent(inject.off, 10)),
                 WATCH,
                 WATCH,
             ),
@@ -76,12 +76,18 @@ ROWS = (
         "two_controllers",
         "another controller commands the motors",
         (
-            case("stuck", "always", lambda: motor.Usurped(), as_table("overridden"), None),
+            case(
+                "stuck",
+                "always",
+                lambda: motor.SecondController(),
+                table_expectation("overridden"),
+                None,
+            ),
             case(
                 "intermittent",
                 "every second command",
-                lambda: motor.Usurped(2),
-                as_table("overridden"),
+                lambda: motor.SecondController(2),
+                table_expectation("overridden"),
                 None,
             ),
         ),

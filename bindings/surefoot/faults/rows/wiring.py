@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from surefoot.faults import setup_faults as setup
 from surefoot.faults.case import Row, case
-from surefoot.faults.reaction import WATCH, refuse, stays, unless
+from surefoot.faults.expectation import WATCH, expect_refusal, expect_stay_down, watch_unless
+from surefoot.faults.kinds import initial_faults as setup
 
 KNEE, HIP = 5, 3  # FL_2, FL_0
 LYING, RISING = ("lying",), ("rising",)
-MISWIRED, ANOTHER = stays("wiring"), stays("wrong_robot")
-TYPICAL = refuse(1.5)  # arming begins anew with every robot: a second and a little
+WRONG_ORDER, WRONG_ROBOT = expect_stay_down("wiring"), expect_stay_down("wrong_robot")
+ARMING_REFUSAL = expect_refusal(1.5)  # arming begins anew with every robot: a second and a little
 
 ROWS = (
     Row(
@@ -19,9 +19,9 @@ ROWS = (
             case(
                 "wrong",
                 "thigh and knee of FR are swapped",
-                lambda: setup.Wiring({1: 2, 2: 1}),
+                lambda: setup.WrongWiring({1: 2, 2: 1}),
                 WATCH,
-                TYPICAL,
+                ARMING_REFUSAL,
                 None,
                 LYING,
                 "FR_1 and FR_2",
@@ -29,36 +29,36 @@ ROWS = (
             case(
                 "wrong",
                 "front legs are swapped",
-                lambda: setup.Wiring(setup.legs(0, 1)),
+                lambda: setup.WrongWiring(setup.swapped_legs(0, 1)),
                 WATCH,
-                MISWIRED,
+                WRONG_ORDER,
                 None,
                 LYING,
             ),
             case(
                 "wrong",
                 "right legs are swapped",
-                lambda: setup.Wiring(setup.legs(0, 2)),
+                lambda: setup.WrongWiring(setup.swapped_legs(0, 2)),
                 WATCH,
-                MISWIRED,
+                WRONG_ORDER,
                 None,
                 LYING,
             ),
             case(
                 "wrong",
                 "front legs are swapped with rear ones",
-                lambda: setup.Wiring({**setup.legs(0, 2), **setup.legs(1, 3)}),
+                lambda: setup.WrongWiring({**setup.swapped_legs(0, 2), **setup.swapped_legs(1, 3)}),
                 WATCH,
-                MISWIRED,
+                WRONG_ORDER,
                 None,
                 LYING,
             ),
             case(
                 "wrong",
                 "FL's knee turns the other way",
-                lambda: setup.Wiring({}, (KNEE,)),
+                lambda: setup.WrongWiring({}, (KNEE,)),
                 WATCH,
-                TYPICAL,
+                ARMING_REFUSAL,
                 None,
                 LYING,
                 "FL_2",
@@ -66,9 +66,9 @@ ROWS = (
             case(
                 "wrong",
                 "FL's hip turns the other way",
-                lambda: setup.Wiring({}, (HIP,)),
+                lambda: setup.WrongWiring({}, (HIP,)),
                 WATCH,
-                MISWIRED,
+                WRONG_ORDER,
                 None,
                 LYING,
             ),
@@ -81,17 +81,17 @@ ROWS = (
             case(
                 "wrong",
                 "the one most like it",
-                lambda: setup.Mistaken(setup.NEAR),
-                unless("wrong_robot"),
+                lambda: setup.WrongRobot(setup.SIMILAR_ROBOT),
+                watch_unless("wrong_robot"),
                 None,
                 modes=RISING,
             ),
             case(
                 "wrong",
                 "one of another size",
-                lambda: setup.Mistaken(setup.FAR),
+                lambda: setup.WrongRobot(setup.DIFFERENT_ROBOT),
                 WATCH,
-                ANOTHER,
+                WRONG_ROBOT,
                 None,
                 LYING,
             ),

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from surefoot._core import Error
 from surefoot.tune.design.ranges import check_range
 
-FREQUENCIES = (0.01, 7.1)  # [Hz] that may be asked for: the gains reach 2000 1/s^2
+FREQUENCY_RANGE = (0.01, 7.1)  # [Hz] that may be asked for: the gains reach 2000 1/s^2
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Goal:
         return Goal(frequency, self.damping)
 
 
-def goal_of(kp: float, kd: float) -> Goal:
+def goal_from_gains(kp: float, kd: float) -> Goal:
     """Return the frequency and damping of gains; raises Error unless both are above 0."""
     if not (kp > 0.0 and kd > 0.0):
         raise Error(f"got kp {kp:g} and kd {kd:g}, expected both above 0")
@@ -67,7 +67,7 @@ def parse_goal(option: str, text: str, damping: float) -> Goal:
             raise ValueError
     except ValueError:
         raise Error(f"{option}: got '{text}', expected FREQ[:DAMPING] in Hz") from None
-    check_range(option, frequency, *FREQUENCIES, "Hz")
+    check_range(option, frequency, *FREQUENCY_RANGE, "Hz")
     try:
         return Goal(frequency, own[0] if own else damping)
     except Error as problem:

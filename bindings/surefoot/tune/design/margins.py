@@ -7,18 +7,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from surefoot.tune.design.axes import Direction
-from surefoot.tune.design.goals import Goal, goal_of
-from surefoot.tune.design.loop import ClosedLoop
-from surefoot.tune.design.search import first_unstable, last_stable, more_delay
+from surefoot.tune.design.closed_loop import ClosedLoop
+from surefoot.tune.design.directions import Direction
+from surefoot.tune.design.goals import Goal, goal_from_gains
+from surefoot.tune.design.stability_search import find_delay_margin, first_unstable, last_stable
 from surefoot.tune.design.timing import Observers, Timing
 
-MOST_GAIN = 30.0  # times the gains: larger margins are not told apart
-LEAST_GAIN = 0.02
-SEARCHED_FREQUENCIES = (0.2, 40.0)  # [Hz] between which the greatest stable one is looked for
-_RUN, _END, _BEGIN = 2.4, 0.4, 0.2  # [s] of a run, and what is compared at its end and beginning
-_QUIET = 0.05  # share of the first acceleration that is no oscillation at the end
-_STABLE = 1.0 + 1e-9
+MAX_GAIN_FACTOR = 30.0  # times the gains: larger margins are not told apart
+MIN_GAIN_FACTOR = 0.02
+FREQUENCY_SEARCH_RANGE = (0.2, 40.0)  # [Hz] between which the greatest stable one is looked for
+_RUN_TIME, _END_WINDOW, _START_WINDOW = (
+    2.4,
+    0.4,
+    0.2,
+)  # [s] of a run, and what is compared at its end and beginning
+_DECAY_RATIO = 0.05  # share of the first acceleration that is no oscillation at the end
+_STABLE_RADIUS = 1.0 + 1e-9
 
 
 @dataclass(frozen=True)
@@ -28,7 +32,7 @@ class Margins:
     Attributes:
         pole_frequency: Natural frequency of the pole that the goal asked for [Hz].
         pole_damping: Its damping; 1 for a real pole.
-        slack: Greatest size of a pole; the loop at rest is stable below 1.
+        spectral_radius: Greatest size of a pole; the loop at rest is stable below 1.
         gain_up: Factor on kp and kd at which it becomes unstable at rest, without friction.
         gain_down: The same, downwards; 0 if there is none.
         delay: That may be added until then [s].
@@ -38,7 +42,7 @@ class Margins:
 
     pole_frequency: float
     pole_damping: float
-    slack: float
+    spectral_radius: float
     gain_up: float
     gain_down: float
     delay: float
@@ -48,58 +52,62 @@ class Margins:
     @property
     def stable(self) -> bool:
         """Whether it stands still, and again after a push."""
-        return self.slack < _STABLE and self.boundary > 1.0
+        return self.spectral_radius < _STABLE_RADIUS and self.boundary > 1.0
 
 
 def spectral_radius(loop: ClosedLoop, kp: float, kd: float) -> float:
     """Return the greatest size of the poles at rest; the loop is stable below 1."""
-    return float(np.abs(np.linalg.eigvals(loop.matrix(kp, kd))).max())
+    return float(np.abs(np.linalg.eigvals(loop.state_matrix(kp, kd))).max())
 
 
 def goal_pole(loop: ClosedLoop, goal: Goal) -> tuple[float, float]:
     """Return frequency [Hz] and damping of the pole nearest to what the goal asks for."""
-    z = np.linalg.eigvals(loop.matrix(goal.kp, goal.kd)).astype(complex)
+    z = np.linalg.eigvals(loop.state_matrix(goal.kp, goal.kd)).astype(complex)
     # The payload observer's own, which hardly moves the body, is none that was asked for.
     observer = 1.0 - loop.timing.period / loop.observers.payload_time
     z = np.delete(z, int(np.argmin(np.abs(z - observer))))
     s = np.log(z[np.abs(z) > 1e-6]) * loop.timing.rate
     wn = 2.0 * math.pi * goal.frequency
-    wanted = wn * (-goal.damping + np.emath.sqrt(goal.damping**2 - 1.0))
-    pole = s[int(np.argmin(np.abs(s - wanted)))]
+    desired_pole = wn * (-goal.damping + np.emath.sqrt(goal.damping**2 - 1.0))
+    pole = s[int(np.argmin(np.abs(s - desired_pole)))]
     return float(np.abs(pole)) / (2.0 * math.pi), float(-pole.real / np.abs(pole))
 
 
 def gain_margins(loop: ClosedLoop, kp: float, kd: float) -> tuple[float, float]:
     """Return the factors on both gains between which the loop at rest is stable.
 
-    (0, MOST_GAIN) if there is no end; (1, 1) if it is unstable as it is.
+    (0, MAX_GAIN_FACTOR) if there is no end; (1, 1) if it is unstable as it is.
     """
 
     def unstable(factor: float) -> bool:
-        return spectral_radius(loop, factor * kp, factor * kd) >= _STABLE
+        return spectral_radius(loop, factor * kp, factor * kd) >= _STABLE_RADIUS
 
     if unstable(1.0):
         return 1.0, 1.0
-    down = 1.0 / first_unstable(lambda k: unstable(1.0 / k), 1.0, 1.0 / LEAST_GAIN)
-    return (0.0 if down <= LEAST_GAIN else down), first_unstable(unstable, 1.0, MOST_GAIN)
+    down = 1.0 / first_unstable(lambda k: unstable(1.0 / k), 1.0, 1.0 / MIN_GAIN_FACTOR)
+    return (0.0 if down <= MIN_GAIN_FACTOR else down), first_unstable(
+        unstable, 1.0, MAX_GAIN_FACTOR
+    )
 
 
 def delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
     """Return the delay that makes the loop at rest unstable, beyond what it has [s]."""
-    return more_delay(loop, lambda later: spectral_radius(later, kp, kd) >= _STABLE)
+    return find_delay_margin(
+        loop, lambda delayed_loop: spectral_radius(delayed_loop, kp, kd) >= _STABLE_RADIUS
+    )
 
 
 def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
     """Return whether the direction's kick starts an oscillation that does not die."""
-    goal = goal_of(kp, kd)
+    goal = goal_from_gains(kp, kd)
     # A slow loop is given the time to settle: 8 of its time constants.
     settling = 8.0 / (min(goal.damping, 1.0) * 2.0 * math.pi * goal.frequency)
-    a = loop.run(kp, kd, max(_RUN, min(settling, 20.0)))
+    a = loop.simulate(kp, kd, max(_RUN_TIME, min(settling, 20.0)))
     if not np.isfinite(a).all():
         return True
     rate = loop.timing.rate
-    first, last = a[: int(_BEGIN * rate)], a[-int(_END * rate) :]
-    return float(np.ptp(last)) > _QUIET * float(np.ptp(first))
+    first, last = a[: int(_START_WINDOW * rate)], a[-int(_END_WINDOW * rate) :]
+    return float(np.ptp(last)) > _DECAY_RATIO * float(np.ptp(first))
 
 
 def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
@@ -113,7 +121,7 @@ def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
         return oscillates(loop, factor * kp, factor * kd)
 
     if not unstable(1.0):
-        return first_unstable(unstable, 1.0, MOST_GAIN)
+        return first_unstable(unstable, 1.0, MAX_GAIN_FACTOR)
     lower = 1.0
     while lower > 0.05 and unstable(lower):
         lower /= 1.25
@@ -122,22 +130,22 @@ def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
 
 def push_delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
     """Return the further delay with which a push starts an oscillation that stays [s]."""
-    return more_delay(loop, lambda later: oscillates(later, kp, kd))
+    return find_delay_margin(loop, lambda delayed_loop: oscillates(delayed_loop, kp, kd))
 
 
-def greatest_frequency(
+def max_stable_frequency(
     direction: Direction, timing: Timing, observers: Observers, damping: float
 ) -> float:
     """Return the greatest natural frequency that is stable at this damping [Hz]; 0 if none is.
 
-    To 1 %, on the stable side; looked for within SEARCHED_FREQUENCIES.
+    To 1 %, on the stable side; looked for within FREQUENCY_SEARCH_RANGE.
     """
     loop = ClosedLoop(direction, timing, observers)
-    low, high = SEARCHED_FREQUENCIES
+    low, high = FREQUENCY_SEARCH_RANGE
 
     def unstable(frequency: float) -> bool:
         goal = Goal(frequency, damping)
-        if spectral_radius(loop, goal.kp, goal.kd) >= _STABLE:
+        if spectral_radius(loop, goal.kp, goal.kd) >= _STABLE_RADIUS:
             return True
         return oscillates(loop, goal.kp, goal.kd)
 
@@ -152,7 +160,7 @@ def all_margins(loop: ClosedLoop, goal: Goal) -> Margins:
     return Margins(
         pole_frequency=frequency,
         pole_damping=damping,
-        slack=spectral_radius(loop, kp, kd),
+        spectral_radius=spectral_radius(loop, kp, kd),
         gain_up=up,
         gain_down=down,
         delay=delay_margin(loop, kp, kd),

@@ -8,12 +8,12 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from surefoot.report_axes import grid
+from surefoot.reports.plots import subplot_grid
 
 
 def four_panels(height: float) -> tuple[Figure, list[Axes]]:
     """Return an empty picture of this height [inch], and its panels in the order of AXES."""
-    figure, axes = grid(2, 2, height)
+    figure, axes = subplot_grid(2, 2, height)
     return figure, [ax for row in axes for ax in row]
 
 

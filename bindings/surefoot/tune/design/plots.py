@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from surefoot.report_axes import BLUE, GREY, ORANGE, RED, Plot
-from surefoot.tune.design.design import AxisDesign, Design
-from surefoot.tune.design.loop import ClosedLoop
-from surefoot.tune.design.maps import draw_damping_map, draw_delay_map
-from surefoot.tune.design.margins import MOST_GAIN
+from surefoot.reports.plots import BLUE, GREY, ORANGE, RED, Plot
+from surefoot.tune.design.closed_loop import ClosedLoop
+from surefoot.tune.design.gain_design import AxisDesign, Design
+from surefoot.tune.design.margins import MAX_GAIN_FACTOR
 from surefoot.tune.design.panels import add_legend, four_panels
+from surefoot.tune.design.stability_maps import draw_damping_map, draw_delay_map
 from surefoot.tune.design.timing import Observers
 
-_TIME = 1.2  # [s] of a step response
+_RESPONSE_TIME = 1.2  # [s] of a step response
 
 
 def draw_poles(design: Design) -> Figure:
@@ -24,11 +24,11 @@ def draw_poles(design: Design) -> Figure:
         loop = _loop(design, axis)
         ax.plot(circle.real, circle.imag, color=GREY, lw=0.8)
         shown = [(1.0, BLUE, "these gains")]
-        if axis.margins.gain_up < MOST_GAIN:
+        if axis.margins.gain_up < MAX_GAIN_FACTOR:
             shown.append((axis.margins.gain_up, RED, "gain margin"))
         for factor, color, text in shown:
             kp, kd = factor * axis.goal.kp, factor * axis.goal.kd
-            z = np.linalg.eigvals(loop.matrix(kp, kd))
+            z = np.linalg.eigvals(loop.state_matrix(kp, kd))
             ax.plot(z.real, z.imag, "x", color=color, ms=5, label=text)
         ax.set_aspect("equal")
         ax.set_title(f"{axis.name}, direction {axis.direction}")
@@ -43,11 +43,11 @@ def draw_responses(design: Design) -> Figure:
         loop = _loop(design, axis)
         shown = [(1.0, BLUE, "these gains")]
         # Where the search found no boundary, neither side of it can be shown.
-        if axis.margins.boundary < MOST_GAIN:
+        if axis.margins.boundary < MAX_GAIN_FACTOR:
             shown.insert(0, (0.8 * axis.margins.boundary, ORANGE, "20 % inside"))
             shown.insert(0, (1.2 * axis.margins.boundary, RED, "20 % outside"))
         for factor, color, text in shown:
-            a = loop.run(factor * axis.goal.kp, factor * axis.goal.kd, _TIME)
+            a = loop.simulate(factor * axis.goal.kp, factor * axis.goal.kd, _RESPONSE_TIME)
             ax.plot(np.arange(len(a)) * loop.timing.period, a, color=color, label=text)
         unit = "rad/s" if loop.direction.rotates else "m/s"
         ax.set_title(f"{axis.name}, direction {axis.direction}")

@@ -8,5 +8,7 @@ from surefoot._core import Error
 def check_range(name: str, value: float, low: float, high: float, unit: str = "") -> None:
     """Raise Error unless low <= value <= high; NaN is refused too."""
     if not low <= value <= high:
-        behind = f" {unit}" if unit else ""
-        raise Error(f"{name}: got {value:g}{behind}, expected {low:g} .. {high:g}{behind}")
+        unit_suffix = f" {unit}" if unit else ""
+        raise Error(
+            f"{name}: got {value:g}{unit_suffix}, expected {low:g} .. {high:g}{unit_suffix}"
+        )

@@ -9,9 +9,9 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from surefoot.report_axes import draw_plots
-from surefoot.report_page import page_html, pictures_html
-from surefoot.tune.design.design import Design
+from surefoot.reports.page import page_html, plots_html
+from surefoot.reports.plots import draw_plots
+from surefoot.tune.design.gain_design import Design
 from surefoot.tune.design.plots import PLOTS
 from surefoot.tune.design.text import design_text
 
@@ -45,5 +45,5 @@ def _page(design: Design, command: str) -> str:
 <p class="soft">Factors on kp and kd, and further delay, that it bears: at rest, without the
 joints' friction, and after a push, with it. The same is in <a href="summary.json">summary.json</a>.
 </p><pre>{escape(design_text(design))}</pre></section>
-{pictures_html(PLOTS)}"""
+{plots_html(PLOTS)}"""
     return page_html(title, body)

@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from surefoot._core import Error, Gains
-from surefoot.robot_files import RobotDescription
-from surefoot.tune.design.axes import AXES
-from surefoot.tune.design.goals import FREQUENCIES, Goal
+from surefoot.robot.description import RobotDescription
+from surefoot.tune.design.directions import AXES
+from surefoot.tune.design.goals import FREQUENCY_RANGE, Goal
 from surefoot.tune.design.ranges import check_range
-from surefoot.tune.design.timing import Timing, check_asked
+from surefoot.tune.design.timing import Timing, check_requested_delay
 
 # Trust in a sensor divides these of the robot's own gains.
-IMU_DOUBTS = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
-LEG_DOUBTS = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
+IMU_NOISE_GAINS = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
+LEG_NOISE_GAINS = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class DesignSettings:
         for name, goal in self.goals.items():
             if name not in AXES:
                 raise Error(f"axis: got '{name}', expected one of {', '.join(AXES)}")
-            check_range(f"{name}, frequency", goal.frequency, *FREQUENCIES, "Hz")
-        check_asked(self.timing.rate, self.timing.delay)
+            check_range(f"{name}, frequency", goal.frequency, *FREQUENCY_RANGE, "Hz")
+        check_requested_delay(self.timing.rate, self.timing.delay)
         check_range("trust in the IMU", self.trust_imu, 0.1, 10.0)
         check_range("trust in the legs", self.trust_legs, 0.1, 10.0)

@@ -8,11 +8,11 @@ from surefoot._core import Error, Gains
 from surefoot.tune.design.ranges import check_range
 
 # Each period of delay is a state of the model: its poles cost the cube of them.
-MOST_DELAY, MOST_PERIODS = 0.2, 100  # [s] that may be asked for, in all and in periods
+MAX_DELAY, MAX_DELAY_PERIODS = 0.2, 100  # [s] that may be asked for, in all and in periods
 # Beyond what is asked for; longer delay margins are not told apart.
-_SEARCHED_DELAY, _SEARCHED_PERIODS = 0.1, 50
-RATES = (10.0, 10_000.0)  # [Hz]
-MOTOR_LAGS = (0.0, 0.1)  # [s]
+_MARGIN_SEARCH_DELAY, _MARGIN_SEARCH_PERIODS = 0.1, 50
+RATE_RANGE = (10.0, 10_000.0)  # [Hz]
+MOTOR_LAG_RANGE = (0.0, 0.1)  # [s]
 
 
 @dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Timing:
     Attributes:
         rate: LowStates and LowCmds per second [Hz]; each takes one period on its way.
         delay: Further delay of commands [s]; up to what the search for margins adds to the most
-            that may be asked for (see check_asked).
+            that may be asked for (see check_requested_delay).
         motor_lag: Time constant of the motors' torque [s].
     """
 
@@ -31,10 +31,10 @@ class Timing:
     motor_lag: float = 0.002
 
     def __post_init__(self) -> None:
-        check_range("rate", self.rate, *RATES, "Hz")
-        check_range("delay", self.delay, 0.0, MOST_DELAY + _SEARCHED_DELAY + 1e-9, "s")
-        check_range("motor_lag", self.motor_lag, *MOTOR_LAGS, "s")
-        _check_periods(self.rate, self.delay, MOST_PERIODS + _SEARCHED_PERIODS)
+        check_range("rate", self.rate, *RATE_RANGE, "Hz")
+        check_range("delay", self.delay, 0.0, MAX_DELAY + _MARGIN_SEARCH_DELAY + 1e-9, "s")
+        check_range("motor_lag", self.motor_lag, *MOTOR_LAG_RANGE, "s")
+        _check_periods(self.rate, self.delay, MAX_DELAY_PERIODS + _MARGIN_SEARCH_PERIODS)
 
     @property
     def period(self) -> float:
@@ -42,13 +42,13 @@ class Timing:
         return 1.0 / self.rate
 
     @property
-    def searched(self) -> float:
+    def max_extra_delay(self) -> float:
         """More delay than this is not looked at for margins [s]."""
-        periods = (MOST_PERIODS + _SEARCHED_PERIODS) * self.period - self.delay
-        return min(_SEARCHED_DELAY, MOST_DELAY + _SEARCHED_DELAY - self.delay, periods)
+        periods = (MAX_DELAY_PERIODS + _MARGIN_SEARCH_PERIODS) * self.period - self.delay
+        return min(_MARGIN_SEARCH_DELAY, MAX_DELAY + _MARGIN_SEARCH_DELAY - self.delay, periods)
 
 
-def check_asked(
+def check_requested_delay(
     rate: float, delay: float, rate_name: str = "a rate of", delay_name: str = "further delay"
 ) -> None:
     """Raise Error for more delay than may be asked for.
@@ -59,8 +59,8 @@ def check_asked(
         rate_name: What the rate is called in the error, an option for instance.
         delay_name: What the delay is.
     """
-    check_range(delay_name, 1000.0 * delay, 0.0, 1000.0 * MOST_DELAY, "ms")
-    _check_periods(rate, delay, MOST_PERIODS, rate_name, delay_name)
+    check_range(delay_name, 1000.0 * delay, 0.0, 1000.0 * MAX_DELAY, "ms")
+    _check_periods(rate, delay, MAX_DELAY_PERIODS, rate_name, delay_name)
 
 
 def _check_periods(

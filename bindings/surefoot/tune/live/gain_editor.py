@@ -6,10 +6,10 @@ import time
 from collections.abc import Callable
 
 from surefoot._core import Gains, get_gain, set_gain
-from surefoot.gain_files import changed_gains
+from surefoot.robot.gain_files import changed_gains
 
-_ONE_MOVE = 1.0  # [s]; changes of one gain that follow each other faster are undone at once
-_MOST = 200  # sets of gains that are remembered
+_MERGE_TIME = 1.0  # [s]; changes of one gain that follow each other faster are undone at once
+_MAX_HISTORY = 200  # sets of gains that are remembered
 
 SLOTS = ("A", "B")
 
@@ -18,13 +18,13 @@ class GainEditor:
     """Holds gains and their history; nothing here reaches a controller by itself.
 
     Args:
-        own: The robot's own gains, to which "own" goes back.
+        robot_gains: The robot's own gains, to which "own" goes back.
         start: The gains to begin with; None for the robot's own.
         check: Raises Error where gains must not go; None allows all that is valid.
         now: The clock [s].
 
     Attributes:
-        own: The robot's own gains.
+        robot_gains: The robot's own gains.
         version: Counts every change.
         revision: Counts changes that a slider has not made, for sliders to follow.
         slots: Gains that were stored as A and as B.
@@ -32,19 +32,19 @@ class GainEditor:
 
     def __init__(
         self,
-        own: Gains,
+        robot_gains: Gains,
         start: Gains | None = None,
         check: Callable[[Gains], None] | None = None,
         now: Callable[[], float] = time.monotonic,
     ) -> None:
-        self.own = own.__copy__()
-        self._gains = (own if start is None else start).__copy__()
-        self._check, self._now = check, now
-        self._past: list[Gains] = []
-        self._last: tuple[str, float] = ("", 0.0)
+        self.robot_gains = robot_gains.__copy__()
+        self._gains = (robot_gains if start is None else start).__copy__()
+        self._check, self._clock = check, now
+        self._history: list[Gains] = []
+        self._last_change: tuple[str, float] = ("", 0.0)
         self.version = self.revision = 0
         self.slots: dict[str, Gains] = {}
-        self._accept(self._gains)
+        self._validate(self._gains)
 
     @property
     def gains(self) -> Gains:
@@ -60,30 +60,30 @@ class GainEditor:
         gains = self.gains
         try:
             set_gain(gains, name, value)
-            self._accept(gains)
+            self._validate(gains)
         except Exception:
             self.revision += 1  # whatever shows the value has to go back
             raise
         if gains == self._gains:
             return
-        former, then = self._last
-        if name != former or self._now() - then > _ONE_MOVE:
-            self._remember()
-        self._last = (name, self._now())
+        last_name, last_time = self._last_change
+        if name != last_name or self._clock() - last_time > _MERGE_TIME:
+            self._save_history()
+        self._last_change = (name, self._clock())
         self._gains = gains
         self.version += 1
 
     def replace(self, gains: Gains) -> None:
         """Change all gains at once; raises Error and changes nothing if one may not be."""
-        self._accept(gains)
-        self._remember()
-        self._put(gains.__copy__())
+        self._validate(gains)
+        self._save_history()
+        self._set_gains(gains.__copy__())
 
     def undo(self) -> bool:
         """Go back by one change; return whether there was one."""
-        if not self._past:
+        if not self._history:
             return False
-        self._put(self._past.pop())
+        self._set_gains(self._history.pop())
         return True
 
     def store(self, slot: str) -> None:
@@ -99,18 +99,18 @@ class GainEditor:
 
     def changed(self) -> dict[str, tuple[float, float]]:
         """Return gains that differ from the robot's own: own value and present value by name."""
-        return differences(self.own, self._gains)
+        return differences(self.robot_gains, self._gains)
 
-    def _accept(self, gains: Gains) -> None:
+    def _validate(self, gains: Gains) -> None:
         gains.validate()
         if self._check is not None:
             self._check(gains)
 
-    def _remember(self) -> None:
-        self._past = [*self._past[-_MOST:], self._gains]
+    def _save_history(self) -> None:
+        self._history = [*self._history[-_MAX_HISTORY:], self._gains]
 
-    def _put(self, gains: Gains) -> None:
-        self._gains, self._last = gains, ("", 0.0)
+    def _set_gains(self, gains: Gains) -> None:
+        self._gains, self._last_change = gains, ("", 0.0)
         self.version += 1
         self.revision += 1
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from surefoot._core import Error, Gains, Robot
-from surefoot.gain_files import load_gains, save_gains
+from surefoot.robot.gain_files import load_gains, save_gains
 
 
 class GainFolder:
@@ -35,7 +35,11 @@ class GainFolder:
         return load_gains(self._path(name), self._robot.config.gains)
 
     def _path(self, name: str) -> Path:
-        words = name.strip()
-        if Path(words).name != words or not words.endswith(".toml") or words == ".toml":
-            raise Error(f"file: got '{words}', expected a name such as gains.toml, no folder")
-        return self._folder / words
+        file_name = name.strip()
+        if (
+            Path(file_name).name != file_name
+            or not file_name.endswith(".toml")
+            or file_name == ".toml"
+        ):
+            raise Error(f"file: got '{file_name}', expected a name such as gains.toml, no folder")
+        return self._folder / file_name

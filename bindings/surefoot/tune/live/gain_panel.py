@@ -9,15 +9,15 @@ import viser
 
 from surefoot.tune.live.gain_editor import SLOTS, GainEditor, differences
 from surefoot.tune.live.gain_folder import GainFolder
+from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.gain_sliders import GainSliders
-from surefoot.tune.live.guard import Guard
-from surefoot.tune.live.notify import Notifier
+from surefoot.tune.live.notifier import Notifier
 
 Post = Callable[[Callable[[], Any]], None]
 
 _UNDO, _OWN = "Undo", "Robot's own"
 _SAVE, _LOAD = "Save", "Load"
-_LISTED = 8  # gains at most that the text about changes names
+_MAX_LISTED = 8  # gains at most that the text about changes names
 
 
 class GainPanel:
@@ -29,7 +29,7 @@ class GainPanel:
         files: Where they are saved and loaded.
         post: Has an action done by the thread that the editor belongs to.
         notifier: Is told what was done.
-        guard: Of a robot that is not simulated; None without one.
+        gain_limiter: Of a robot that is not simulated; None without one.
     """
 
     def __init__(
@@ -39,14 +39,14 @@ class GainPanel:
         files: GainFolder,
         post: Post,
         notifier: Notifier,
-        guard: Guard | None = None,
+        gain_limiter: GainLimiter | None = None,
     ) -> None:
         self._gui, self._editor, self._files = gui, editor, files
         self._post, self._notifier = post, notifier
         self._add_history()
         self._add_files()
         self._text = gui.add_markdown("")
-        self._sliders = GainSliders(gui, editor, post, guard)
+        self._sliders = GainSliders(gui, editor, post, gain_limiter)
         self._version = -1
         self.refresh()
 
@@ -66,9 +66,9 @@ class GainPanel:
         @back.on_click
         def _(_: Any) -> None:
             if back.value == _UNDO:
-                post(lambda: self._did(editor.undo(), "nothing to undo"))
+                post(lambda: self._notify_unless(editor.undo(), "nothing to undo"))
             else:
-                post(lambda: editor.replace(editor.own))
+                post(lambda: editor.replace(editor.robot_gains))
 
         @store.on_click
         def _(_: Any) -> None:
@@ -78,7 +78,7 @@ class GainPanel:
         @use.on_click
         def _(_: Any) -> None:
             slot = use.value
-            post(lambda: self._did(editor.use(slot), f"nothing was kept as {slot} yet"))
+            post(lambda: self._notify_unless(editor.use(slot), f"nothing was kept as {slot} yet"))
 
     def _add_files(self) -> None:
         name = self._gui.add_text("file", "gains.toml", hint="in the folder of --folder")
@@ -102,9 +102,9 @@ class GainPanel:
         self._editor.replace(self._files.load(name))
         self._notifier.tell(f"loaded {name}")
 
-    def _did(self, done: bool, otherwise: str) -> None:
+    def _notify_unless(self, done: bool, failure_text: str) -> None:
         if not done:
-            self._notifier.complain(otherwise)
+            self._notifier.complain(failure_text)
 
 
 def changes_text(editor: GainEditor) -> str:
@@ -118,6 +118,6 @@ def changes_text(editor: GainEditor) -> str:
 
 
 def _listing(title: str, pairs: dict[str, tuple[float, float]]) -> str:
-    words = [f"`{name}` {a:g} → {b:g}" for name, (a, b) in list(pairs.items())[:_LISTED]]
-    more = f", and {len(pairs) - _LISTED} more" if len(pairs) > _LISTED else ""
+    words = [f"`{name}` {a:g} → {b:g}" for name, (a, b) in list(pairs.items())[:_MAX_LISTED]]
+    more = f", and {len(pairs) - _MAX_LISTED} more" if len(pairs) > _MAX_LISTED else ""
     return f"**{title}:** {', '.join(words)}{more}"

@@ -9,11 +9,11 @@ import viser
 
 from surefoot._core import GainInfo, gain_table, get_gain
 from surefoot.tune.live.gain_editor import GainEditor
-from surefoot.tune.live.guard import Guard
-from surefoot.tune.live.slider_range import ZOOMS, SliderRange, fitted, slider_range
+from surefoot.tune.live.gain_limiter import GainLimiter
+from surefoot.tune.live.slider_range import ZOOMS, SliderRange, rounded_range, slider_range
 
-_OPEN = "Body"  # the group whose folder is not folded up
-_FIRST_ZOOM = "x 4"
+_EXPANDED_GROUP = "Body"  # the group whose folder is not folded up
+_INITIAL_ZOOM = "x 4"
 
 
 class GainSliders:
@@ -23,7 +23,7 @@ class GainSliders:
         gui: Where to add them.
         editor: The gains.
         post: Has an action done by the thread that the editor belongs to.
-        guard: Ranges that gains must stay in; None for those of a zoom that can be chosen.
+        gain_limiter: Ranges that gains must stay in; None for those of a zoom that can be chosen.
     """
 
     def __init__(
@@ -31,19 +31,19 @@ class GainSliders:
         gui: viser.GuiApi,
         editor: GainEditor,
         post: Callable[[Callable[[], Any]], None],
-        guard: Guard | None = None,
+        gain_limiter: GainLimiter | None = None,
     ) -> None:
-        self._gui, self._editor, self._post, self._guard = gui, editor, post, guard
+        self._gui, self._editor, self._post, self._guard = gui, editor, post, gain_limiter
         self._revision = editor.revision
-        self._zoom = ZOOMS[_FIRST_ZOOM]
-        if guard is None:
+        self._zoom = ZOOMS[_INITIAL_ZOOM]
+        if gain_limiter is None:
             self._add_zoom()
         self._sliders: dict[str, viser.GuiSliderHandle[float]] = {}
         groups: dict[str, list[GainInfo]] = {}
         for info in gain_table():
             groups.setdefault(info.group, []).append(info)
         for group, rows in groups.items():
-            with gui.add_folder(group, expand_by_default=group == _OPEN):
+            with gui.add_folder(group, expand_by_default=group == _EXPANDED_GROUP):
                 for info in rows:
                     self._sliders[info.name] = self._add_slider(info)
 
@@ -54,59 +54,59 @@ class GainSliders:
         self._revision = self._editor.revision
         for info in gain_table():
             value = self._editor.get(info.name)
-            self._fit(info, value)
-            _move(self._sliders[info.name], value)
+            self._update_range(info, value)
+            _set_slider(self._sliders[info.name], value)
 
     def _add_zoom(self) -> None:
         hint = "how far sliders reach, in multiples of the robot's own gains"
         choice = self._gui.add_dropdown(
-            "slider reach", tuple(ZOOMS), initial_value=_FIRST_ZOOM, hint=hint
+            "slider reach", tuple(ZOOMS), initial_value=_INITIAL_ZOOM, hint=hint
         )
 
         @choice.on_update
         def _(_: Any) -> None:
             self._zoom = ZOOMS[choice.value]
             for info in gain_table():
-                self._fit(info, self._editor.get(info.name))
+                self._update_range(info, self._editor.get(info.name))
 
     def _add_slider(self, info: GainInfo) -> viser.GuiSliderHandle[float]:
         value = self._editor.get(info.name)
-        place = self._range(info, value)
-        own = get_gain(self._editor.own, info.name)
+        span = self._range(info, value)
+        own = get_gain(self._editor.robot_gains, info.name)
         unit = "" if info.unit == "1" else f" [{info.unit.replace('^2', '²')}]"
         slider = self._gui.add_slider(
             f"{info.name}{unit}",
-            min=place.low,
-            max=place.high,
-            step=place.step,
+            min=span.low,
+            max=span.high,
+            step=span.step,
             initial_value=value,
-            disabled=place.low == place.high,
+            disabled=span.low == span.high,
             hint=f"{info.meaning}; {info.minimum:g} to {info.maximum:g}, the robot's own: {own:g}",
         )
-        slider.precision = place.digits
+        slider.precision = span.digits
 
         @slider.on_update
         def _(event: Any) -> None:
             if event.client is not None:  # else it is refresh() that moved it
-                wanted = round(float(slider.value), 9)
-                self._post(lambda: self._editor.set(info.name, wanted))
+                new_value = round(float(slider.value), 9)
+                self._post(lambda: self._editor.set(info.name, new_value))
 
         return slider
 
-    def _fit(self, info: GainInfo, value: float) -> None:
-        slider, place = self._sliders[info.name], self._range(info, value)
+    def _update_range(self, info: GainInfo, value: float) -> None:
+        slider, span = self._sliders[info.name], self._range(info, value)
         now = (slider.min, slider.max, slider.step)
-        if now == (place.low, place.high, place.step):
+        if now == (span.low, span.high, span.step):
             return
-        slider.min, slider.max = place.low, place.high
-        slider.step, slider.precision = place.step, place.digits
+        slider.min, slider.max = span.low, span.high
+        slider.step, slider.precision = span.step, span.digits
 
     def _range(self, info: GainInfo, value: float) -> SliderRange:
         if self._guard is not None:
-            return fitted(*self._guard.limits(info.name), value)
-        return slider_range(info, get_gain(self._editor.own, info.name), value, self._zoom)
+            return rounded_range(*self._guard.limits(info.name), value)
+        return slider_range(info, get_gain(self._editor.robot_gains, info.name), value, self._zoom)
 
 
-def _move(slider: Any, value: float) -> None:
+def _set_slider(slider: Any, value: float) -> None:
     # A mypy of viser's own handles takes `value` for read-only; it is not.
     slider.value = value

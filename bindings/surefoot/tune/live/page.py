@@ -11,22 +11,22 @@ from surefoot._core import Error
 from surefoot.tune.live.gain_folder import GainFolder
 from surefoot.tune.live.gain_panel import GainPanel
 from surefoot.tune.live.link_panel import add_link_panel
-from surefoot.tune.live.linked_robot import LinkedRobot
-from surefoot.tune.live.loop import Loop
-from surefoot.tune.live.notify import Notifier
+from surefoot.tune.live.notifier import Notifier
 from surefoot.tune.live.plots import Plots
 from surefoot.tune.live.push_panel import PushPanel
 from surefoot.tune.live.reference_panel import add_reference_panel
 from surefoot.tune.live.scene import Scene
 from surefoot.tune.live.server import close_server
 from surefoot.tune.live.session import Session
+from surefoot.tune.live.session_thread import SessionThread
 from surefoot.tune.live.simulation import Simulation
 from surefoot.tune.live.time_panel import add_time_panel
+from surefoot.tune.live.udp_session import UdpSession
 from surefoot.tune.live.world_panel import add_world_panel
 
-FRAME = 1.0 / 30.0  # [s] between pictures
+FRAME_PERIOD = 1.0 / 30.0  # [s] between pictures
 _PLOT_EVERY, _TEXT_EVERY = 3, 8  # frames
-_AFTER_FAILURE = 1.0  # [s] until the next picture
+_RETRY_TIME = 1.0  # [s] until the next picture
 _PLOT_WIDTH, _PANEL_WIDTH = 330, 400  # [pixels]
 
 
@@ -53,10 +53,10 @@ class Page:
     ) -> None:
         self._server, self._session = server, session
         self.notifier = Notifier(server)
-        self.loop = Loop(session, self.notifier.complain)
+        self.loop = SessionThread(session, self.notifier.complain)
         self.frames_per_second = 0.0
-        self._ending = threading.Event()
-        self._drawing = threading.Thread(target=self._draw, name="surefoot page", daemon=True)
+        self._stop_event = threading.Event()
+        self._draw_thread = threading.Thread(target=self._draw, name="surefoot page", daemon=True)
         server.gui.configure_theme(show_logo=False, show_share_button=False)
         self._scene = Scene(server, session.description)
         self._status = server.gui.add_markdown("")
@@ -64,7 +64,12 @@ class Page:
         tabs = server.gui.add_tab_group()
         with tabs.add_tab("Gains"):
             self._gains = GainPanel(
-                server.gui, session.editor, files, self.loop.post, self.notifier, session.guard
+                server.gui,
+                session.editor,
+                files,
+                self.loop.post,
+                self.notifier,
+                session.gain_limiter,
             )
         with tabs.add_tab("Body"):
             self._zero_reference = add_reference_panel(server.gui, session, self.loop.post)
@@ -78,25 +83,25 @@ class Page:
     def start(self) -> None:
         """Let time pass and draw."""
         self.loop.start()
-        self._drawing.start()
+        self._draw_thread.start()
 
     def check(self) -> None:
         """Raise Error if a thread of the page has ended by itself."""
-        for thread in (self.loop, self._drawing):
+        for thread in (self.loop, self._draw_thread):
             if not thread.is_alive():
                 raise Error(f"the thread '{thread.name}' has ended; the page is dead")
 
     def stop(self) -> None:
         """End both threads, let go of the robot and close the server."""
-        self._ending.set()
-        self._drawing.join()
+        self._stop_event.set()
+        self._draw_thread.join()
         self.loop.stop()
         self._session.close()
         close_server(self._server)
 
     def _add_robot_controls(self) -> PushPanel | None:
         gui, session, post = self._server.gui, self._session, self.loop.post
-        if isinstance(session, LinkedRobot):
+        if isinstance(session, UdpSession):
             add_link_panel(gui, session, lambda: self._zero_reference())
         if not isinstance(session, Simulation):
             return None
@@ -122,22 +127,24 @@ class Page:
         return plots
 
     def _draw(self) -> None:
-        count, rated, counted = 0, time.monotonic(), 0
-        while not self._ending.wait(max(0.0, rated + (counted + 1) * FRAME - time.monotonic())):
-            count, counted = count + 1, counted + 1
+        count, window_start, window_frames = 0, time.monotonic(), 0
+        while not self._stop_event.wait(
+            max(0.0, window_start + (window_frames + 1) * FRAME_PERIOD - time.monotonic())
+        ):
+            count, window_frames = count + 1, window_frames + 1
             try:
                 self._refresh(count)
             except Exception as problem:  # a picture that fails must not be the last
                 self.notifier.complain(f"{type(problem).__name__}: {problem}")
-                if self._ending.wait(_AFTER_FAILURE):
+                if self._stop_event.wait(_RETRY_TIME):
                     break
             now = time.monotonic()
-            if now - rated > 1.0:
-                self.frames_per_second = counted / (now - rated)
-                rated, counted = now, 0
+            if now - window_start > 1.0:
+                self.frames_per_second = window_frames / (now - window_start)
+                window_start, window_frames = now, 0
 
     def _refresh(self, count: int) -> None:
-        self._scene.show(self._session.view)
+        self._scene.show(self._session.scene_state)
         if count % _PLOT_EVERY == 0:
             self._plots.refresh()
         if count % _TEXT_EVERY == 0:
@@ -149,6 +156,10 @@ class Page:
             self._push.refresh()
         text = f"**{self._session.status}** · {self.frames_per_second:.0f} frames/s"
         if isinstance(self._session, Simulation):
-            text += " · paused" if self.loop.paused else f" · {self.loop.factor:.2f} x real time"
+            text += (
+                " · paused"
+                if self.loop.paused
+                else f" · {self.loop.real_time_factor:.2f} x real time"
+            )
         if text != self._status.content:
             self._status.content = text

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import viser
 from viser import uplot
 
-from surefoot.tune.live.curves import Curves, Sample
+from surefoot.tune.live.metric_curves import Curves, TickMetrics
 
 _HEIGHT = 122  # [pixels] of a plot
 _BLUE, _ORANGE = "#2563eb", "#ea580c"
@@ -36,7 +36,7 @@ class Plots:
 
     def __init__(self, gui: viser.GuiApi, curves: Curves) -> None:
         self._curves = curves
-        arrays = dict(zip(("time", *Sample._fields), curves.arrays(), strict=True))
+        arrays = dict(zip(("time", *TickMetrics._fields), curves.arrays(), strict=True))
         self._handles = [
             gui.add_uplot(
                 (arrays["time"], *(arrays[name] for name in plot.curves)),
@@ -54,7 +54,7 @@ class Plots:
 
     def refresh(self) -> None:
         """Draw what is new."""
-        arrays = dict(zip(("time", *Sample._fields), self._curves.arrays(), strict=True))
+        arrays = dict(zip(("time", *TickMetrics._fields), self._curves.arrays(), strict=True))
         for plot, handle in zip(_PLOTS, self._handles, strict=True):
             handle.data = (arrays["time"], *(arrays[name] for name in plot.curves))
 

@@ -9,12 +9,12 @@ import viser
 
 from surefoot._core import Error
 from surefoot.tune.cost import Cost
-from surefoot.tune.live.comparison import judge
 from surefoot.tune.live.gain_editor import SLOTS
-from surefoot.tune.live.notify import Notifier
+from surefoot.tune.live.notifier import Notifier
+from surefoot.tune.live.push_cost import push_cost
 from surefoot.tune.live.simulation import Simulation
 
-_SIDES = ((-180, "back"), (-90, "right"), (0, "ahead"), (90, "left"), (180, ""))
+_DIRECTION_MARKS = ((-180, "back"), (-90, "right"), (0, "ahead"), (90, "left"), (180, ""))
 
 
 class PushPanel:
@@ -35,10 +35,10 @@ class PushPanel:
         notifier: Notifier,
     ) -> None:
         self._simulation, self._post, self._notifier = simulation, post, notifier
-        self._impulse, self._compared = "", ""
+        self._impulse, self._comparison = "", ""
         hint = "from forward towards left"
         self._direction = gui.add_slider(
-            "direction [deg]", -180.0, 180.0, 5.0, 90.0, marks=_SIDES, hint=hint
+            "direction [deg]", -180.0, 180.0, 5.0, 90.0, marks=_DIRECTION_MARKS, hint=hint
         )
         hint = "of what a linear inverted pendulum survives with its feet where they are"
         self._strength = gui.add_slider("strength [%]", 0.0, 150.0, 5.0, 50.0, hint=hint)
@@ -53,11 +53,11 @@ class PushPanel:
         score, lines = self._simulation.score, [self._impulse]
         if score.seconds_left > 0.0:
             lines.append(f"Score in {score.seconds_left:.0f} s.")
-        elif score.last is not None:
+        elif score.last_cost is not None:
             lines.append(
-                f"**Score {score.last.value:.2f}** (lower is better): {_terms(score.last)}"
+                f"**Score {score.last_cost.value:.2f}** (lower is better): {_terms(score.last_cost)}"
             )
-        text = "\n\n".join(line for line in (*lines, self._compared) if line)
+        text = "\n\n".join(line for line in (*lines, self._comparison) if line)
         if text != self._text.content:
             self._text.content = text
 
@@ -72,17 +72,17 @@ class PushPanel:
             self._notifier.complain(f"nothing was kept as {' and '.join(missing)} yet")
             return
         push = self._direction.value, self._strength.value
-        self._compared = "Comparing A and B ..."
+        self._comparison = "Comparing A and B ..."
         try:
             costs = {
-                slot: judge(simulation.description, simulation.world, slots[slot], *push)
+                slot: push_cost(simulation.description, simulation.world, slots[slot], *push)
                 for slot in SLOTS
             }
         except Error as problem:
-            self._compared = ""
+            self._comparison = ""
             self._notifier.complain(str(problem))
             return
-        self._compared = comparison_text(costs)
+        self._comparison = comparison_text(costs)
 
 
 def comparison_text(costs: dict[str, Cost]) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 
 import viser
 
-from surefoot.tune.live.session import AXES, Session
+from surefoot.tune.live.session import REFERENCE_RANGES, Session
 
 _STEPS = {"m": 0.005, "deg": 0.5}
 
@@ -28,19 +28,19 @@ def add_reference_panel(
     hint = "from the pose that was latched; limited where gain reach_... says"
     sliders: dict[str, Any] = {
         axis: gui.add_slider(f"{axis} [{unit}]", low, high, _STEPS[unit], 0.0, hint=hint)
-        for axis, (unit, low, high) in AXES.items()
+        for axis, (unit, low, high) in REFERENCE_RANGES.items()
     }
 
-    def ask(_: Any) -> None:
+    def send_reference(_: Any) -> None:
         values = {axis: float(slider.value) for axis, slider in sliders.items()}
         post(lambda: session.set_reference(values))
 
     for slider in sliders.values():
-        slider.on_update(ask)
+        slider.on_update(send_reference)
 
-    def zero() -> None:
+    def zero_sliders() -> None:
         for slider in sliders.values():
             slider.value = 0.0
 
-    gui.add_button("Back to the latched pose").on_click(lambda _: zero())
-    return zero
+    gui.add_button("Back to the latched pose").on_click(lambda _: zero_sliders())
+    return zero_sliders

@@ -7,15 +7,15 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from surefoot.sim.collada import Faces
-from surefoot.sim.rotations import Array
-from surefoot.sim.visuals import HIDDEN_GROUP
+from surefoot.geometry.rotations import Array
+from surefoot.sim.model.collada import Faces
+from surefoot.sim.model.visuals import HIDDEN_GROUP
 
 Colour = tuple[int, int, int]
 
 
 @dataclass(frozen=True)
-class Part:
+class BodyMesh:
     """Triangles of one colour that move as one.
 
     Attributes:
@@ -31,7 +31,7 @@ class Part:
     colour: Colour
 
 
-def robot_parts(model: mujoco.MjModel) -> list[Part]:
+def body_meshes(model: mujoco.MjModel) -> list[BodyMesh]:
     """Return all that is to be seen of a model with visuals, but not its ground.
 
     Bodies that are welded to one another become one, so that few poses have to be sent.
@@ -43,17 +43,18 @@ def robot_parts(model: mujoco.MjModel) -> list[Part]:
         owner = int(model.body_weldid[model.geom_bodyid[geom]])
         if owner == 0 or model.geom_group[geom] == HIDDEN_GROUP:
             continue
-        vertices, faces = _shape(model, geom)
+        vertices, faces = _geom_mesh(model, geom)
         world = vertices @ data.geom_xmat[geom].reshape(3, 3).T + data.geom_xpos[geom]
         local = (world - data.xpos[owner]) @ data.xmat[owner].reshape(3, 3)
         red, green, blue = (round(255 * float(c)) for c in model.geom_rgba[geom][:3])
         found.setdefault((owner, (red, green, blue)), []).append((local, faces))
     return [
-        Part(body, *_joined(shapes), colour) for (body, colour), shapes in sorted(found.items())
+        BodyMesh(body, *_merge_meshes(shapes), colour)
+        for (body, colour), shapes in sorted(found.items())
     ]
 
 
-def _shape(model: mujoco.MjModel, geom: int) -> tuple[Array, Faces]:
+def _geom_mesh(model: mujoco.MjModel, geom: int) -> tuple[Array, Faces]:
     """Return a geom's triangles in its own frame."""
     kind, size = int(model.geom_type[geom]), model.geom_size[geom]
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
@@ -64,11 +65,11 @@ def _shape(model: mujoco.MjModel, geom: int) -> tuple[Array, Faces]:
         triangles = np.array(model.mesh_face[start : start + faces], dtype=np.int64)
         return vertices, triangles
     if kind == mujoco.mjtGeom.mjGEOM_SPHERE:
-        return _ball(float(size[0]))
+        return _sphere(float(size[0]))
     return _box(size)
 
 
-def _joined(shapes: list[tuple[Array, Faces]]) -> tuple[Array, Faces]:
+def _merge_meshes(shapes: list[tuple[Array, Faces]]) -> tuple[Array, Faces]:
     vertices, faces, count = [], [], 0
     for points, triangles in shapes:
         vertices.append(points)
@@ -77,7 +78,7 @@ def _joined(shapes: list[tuple[Array, Faces]]) -> tuple[Array, Faces]:
     return np.concatenate(vertices), np.concatenate(faces)
 
 
-def _ball(radius: float, rings: int = 8, sectors: int = 12) -> tuple[Array, Faces]:
+def _sphere(radius: float, rings: int = 8, sectors: int = 12) -> tuple[Array, Faces]:
     """Return a sphere of circles of latitude, each pole as many coinciding vertices."""
     polar = np.linspace(0.0, np.pi, rings + 1)[:, None]
     around = np.linspace(0.0, 2.0 * np.pi, sectors, endpoint=False)[None, :]

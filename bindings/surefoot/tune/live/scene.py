@@ -6,21 +6,24 @@ import mujoco
 import numpy as np
 import viser
 
-from surefoot.robot_files import RobotDescription
-from surefoot.robots import build_robot
-from surefoot.sim.model import build_model
-from surefoot.sim.rotations import Array
+from surefoot.geometry.rotations import Array
+from surefoot.robot.description import RobotDescription
+from surefoot.robot.loading import build_robot
+from surefoot.sim.model.mujoco_model import build_model
 from surefoot.sim.settings import PlantSettings
-from surefoot.tune.live.robot_mesh import robot_parts
-from surefoot.tune.live.support import Support
-from surefoot.tune.live.surroundings import Surroundings
-from surefoot.tune.live.view import View
+from surefoot.tune.live.ground_and_payload import GroundAndPayload
+from surefoot.tune.live.robot_mesh import body_meshes
+from surefoot.tune.live.scene_state import SceneState
+from surefoot.tune.live.support_polygon import SupportPolygon
 
 FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
-_MOVED, _TURNED = 2e-5, 1e-5  # [m] and of a quaternion's numbers: less than a pixel
-_REFLECTED = 0.4  # intensity of the surroundings that the robot reflects
-_PLAIN = 1.2  # intensity of the light that is everywhere, where nothing is reflected
-_LEAST_FORCE = 1.0  # [N] that has an arrow
+_MIN_DISPLACEMENT, _MIN_ROTATION = (
+    2e-5,
+    1e-5,
+)  # [m] and of a quaternion's numbers: less than a pixel
+_REFLECTION_INTENSITY = 0.4  # intensity of the surroundings that the robot reflects
+_AMBIENT_INTENSITY = 1.2  # intensity of the light that is everywhere, where nothing is reflected
+_MIN_ARROW_FORCE = 1.0  # [N] that has an arrow
 
 
 class Scene:
@@ -39,34 +42,36 @@ class Scene:
         self._weight = 9.81 * float(np.sum(self._model.body_mass))
         self._size = (self._weight / 9.81) ** (1 / 3) / 8.0  # [m]; all that is drawn scales with it
         self._frames = self._add_robot()
-        self._surroundings = Surroundings(server, self._base_name, self._size)
-        self._support = Support(server, self._size)
+        self._ground_and_payload = GroundAndPayload(server, self._base_name, self._size)
+        self._support_polygon = SupportPolygon(server, self._size)
         self._arrows: viser.ArrowsHandle | None = None
-        self._lamp = server.scene.add_light_ambient("/lamp", intensity=_PLAIN, visible=False)
+        self._ambient_light = server.scene.add_light_ambient(
+            "/lamp", intensity=_AMBIENT_INTENSITY, visible=False
+        )
         self._aim_camera()
 
-    def show(self, view: View) -> None:
+    def show(self, scene_state: SceneState) -> None:
         """Draw an instant; only what has moved is sent."""
-        self._data.qpos[:] = view.qpos
+        self._data.qpos[:] = scene_state.qpos
         mujoco.mj_kinematics(self._model, self._data)
         with self._server.atomic():
             for body, frame in self._frames.items():
                 position, wxyz = self._data.xpos[body], self._data.xquat[body]
-                if np.abs(position - frame.position).max() > _MOVED:
+                if np.abs(position - frame.position).max() > _MIN_DISPLACEMENT:
                     frame.position = position
-                if np.abs(wxyz - frame.wxyz).max() > _TURNED:
+                if np.abs(wxyz - frame.wxyz).max() > _MIN_ROTATION:
                     frame.wxyz = wxyz
-            self._surroundings.show(view)
-            self._support.show(view)
-            self._show_forces(view)
+            self._ground_and_payload.show(scene_state)
+            self._support_polygon.show(scene_state)
+            self._show_forces(scene_state)
 
     def set_plain(self, plain: bool) -> None:
         """Leave out shadows and reflections: without a graphics card they take most of the time."""
         self._server.scene.configure_default_lights(True, cast_shadow=not plain)
         self._server.scene.configure_environment_map(
-            None if plain else "warehouse", environment_intensity=_REFLECTED
+            None if plain else "warehouse", environment_intensity=_REFLECTION_INTENSITY
         )
-        self._lamp.visible = plain
+        self._ambient_light.visible = plain
 
     @property
     def _base_name(self) -> str:
@@ -74,7 +79,7 @@ class Scene:
 
     def _add_robot(self) -> dict[int, viser.FrameHandle]:
         scene, frames = self._server.scene, {}
-        for k, part in enumerate(robot_parts(self._model)):
+        for k, part in enumerate(body_meshes(self._model)):
             name = f"/robot/{self._model.body(part.body).name}"
             if part.body not in frames:
                 frames[part.body] = scene.add_frame(name, show_axes=False)
@@ -83,16 +88,19 @@ class Scene:
             )
         return frames
 
-    def _show_forces(self, view: View) -> None:
-        metres = 2.0 * self._size / self._weight  # a newton's length
-        loaded = np.linalg.norm(view.forces, axis=1) > _LEAST_FORCE
-        starts, colours = view.contact_points[loaded], [FORCE_GREEN] * int(loaded.sum())
-        ends = starts + metres * view.forces[loaded]
-        if view.push is not None:
+    def _show_forces(self, scene_state: SceneState) -> None:
+        metres_per_newton = 2.0 * self._size / self._weight  # a newton's length
+        loaded = np.linalg.norm(scene_state.forces, axis=1) > _MIN_ARROW_FORCE
+        starts, colours = scene_state.contact_points[loaded], [FORCE_GREEN] * int(loaded.sum())
+        ends = starts + metres_per_newton * scene_state.forces[loaded]
+        if scene_state.push is not None:
             # The arrow's tip is where the force acts, moved out of the trunk.
-            force, point = view.push
+            force, point = scene_state.push
             tip = point - 0.3 * self._size * force / np.linalg.norm(force)
-            starts, ends = np.vstack([starts, tip - metres * force]), np.vstack([ends, tip])
+            starts, ends = (
+                np.vstack([starts, tip - metres_per_newton * force]),
+                np.vstack([ends, tip]),
+            )
             colours.append(PUSH_RED)
         self._draw_arrows(np.stack([starts, ends], axis=1), colours)
 

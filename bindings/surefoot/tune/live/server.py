@@ -31,7 +31,7 @@ def open_server(host: str, port: int, title: str) -> viser.ViserServer:
     """
     port = _check_address(host, port)
     # viser says on stdout where it listens, in a frame of its own; the command says it in a line.
-    with contextlib.redirect_stdout(io.StringIO()), _own_pages_only(host, port):
+    with contextlib.redirect_stdout(io.StringIO()), _same_origin_only(host, port):
         server = viser.ViserServer(host=host, port=port, label=title, verbose=False)
     if server.get_port() != port:  # taken in between: viser moves on to the next one
         close_server(server)
@@ -46,7 +46,7 @@ def close_server(server: viser.ViserServer) -> None:
 
 
 @contextlib.contextmanager
-def _own_pages_only(host: str, port: int) -> Iterator[None]:
+def _same_origin_only(host: str, port: int) -> Iterator[None]:
     """While a server opens on a loopback address: let no other site's pages connect to it.
 
     A browser lets any page open a socket to this machine, and viser takes whoever comes; a site

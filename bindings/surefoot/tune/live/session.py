@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Protocol
 
 from surefoot._core import Robot
-from surefoot.robot_files import RobotDescription
-from surefoot.tune.live.curves import Curves
+from surefoot.robot.description import RobotDescription
 from surefoot.tune.live.gain_editor import GainEditor
-from surefoot.tune.live.guard import Guard
-from surefoot.tune.live.view import View
+from surefoot.tune.live.gain_limiter import GainLimiter
+from surefoot.tune.live.metric_curves import Curves
+from surefoot.tune.live.scene_state import SceneState
 
-AXES = {
+REFERENCE_RANGES = {
     "x": ("m", -0.08, 0.08),
     "y": ("m", -0.08, 0.08),
     "height": ("m", -0.12, 0.08),
@@ -29,8 +29,8 @@ class Session(Protocol):
         description: The robot's files.
         robot: The robot as its controller knows it.
         editor: Gains that are wanted; the session takes them to the controller.
-        guard: What keeps the gains near the robot's own; None for one that may fall.
-        view: The present instant; replaced, never changed, so any thread may look.
+        gain_limiter: What keeps the gains near the robot's own; None for one that may fall.
+        scene_state: The present instant; replaced, never changed, so any thread may look.
         curves: The last seconds in numbers.
         period: Time that tick() advances [s].
     """
@@ -38,8 +38,8 @@ class Session(Protocol):
     description: RobotDescription
     robot: Robot
     editor: GainEditor
-    guard: Guard | None
-    view: View
+    gain_limiter: GainLimiter | None
+    scene_state: SceneState
     curves: Curves
     period: float
 
@@ -57,8 +57,8 @@ class Session(Protocol):
         """Advance by one period."""
         ...
 
-    def look(self) -> None:
-        """Bring `view` up to date."""
+    def update_view(self) -> None:
+        """Bring `scene_state` up to date."""
         ...
 
     def set_reference(self, values: dict[str, float]) -> None:

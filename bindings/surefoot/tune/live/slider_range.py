@@ -9,8 +9,8 @@ from surefoot._core import GainInfo
 
 ZOOMS = {"x 2": 2.0, "x 4": 4.0, "x 10": 10.0, "x 100": 100.0}
 """How far sliders reach: multiples of the robot's own value, by what the page calls them."""
-_FROM_ZERO = 0.25  # a slider of a gain whose own value is zero reaches to this times the zoom
-_STEPS = 100  # at least, from end to end
+_ZERO_GAIN_REACH = 0.25  # a slider of a gain whose own value is zero reaches to this times the zoom
+_MIN_STEPS = 100  # at least, from end to end
 
 
 @dataclass(frozen=True)
@@ -36,12 +36,12 @@ def slider_range(info: GainInfo, own: float, value: float, zoom: float) -> Slide
         value: The present one; the slider reaches it in any case.
         zoom: Of ZOOMS.
     """
-    high = min(info.maximum, (own or _FROM_ZERO) * zoom)
+    high = min(info.maximum, (own or _ZERO_GAIN_REACH) * zoom)
     high = max(high, value)
-    return fitted(info.minimum, high, value)
+    return rounded_range(info.minimum, high, value)
 
 
-def fitted(low: float, high: float, value: float) -> SliderRange:
+def rounded_range(low: float, high: float, value: float) -> SliderRange:
     """Return a range whose step is a power of ten and whose low end is a multiple of it.
 
     Args:
@@ -52,7 +52,7 @@ def fitted(low: float, high: float, value: float) -> SliderRange:
     span = high - low
     if span <= 0.0:
         return SliderRange(value, value, 1.0, 3)
-    digits = -math.floor(math.log10(span / _STEPS) + 1e-9)
+    digits = -math.floor(math.log10(span / _MIN_STEPS) + 1e-9)
     step = 10.0**-digits
-    begin = round(math.ceil(low / step - 1e-9) * step, max(digits, 0))
-    return SliderRange(min(begin, value), high, step, max(digits, 0))
+    first_step = round(math.ceil(low / step - 1e-9) * step, max(digits, 0))
+    return SliderRange(min(first_step, value), high, step, max(digits, 0))

@@ -6,13 +6,13 @@ from typing import Any
 
 import viser
 
-from surefoot.tune.live.loop import Loop
+from surefoot.tune.live.session_thread import SessionThread
 from surefoot.tune.live.simulation import Simulation
 
 SPEEDS = {"x 1": 1.0, "x 1/2": 0.5, "x 1/5": 0.2, "x 1/20": 0.05, "x 2": 2.0}
 
 
-def add_time_panel(gui: viser.GuiApi, loop: Loop, simulation: Simulation) -> None:
+def add_time_panel(gui: viser.GuiApi, loop: SessionThread, simulation: Simulation) -> None:
     """Add the controls of a loop's time.
 
     Args:

@@ -36,23 +36,25 @@ def add_world_panel(
     slope = gui.add_slider("slope [deg]", -15.0, 15.0, 1.0, 0.0, hint="uphill forward")
     sensors = gui.add_dropdown("sensors", _SENSORS, initial_value=world.sensors)
     hint = "robot: as the real one's are; est: newtons and counts; raw: counts; dead: zeros"
-    feet = gui.add_dropdown("foot force", _FOOT_FORCE, initial_value=world.foot_force, hint=hint)
+    foot_force = gui.add_dropdown(
+        "foot force", _FOOT_FORCE, initial_value=world.foot_force, hint=hint
+    )
     seed = gui.add_number("seed", world.seed, min=0, step=1, hint="of sensor and motor errors")
     gui.add_markdown("_A change stands the robot up anew, on the same gains._")
 
     def change(_: Any) -> None:
-        asked = World(
+        world_settings = World(
             friction=float(friction.value),
             payload_kg=float(payload.value),
             delay_ms=float(delay.value),
             predicted_ms=float(predicted.value),
             sensors=sensors.value,
-            foot_force=feet.value,
+            foot_force=foot_force.value,
             slope_deg=float(slope.value),
             seed=int(seed.value),
         )
-        simulation.wanted_world = asked
-        post(simulation.enter_wanted_world)
+        simulation.requested_world = world_settings
+        post(simulation.apply_requested_world)
 
-    for handle in (friction, payload, delay, predicted, slope, sensors, feet, seed):
+    for handle in (friction, payload, delay, predicted, slope, sensors, foot_force, seed):
         handle.on_update(change)

@@ -6,20 +6,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from surefoot.robots import RobotDescription, build_robot, describe_robot
+from surefoot.robot.loading import RobotDescription, build_robot, describe_robot
 from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim.settings import COARSE_DT
 
-LENGTH = 6.6  # [s]
-FIRST, EVERY, COUNT = 0.6, 2.0, 3  # [s] pushes: when, how often, how many
-SHARE = 0.35, 0.8  # of the pendulum's limit
-PAYLOAD = 0.2  # of the robot's mass, at most
-FRICTION = 0.5, 1.0
-DELAY_STEPS = 8  # extra physics steps of delay, at most
-MOTOR_LAG = 0.001, 0.004  # [s]
-JOINT_FRICTION = 0.5, 2.0  # times the model's
-FINAL = 5_000  # seeds from here on decide between the best trials
-HELD_OUT = 10_000  # those from here on judge the result alone
+EPISODE_TIME = 6.6  # [s]
+FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s] pushes: when, how often, how many
+PUSH_LIMIT_SHARE = 0.35, 0.8  # of the pendulum's limit
+MAX_PAYLOAD_SHARE = 0.2  # of the robot's mass, at most
+FRICTION_RANGE = 0.5, 1.0
+MAX_DELAY_STEPS = 8  # extra physics steps of delay, at most
+MOTOR_LAG_RANGE = 0.001, 0.004  # [s]
+JOINT_FRICTION_RANGE = 0.5, 2.0  # times the model's
+FINAL_SEED = 5_000  # seeds from here on decide between the best trials
+HELD_OUT_SEED = 10_000  # those from here on judge the result alone
 
 
 @dataclass(frozen=True)
@@ -39,31 +39,34 @@ class Episode:
     def plant(self) -> Plant:
         """Build the plant, pushes and all; raises Error."""
         rng = np.random.default_rng([self.seed, 7])
-        description = describe(self.robot)
-        settings = self._drawn(rng, build_robot(description).mass)
+        description = find_robot(self.robot)
+        settings = self._random_settings(rng, build_robot(description).mass)
         plant = Plant(description, settings)
-        degrees, shares = rng.uniform(-180.0, 180.0, COUNT), rng.uniform(*SHARE, COUNT)
+        degrees, shares = (
+            rng.uniform(-180.0, 180.0, PUSH_COUNT),
+            rng.uniform(*PUSH_LIMIT_SHARE, PUSH_COUNT),
+        )
         for k, (direction, share) in enumerate(zip(degrees.tolist(), shares, strict=True)):
-            impulse = float(share) * plant.lip_limit(direction)
-            plant.add_push(Push(direction, impulse, time=FIRST + k * EVERY))
+            impulse = float(share) * plant.lip_push_limit(direction)
+            plant.add_push(Push(direction, impulse, time=FIRST_PUSH_TIME + k * PUSH_INTERVAL))
         return plant
 
-    def _drawn(self, rng: np.random.Generator, mass: float) -> PlantSettings:
+    def _random_settings(self, rng: np.random.Generator, mass: float) -> PlantSettings:
         x, y = (0.03 * rng.uniform(-1.0, 1.0, 2)).tolist()
         return replace(
             self.settings,
             seed=self.seed,
             physics_dt=COARSE_DT,
-            payload_kg=float(PAYLOAD * mass * rng.uniform()),
+            payload_kg=float(MAX_PAYLOAD_SHARE * mass * rng.uniform()),
             payload_position=(x, y, 0.05),
-            friction=float(rng.uniform(*FRICTION)),
-            extra_delay=COARSE_DT * int(rng.integers(DELAY_STEPS + 1)),
-            motor_lag=float(rng.uniform(*MOTOR_LAG)),
-            joint_friction_scale=float(rng.uniform(*JOINT_FRICTION)),
+            friction=float(rng.uniform(*FRICTION_RANGE)),
+            extra_delay=COARSE_DT * int(rng.integers(MAX_DELAY_STEPS + 1)),
+            motor_lag=float(rng.uniform(*MOTOR_LAG_RANGE)),
+            joint_friction_scale=float(rng.uniform(*JOINT_FRICTION_RANGE)),
         )
 
 
-def describe(robot: str | tuple[str, str]) -> RobotDescription:
+def find_robot(robot: str | tuple[str, str]) -> RobotDescription:
     """Return the files of a robot, by its name or by its URDF and TOML; raises Error."""
     if isinstance(robot, str):
         return describe_robot(robot)

@@ -7,14 +7,23 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.figure import Figure
 
-from surefoot.report_axes import BLUE, GREEN, GREY, ORANGE, RED, Plot, finish_time, grid
-from surefoot.stand.geometry import pose_from_feet, rotation_angle
+from surefoot.reports.plots import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    Plot,
+    finish_time_axis,
+    subplot_grid,
+)
+from surefoot.stand.foot_frame import pose_from_feet, rotation_angle
 from surefoot.tune.search.run import SearchResult
 from surefoot.tune.trace import Trace
 
 
 @dataclass(frozen=True)
-class Drawn:
+class PlotData:
     """What pictures are made of.
 
     Attributes:
@@ -29,10 +38,10 @@ class Drawn:
 COLOURS = {"start": RED, "own": GREY, "best": BLUE}
 
 
-def draw_history(drawn: Drawn) -> Figure:
+def draw_history(data: PlotData) -> Figure:
     """Draw every trial's cost, and the best so far."""
-    result = drawn.result
-    figure, axes = grid(len(result.settings.objectives), 1, 3.2)
+    result = data.result
+    figure, axes = subplot_grid(len(result.settings.objectives), 1, 3.2)
     for k, (objective, (ax,)) in enumerate(zip(result.settings.objectives, axes, strict=True)):
         costs = np.array([trial.values[k] for trial in result.trials])
         stopped = np.array([bool(t.user_attrs.get("stopped")) for t in result.trials])
@@ -47,9 +56,9 @@ def draw_history(drawn: Drawn) -> Figure:
     return figure
 
 
-def draw_importance(drawn: Drawn) -> Figure:
+def draw_importance(data: PlotData) -> Figure:
     """Draw each parameter's share in what trials cost."""
-    items = sorted(drawn.result.importance.items(), key=lambda item: item[1])
+    items = sorted(data.result.importance.items(), key=lambda item: item[1])
     figure = Figure(figsize=(9.2, 0.6 + 0.24 * max(len(items), 1)), layout="constrained")
     ax = figure.subplots()
     ax.barh([name for name, _ in items], [100.0 * share for _, share in items], color=GREEN)
@@ -57,40 +66,40 @@ def draw_importance(drawn: Drawn) -> Figure:
     return figure
 
 
-def draw_before_after(drawn: Drawn) -> Figure:
+def draw_before_after(data: PlotData) -> Figure:
     """Draw one episode with the start's gains, the robot's own and the best."""
-    figure, axes = grid(3, 1, 6.0)
+    figure, axes = subplot_grid(3, 1, 6.0)
     end = 0.0
-    for name, trace in drawn.traces.items():
-        time = trace.rows("time")
-        q = trace.rows("base")[:, [0, 1, 2, 4, 5, 6, 3]]
-        pose = pose_from_feet(q, np.moveaxis(trace.rows("feet"), 1, 2))
-        way = 1000.0 * np.linalg.norm(pose.position - pose.position[0], axis=1)
+    for name, trace in data.traces.items():
+        time = trace.column("time")
+        q = trace.column("base")[:, [0, 1, 2, 4, 5, 6, 3]]
+        pose = pose_from_feet(q, np.moveaxis(trace.column("feet"), 1, 2))
+        displacement = 1000.0 * np.linalg.norm(pose.position - pose.position[0], axis=1)
         angle = np.degrees(rotation_angle(pose.rotation[0].T @ pose.rotation))
-        power = np.abs(trace.rows("tau") * trace.rows("dq")).sum(axis=1)
-        for (ax,), rows in zip(axes, (way, angle, power), strict=True):
+        power = np.abs(trace.column("tau") * trace.column("dq")).sum(axis=1)
+        for (ax,), rows in zip(axes, (displacement, angle, power), strict=True):
             ax.plot(time, rows, color=COLOURS[name], label=name)
         end = max(end, float(time[-1]))
     for (ax,), text in zip(
         axes, ("base moved [mm]", "base turned [deg]", "power [W]"), strict=True
     ):
         ax.set_ylabel(text)
-    finish_time(figure, axes, end)
+    finish_time_axis(figure, axes, end)
     return figure
 
 
-def draw_front(drawn: Drawn) -> Figure:
+def draw_front(data: PlotData) -> Figure:
     """Draw both objectives of every trial, and the Pareto front."""
-    result = drawn.result
+    result = data.result
     figure = Figure(figsize=(9.2, 4.2), layout="constrained")
     ax = figure.subplots()
     costs = np.array([trial.values for trial in result.trials])
     front = np.array(sorted(tuple(trial.values) for trial in result.front))
     ax.plot(costs[:, 0], costs[:, 1], ".", color=GREY, label="trial")
     ax.plot(front[:, 0], front[:, 1], ".-", color=BLUE, label="front")
-    if result.start.searched:
-        ax.plot(*result.start.searched, "s", color=RED, label="start")
-    ax.plot(*result.best.searched, "o", color=BLUE, label="best")
+    if result.start.search_costs:
+        ax.plot(*result.start.search_costs, "s", color=RED, label="start")
+    ax.plot(*result.best.search_costs, "o", color=BLUE, label="best")
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_xlabel(f"cost, {result.settings.objectives[0]}")
@@ -120,7 +129,7 @@ BEFORE_AFTER = Plot(
 FRONT = Plot("front.png", "Pareto front", "No trial is better in both.", draw_front)
 
 
-def plots_of(result: SearchResult) -> list[Plot[Drawn]]:
+def search_plots(result: SearchResult) -> list[Plot[PlotData]]:
     """Return the plots that a search has something for."""
     plots = [BEFORE_AFTER, HISTORY]
     if result.importance:

@@ -10,21 +10,21 @@ from typing import Any
 from PIL import Image
 
 from surefoot._core import Gains
-from surefoot.gain_files import save_gains
-from surefoot.report_axes import draw_plots
-from surefoot.report_page import page_html, pictures_html, tiles_html
+from surefoot.reports.page import page_html, plots_html, tiles_html
+from surefoot.reports.plots import draw_plots
+from surefoot.robot.gain_files import save_gains
 from surefoot.sim import Plant
 from surefoot.sim.render import Renderer
 from surefoot.tune.search.episodes import Episode
-from surefoot.tune.search.plots import Drawn, plots_of
-from surefoot.tune.search.rollout import play
+from surefoot.tune.search.plots import PlotData, search_plots
+from surefoot.tune.search.rollout import simulate_episode
 from surefoot.tune.search.run import SearchResult
-from surefoot.tune.search.summary import origin, summary_text, term_lines
+from surefoot.tune.search.summary import gains_provenance, summary_text, term_lines
 from surefoot.tune.trace import Trace
 
 GAINS = "gains.toml"
 WIDTH, HEIGHT = 400, 300
-PICTURE = 0.08  # [s] between pictures
+FRAME_PERIOD = 0.08  # [s] between pictures
 
 
 def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, command: str) -> Path:
@@ -40,64 +40,64 @@ def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, co
     text = json.dumps(summary, indent=2, allow_nan=False)
     (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
     name = summary["robot"] if isinstance(summary["robot"], str) else None
-    save_gains(folder / GAINS, result.best.gains, name, origin(summary, command))
+    save_gains(folder / GAINS, result.best.gains, name, gains_provenance(summary, command))
     episode = result.settings.held_out_episodes[0]
-    traces, films, troubles = {}, [], []
+    traces, films, film_errors = {}, [], []
     for who, candidate in (("start", result.start), ("own", result.own), ("best", result.best)):
         filmed = folder / f"{who}.webp" if who != "own" else None
-        traces[who], trouble = _play(episode, candidate.gains, filmed)
-        if filmed is not None and trouble is None:
+        traces[who], film_error = _record_episode(episode, candidate.gains, filmed)
+        if filmed is not None and film_error is None:
             films.append((who, filmed.name))
-        elif trouble is not None:
-            troubles.append(f"No film of {who}: {trouble}")
-    draw_plots(plots_of(result), Drawn(result, traces), folder)
+        elif film_error is not None:
+            film_errors.append(f"No film of {who}: {film_error}")
+    draw_plots(search_plots(result), PlotData(result, traces), folder)
     page = folder / "index.html"
-    page.write_text(_page(result, summary, command, films, troubles), encoding="utf-8")
+    page.write_text(_page(result, summary, command, films, film_errors), encoding="utf-8")
     return page
 
 
-def _play(episode: Episode, gains: Gains, film: Path | None) -> tuple[Trace, str | None]:
+def _record_episode(episode: Episode, gains: Gains, film: Path | None) -> tuple[Trace, str | None]:
     """Run an episode, and film it; return its trace, and why there is no film."""
     plant = episode.plant()
     if film is None:
-        return play(plant, gains), None
+        return simulate_episode(plant, gains), None
     camera = _Camera(plant)
-    trace = play(plant, gains, camera.watch)
+    trace = simulate_episode(plant, gains, camera.on_tick)
     camera.write(film)
-    return trace, camera.trouble
+    return trace, camera.film_error
 
 
 class _Camera:
     """Takes pictures of a run; graphics fail in as many ways as there are drivers.
 
     Attributes:
-        trouble: Why there are no pictures, or None.
+        film_error: Why there are no pictures, or None.
     """
 
     def __init__(self, plant: Plant) -> None:
         self._plant = plant
-        self._every = max(1, round(PICTURE * plant.settings.control_rate))
+        self._every = max(1, round(FRAME_PERIOD * plant.settings.control_rate))
         self._renderer: Renderer | None = None
         self._pictures: list[Image.Image] = []
-        self.trouble: str | None = None
+        self.film_error: str | None = None
 
-    def watch(self, tick: int) -> None:
+    def on_tick(self, tick: int) -> None:
         """Take a picture now and then."""
-        if self.trouble is not None or tick % self._every:
+        if self.film_error is not None or tick % self._every:
             return
         try:
             self._renderer = self._renderer or Renderer(self._plant, WIDTH, HEIGHT)
             self._pictures.append(Image.fromarray(self._renderer.frame()))
         except Exception as problem:
-            self.trouble = f"{type(problem).__name__}: {problem}"
+            self.film_error = f"{type(problem).__name__}: {problem}"
 
     def write(self, film: Path) -> None:
         """Write what there is as a film; raises OSError."""
         if self._renderer is not None:
             self._renderer.close()
-        if self._pictures and self.trouble is None:
+        if self._pictures and self.film_error is None:
             first, *rest = self._pictures
-            period = round(1000.0 * PICTURE)
+            period = round(1000.0 * FRAME_PERIOD)
             first.save(film, save_all=True, append_images=rest, duration=period, loop=0, quality=70)
 
 
@@ -106,7 +106,7 @@ def _page(
     summary: dict[str, Any],
     command: str,
     films: list[tuple[str, str]],
-    troubles: list[str],
+    film_errors: list[str],
 ) -> str:
     held = "_on_held_seeds"
     shown = {who: summary[who + held] for who in ("start", "own", "best")}
@@ -124,8 +124,8 @@ def _page(
 <pre>{escape(summary_text(summary))}</pre>
 <div class="tiles" style="margin-top: 20px">{tiles_html(tiles)}</div>
 <div class="tiles" style="margin-top: 20px">{pictures}</div>
-{"".join(f"<p>{escape(trouble)}</p>" for trouble in troubles)}
-{pictures_html(plots_of(result))}
+{"".join(f"<p>{escape(film_error)}</p>" for film_error in film_errors)}
+{plots_html(search_plots(result))}
 <section class="card"><h2>What the best costs on other seeds, term by term</h2>{terms}</section>
 <section class="card"><h2>Gains</h2><p><a href="{GAINS}">{GAINS}</a>, for --gains;
 numbers in <a href="summary.json">summary.json</a>.</p></section>"""

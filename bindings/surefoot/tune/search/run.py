@@ -10,17 +10,22 @@ import optuna
 from optuna.trial import FrozenTrial, Trial, TrialState
 
 from surefoot._core import Error, Gains
-from surefoot.gain_files import gain_values
-from surefoot.tune.search.held_out import finals, judge
-from surefoot.tune.search.queue import Queue
-from surefoot.tune.search.rollout import Job, Outcome, broken
+from surefoot.robot.gain_files import gain_values
+from surefoot.tune.search.final_evaluation import evaluate_gains, select_best_trial
+from surefoot.tune.search.rollout import Outcome, TrialJob, broken
 from surefoot.tune.search.sampling import importance, make_sampler
 from surefoot.tune.search.settings import SearchSettings
-from surefoot.tune.search.space import apply
-from surefoot.tune.search.store import START, open_store, open_study, reclaim
-from surefoot.tune.search.workers import Workers, workers
+from surefoot.tune.search.space import apply_parameters
+from surefoot.tune.search.trial_journal import (
+    START,
+    open_or_create_study,
+    open_trial_journal,
+    requeue_interrupted_trials,
+)
+from surefoot.tune.search.trial_queue import TrialQueue
+from surefoot.tune.search.worker_pool import WorkerPool, open_worker_pool
 
-HOPELESS = 3.0  # times the best: what is worse is not run to its end
+STOP_COST_RATIO = 3.0  # times the best: what is worse is not run to its end
 
 Progress = Callable[[int, int, float], None]
 """Called with how many trials are done, how many there will be, and the best cost so far."""
@@ -32,13 +37,13 @@ class Candidate:
 
     Attributes:
         gains: The gains.
-        held: Outcome on the held-out episodes.
-        searched: Costs on the searched ones; empty if they were not a trial.
+        held_out: Outcome on the held-out episodes.
+        search_costs: Costs on the searched ones; empty if they were not a trial.
     """
 
     gains: Gains
-    held: Outcome
-    searched: tuple[float, ...] = ()
+    held_out: Outcome
+    search_costs: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -78,27 +83,32 @@ def run_search(
         Error: A store, cluster or setting that does not do, an episode that cannot be run.
         OSError: The store cannot be written; the trials in it are safe.
     """
-    with open_store(settings.store) as storage, workers(settings.jobs, settings.cluster) as crew:
-        study = open_study(storage, settings)
-        reclaim(study)
+    with (
+        open_trial_journal(settings.store) as storage,
+        open_worker_pool(settings.jobs, settings.cluster) as worker_pool,
+    ):
+        study = open_or_create_study(storage, settings)
+        requeue_interrupted_trials(study)
         if not study.get_trials(deepcopy=False):
             values = {p.name: p.get(settings.start) for p in settings.space}
             study.enqueue_trial(values, user_attrs={START: True})
         study.sampler = make_sampler(settings, len(study.get_trials(deepcopy=False)))
-        search = _Search(settings, study, crew, progress)
+        search = _Search(settings, study, worker_pool, progress)
         search.run()
         trials = study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,))
         first = next((t for t in trials if t.user_attrs.get(START)), None)
-        started = tuple(first.values) if first is not None else ()
-        best = finals(settings, crew, trials, started or tuple(trials[0].values))
-        chosen = [settings.start, own, apply(best.params, settings.start)]
-        held = judge(settings, crew, chosen, settings.held_out_episodes)
+        start_costs = tuple(first.values) if first is not None else ()
+        best = select_best_trial(
+            settings, worker_pool, trials, start_costs or tuple(trials[0].values)
+        )
+        chosen = [settings.start, own, apply_parameters(best.params, settings.start)]
+        held_out = evaluate_gains(settings, worker_pool, chosen, settings.held_out_episodes)
         return SearchResult(
             settings,
             trials,
-            Candidate(chosen[0], held[0], started),
-            Candidate(chosen[1], held[1]),
-            Candidate(chosen[2], held[2], tuple(best.values)),
+            Candidate(chosen[0], held_out[0], start_costs),
+            Candidate(chosen[1], held_out[1]),
+            Candidate(chosen[2], held_out[2], tuple(best.values)),
             list(study.best_trials) if len(settings.objectives) == 2 else [],
             importance(study, trials),
             search.speed(),
@@ -112,10 +122,10 @@ class _Search:
         self,
         settings: SearchSettings,
         study: optuna.Study,
-        crew: Workers,
+        worker_pool: WorkerPool,
         progress: Progress | None,
     ) -> None:
-        self._settings, self._study, self._crew = settings, study, crew
+        self._settings, self._study, self._crew = settings, study, worker_pool
         self._progress = progress
         self._episodes = settings.search_episodes
         self._distributions: dict[str, optuna.distributions.BaseDistribution] = {
@@ -123,43 +133,43 @@ class _Search:
             for p in settings.space
         }
         done = study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,))
-        self._asked: dict[int, Trial] = {}
+        self._running_trials: dict[int, Trial] = {}
         self._done = len(done)
         self._best = min((trial.values[0] for trial in done), default=float("inf"))
-        self._totals, self._wall = Outcome(), 0.0
+        self._totals, self._wall_time = Outcome(), 0.0
 
     def run(self) -> None:
         """Have trials run until there are enough."""
-        queue, begin = Queue(self._crew), time.monotonic()
+        queue, begin = TrialQueue(self._crew), time.monotonic()
         while self._done < self._settings.trials:
             while len(queue) < min(self._crew.count, self._settings.trials - self._done):
                 self._ask(queue)
             if len(queue):
                 for number, outcome in queue.take():
                     self._tell(number, outcome)
-        self._wall = time.monotonic() - begin
+        self._wall_time = time.monotonic() - begin
 
-    def _ask(self, queue: Queue) -> None:
+    def _ask(self, queue: TrialQueue) -> None:
         trial = self._study.ask(self._distributions)
-        self._asked[trial.number] = trial
+        self._running_trials[trial.number] = trial
         objectives = self._settings.objectives
         # With two objectives a trial that is bad at one may be good at the other.
-        hopeless = HOPELESS * self._best if len(objectives) == 1 else float("inf")
+        stop_cost = STOP_COST_RATIO * self._best if len(objectives) == 1 else float("inf")
         try:
-            gains = apply(trial.params, self._settings.start)
+            gains = apply_parameters(trial.params, self._settings.start)
         except Error:  # numbers that are each in range and do not go together
-            self._tell(trial.number, broken(Job({}, (), objectives)))
+            self._tell(trial.number, broken(TrialJob({}, (), objectives)))
             return
-        queue.put(trial.number, Job(gain_values(gains), self._episodes, objectives, hopeless))
+        queue.put(trial.number, TrialJob(gain_values(gains), self._episodes, objectives, stop_cost))
 
     def _tell(self, number: int, outcome: Outcome) -> None:
-        trial = self._asked.pop(number)
+        trial = self._running_trials.pop(number)
         for name in ("falls", "stopped", "broken", "episodes", "terms"):
             trial.set_user_attr(name, getattr(outcome, name))
         self._study.tell(trial, list(outcome.costs))
         self._done += 1
         self._best = min(self._best, outcome.costs[0])
-        for name in ("simulated", "seconds", "ticks", "steps"):
+        for name in ("simulated_time", "cpu_time", "ticks", "steps"):
             total = getattr(self._totals, name) + getattr(outcome, name)
             setattr(self._totals, name, total)
         if self._progress is not None:
@@ -167,15 +177,15 @@ class _Search:
 
     def speed(self) -> dict[str, float]:
         """Return how fast rollouts were, of this run alone."""
-        totals, seconds, wall = self._totals, self._totals.seconds, self._wall
+        totals, seconds, wall = self._totals, self._totals.cpu_time, self._wall_time
         if seconds <= 0.0 or wall <= 0.0:
             return {}
         return {
             "workers": self._crew.count,
             "wall_s": wall,
-            "simulated_s": totals.simulated,
+            "simulated_s": totals.simulated_time,
             "ticks_per_cpu_s": totals.ticks / seconds,
             "physics_steps_per_cpu_s": totals.steps / seconds,
-            "real_time_factor_per_core": totals.simulated / seconds,
-            "real_time_factor": totals.simulated / wall,
+            "real_time_factor_per_core": totals.simulated_time / seconds,
+            "real_time_factor": totals.simulated_time / wall,
         }

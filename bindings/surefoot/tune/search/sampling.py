@@ -10,9 +10,9 @@ from optuna.trial import FrozenTrial
 
 from surefoot.tune.search.settings import SearchSettings
 
-SIGMA = 0.25  # of the logarithmic range: the first step of CMA-ES
-POPULATION = 20  # of NSGA-II
-LEAST_TRIALS = 20  # for saying what mattered
+INITIAL_SIGMA = 0.25  # of the logarithmic range: the first step of CMA-ES
+POPULATION_SIZE = 20  # of NSGA-II
+MIN_TRIALS = 20  # for saying what mattered
 
 
 def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
@@ -26,11 +26,11 @@ def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
     seed = settings.seed + done
     if kind == "cmaes":
         x0 = {p.name: p.get(settings.start) for p in settings.space}
-        return CmaEsSampler(x0=x0, sigma0=SIGMA, seed=seed)
+        return CmaEsSampler(x0=x0, sigma0=INITIAL_SIGMA, seed=seed)
     if kind == "tpe":
         return TPESampler(seed=seed, multivariate=True, constant_liar=True)
     if kind == "nsga2":
-        return NSGAIISampler(population_size=POPULATION, seed=seed)
+        return NSGAIISampler(population_size=POPULATION_SIZE, seed=seed)
     return RandomSampler(seed=seed)
 
 
@@ -39,14 +39,14 @@ def relative_cost(costs: Sequence[float], start: tuple[float, ...]) -> float:
     return sum(cost / max(of, 1e-9) for cost, of in zip(costs, start, strict=True))
 
 
-def ranked(trials: list[FrozenTrial], start: tuple[float, ...]) -> list[FrozenTrial]:
+def rank_trials(trials: list[FrozenTrial], start: tuple[float, ...]) -> list[FrozenTrial]:
     """Return trials, the cheapest first."""
     return sorted(trials, key=lambda trial: relative_cost(trial.values, start))
 
 
 def importance(study: optuna.Study, trials: list[FrozenTrial]) -> dict[str, float]:
     """Return each parameter's share in what good trials have in common; {} of too few."""
-    if len(trials) < LEAST_TRIALS:
+    if len(trials) < MIN_TRIALS:
         return {}
     found = optuna.importance.get_param_importances(
         study,

@@ -6,15 +6,15 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from surefoot._core import Error, Gains
-from surefoot.gain_files import gain_values
+from surefoot.robot.gain_files import gain_values
+from surefoot.robot.setting_checks import check_integer
 from surefoot.sim import PlantSettings
-from surefoot.sim.checks import whole
-from surefoot.tune.cost import weights_of
-from surefoot.tune.search.episodes import FINAL, HELD_OUT, Episode
-from surefoot.tune.search.space import Parameter, default_space, pair_of, widened
+from surefoot.tune.cost import objective_weights
+from surefoot.tune.search.episodes import FINAL_SEED, HELD_OUT_SEED, Episode
+from surefoot.tune.search.space import Parameter, default_space, include_start, task_gains
 
 SAMPLERS = ("cmaes", "tpe", "nsga2", "random")
-MOST_JOBS = 256
+MAX_JOBS = 256
 
 
 @dataclass(frozen=True)
@@ -53,13 +53,13 @@ class SearchSettings:
 
     def __post_init__(self) -> None:
         for objective in self.objectives:
-            weights_of(objective)
+            objective_weights(objective)
         if len(set(self.objectives)) != len(self.objectives) or len(self.objectives) not in (1, 2):
             got = ",".join(self.objectives)
             raise Error(f"objective: got '{got}', expected one, or two that differ")
-        counts = (("trials", 1, 1_000_000), ("jobs", 1, MOST_JOBS), ("episodes", 1, 1000))
-        for name, low, high in (*counts, ("held_out", 1, 1000), ("seed", 0, FINAL - 1000)):
-            whole(name, getattr(self, name), low, high)
+        counts = (("trials", 1, 1_000_000), ("jobs", 1, MAX_JOBS), ("episodes", 1, 1000))
+        for name, low, high in (*counts, ("held_out", 1, 1000), ("seed", 0, FINAL_SEED - 1000)):
+            check_integer(name, getattr(self, name), low, high)
         if self.sampler is not None and self.sampler not in SAMPLERS:
             raise Error(f"sampler: got '{self.sampler}', expected one of {', '.join(SAMPLERS)}")
         if len(self.objectives) == 2 and self.sampler == "cmaes":
@@ -71,10 +71,10 @@ class SearchSettings:
         if not names or len(set(names)) < len(names):
             raise Error(f"gain: got {', '.join(names) or 'none'}, expected some, each once")
         for name in names:
-            both = [gain for gain in pair_of(name) or () if gain in names]
+            both = [gain for gain in task_gains(name) or () if gain in names]
             if both:
                 raise Error(f"gain: got {name} and {both[0]}, expected one: the first sets both")
-        space = tuple(widened(parameter, self.start) for parameter in self.space)
+        space = tuple(include_start(parameter, self.start) for parameter in self.space)
         object.__setattr__(self, "space", space)
 
     @property
@@ -85,16 +85,16 @@ class SearchSettings:
     @property
     def final_episodes(self) -> tuple[Episode, ...]:
         """The runs that decide between the best trials."""
-        first = FINAL + self.seed
+        first = FINAL_SEED + self.seed
         return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.episodes))
 
     @property
     def held_out_episodes(self) -> tuple[Episode, ...]:
         """The runs that no trial has seen."""
-        first = HELD_OUT + self.seed
+        first = HELD_OUT_SEED + self.seed
         return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.held_out))
 
-    def described(self) -> dict[str, Any]:
+    def identity(self) -> dict[str, Any]:
         """Return as plain data what makes two searches the same."""
         return {
             "robot": self.robot if isinstance(self.robot, str) else list(self.robot),

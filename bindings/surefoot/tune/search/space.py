@@ -6,21 +6,21 @@ import math
 from dataclasses import dataclass, replace
 
 from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
-from surefoot.robot_table import suggest
+from surefoot.robot.robot_toml import suggest
 
 TWO_PI = 2.0 * math.pi
 
 # Stiffness and damping as people understand them; kp and kd alone are a narrow curved valley.
-PAIRS = {
+TASK_GAINS = {
     "sway": ("com_kp_horizontal", "com_kd_horizontal"),
     "height": ("com_kp_vertical", "com_kd_vertical"),
     "tilt": ("base_kp_tilt", "base_kd_tilt"),
     "yaw": ("base_kp_yaw", "base_kd_yaw"),
     "foot": ("foot_kp", "foot_kd"),
 }
-FREQUENCY = 0.3, 6.0  # [Hz] natural, of the body's tasks
-FOOT_FREQUENCY = 1.0, 11.0  # [Hz]
-DAMPING = 0.2, 2.5
+FREQUENCY_RANGE = 0.3, 6.0  # [Hz] natural, of the body's tasks
+FOOT_FREQUENCY_RANGE = 1.0, 11.0  # [Hz]
+DAMPING_RANGE = 0.2, 2.5
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Parameter:
 
     def get(self, gains: Gains) -> float:
         """Return the value that gains have, brought into the range."""
-        pair = pair_of(self.name)
+        pair = task_gains(self.name)
         if pair is None:
             value = get_gain(gains, self.name)
         else:
@@ -51,13 +51,13 @@ class Parameter:
         return min(max(value, self.low), self.high)
 
 
-def pair_of(name: str) -> tuple[str, str] | None:
+def task_gains(name: str) -> tuple[str, str] | None:
     """Return the stiffness and damping that a task's number stands for; None for a gain."""
     task, _, what = name.rpartition("_")
-    return PAIRS.get(task) if what in ("frequency", "damping") else None
+    return TASK_GAINS.get(task) if what in ("frequency", "damping") else None
 
 
-def widened(parameter: Parameter, start: Gains) -> Parameter:
+def include_start(parameter: Parameter, start: Gains) -> Parameter:
     """Return a parameter whose range has the start in it.
 
     Raises:
@@ -75,10 +75,10 @@ def widened(parameter: Parameter, start: Gains) -> Parameter:
 def default_space() -> list[Parameter]:
     """Return frequency and damping of the five tasks that keep a robot standing."""
     space = []
-    for task in PAIRS:
-        low, high = FOOT_FREQUENCY if task == "foot" else FREQUENCY
+    for task in TASK_GAINS:
+        low, high = FOOT_FREQUENCY_RANGE if task == "foot" else FREQUENCY_RANGE
         space.append(Parameter(f"{task}_frequency", low, high, "Hz"))
-        space.append(Parameter(f"{task}_damping", *DAMPING, "1"))
+        space.append(Parameter(f"{task}_damping", *DAMPING_RANGE, "1"))
     return space
 
 
@@ -102,11 +102,11 @@ def parse_parameter(text: str) -> Parameter:
         names = [*known, *infos]
         raise Error(f"gain: got '{name}'{suggest(name, names)}; valid names: {', '.join(names)}")
     if span:
-        low, high = _span(name, span, infos[name] if name in infos else known[name])
+        low, high = _parse_range(name, span, infos[name] if name in infos else known[name])
     return Parameter(name, low, high, unit)
 
 
-def _span(name: str, span: str, limits: object) -> tuple[float, float]:
+def _parse_range(name: str, span: str, limits: object) -> tuple[float, float]:
     least = getattr(limits, "minimum", getattr(limits, "low", 0.0))
     most = getattr(limits, "maximum", getattr(limits, "high", math.inf))
     try:
@@ -120,13 +120,13 @@ def _span(name: str, span: str, limits: object) -> tuple[float, float]:
     return low, high
 
 
-def apply(values: dict[str, float], start: Gains) -> Gains:
+def apply_parameters(values: dict[str, float], start: Gains) -> Gains:
     """Return start with a trial's values in it; raises Error if one is out of a gain's range."""
     gains = start.__copy__()
     for name, value in values.items():
         if name in {info.name for info in gain_table()}:
             set_gain(gains, name, value)
-    for task, (kp, kd) in PAIRS.items():
+    for task, (kp, kd) in TASK_GAINS.items():
         frequency, damping = values.get(f"{task}_frequency"), values.get(f"{task}_damping")
         if frequency is None and damping is None:
             continue

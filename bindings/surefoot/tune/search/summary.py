@@ -6,11 +6,11 @@ from typing import Any
 
 from optuna.trial import FrozenTrial
 
-from surefoot.gain_files import changed_gains, gain_values
-from surefoot.plain import plain
+from surefoot.files.json_values import json_value
+from surefoot.robot.gain_files import changed_gains, gain_values
 from surefoot.tune.cost import TERMS
 from surefoot.tune.search.run import Candidate, SearchResult
-from surefoot.tune.search.space import apply
+from surefoot.tune.search.space import apply_parameters
 
 
 def summarise(result: SearchResult) -> dict[str, Any]:
@@ -23,27 +23,27 @@ def summarise(result: SearchResult) -> dict[str, Any]:
         "trials": len(trials),
         "failures": sum(1 for trial in trials if _failed(trial)),
         "stopped_early": sum(1 for trial in trials if trial.user_attrs.get("stopped")),
-        "start": _costs(result.start.searched),
-        "best": _costs(result.best.searched),
-        "start_on_held_seeds": _costs(result.start.held.costs),
-        "own_on_held_seeds": _costs(result.own.held.costs),
-        "best_on_held_seeds": _costs(result.best.held.costs),
+        "start": _costs(result.start.search_costs),
+        "best": _costs(result.best.search_costs),
+        "start_on_held_seeds": _costs(result.start.held_out.costs),
+        "own_on_held_seeds": _costs(result.own.held_out.costs),
+        "best_on_held_seeds": _costs(result.best.held_out.costs),
         "held_seeds": settings.held_out,
-        "falls_on_held_seeds": result.best.held.falls,
+        "falls_on_held_seeds": result.best.held_out.falls,
         "terms_on_held_seeds": {
-            "start": result.start.held.terms,
-            "own": result.own.held.terms,
-            "best": result.best.held.terms,
+            "start": result.start.held_out.terms,
+            "own": result.own.held_out.terms,
+            "best": result.best.held_out.terms,
         },
         "parameters": {p.name: p.get(result.best.gains) for p in settings.space},
         "gains": gain_values(result.best.gains),
         "gains_changed": changed_gains(result.best.gains, result.own.gains),
         "importance": result.importance,
         "rollouts": result.speed,
-        "front": [_on_front(result, trial) for trial in result.front] if two else None,
+        "front": [_front_entry(result, trial) for trial in result.front] if two else None,
     }
     exact = ("gains", "gains_changed", "front")
-    return {name: value if name in exact else plain(value) for name, value in summary.items()}
+    return {name: value if name in exact else json_value(value) for name, value in summary.items()}
 
 
 def summary_text(s: dict[str, Any]) -> str:
@@ -54,8 +54,8 @@ def summary_text(s: dict[str, Any]) -> str:
         f"{'cost (lower is better)':<26}{'searched':>16}{s['held_seeds']:>10} other seeds",
     ]
     for name, text in (("start", "start"), ("own", "the robot's own"), ("best", "best")):
-        searched = _shown(s[name]) if name in s else "-"
-        lines.append(f"  {text:<24}{searched:>16}{_shown(s[name + '_on_held_seeds']):>22}")
+        search_costs = _cost_text(s[name]) if name in s else "-"
+        lines.append(f"  {text:<24}{search_costs:>16}{_cost_text(s[name + '_on_held_seeds']):>22}")
     lines.append("  best: " + ", ".join(f"{k} {v:.3g}" for k, v in s["parameters"].items()))
     if s["rollouts"]:
         speed = s["rollouts"]
@@ -68,19 +68,19 @@ def summary_text(s: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def origin(s: dict[str, Any], command: str) -> str:
+def gains_provenance(s: dict[str, Any], command: str) -> str:
     """Return where gains come from, for the head of their file."""
     return (
         f"Made by: {command}\n"
-        f"Cost {_shown(s['best'])} (start {_shown(s['start'])}); on {s['held_seeds']} seeds that "
-        f"were not searched with {_shown(s['best_on_held_seeds'])} (start "
-        f"{_shown(s['start_on_held_seeds'])}, the robot's own {_shown(s['own_on_held_seeds'])})."
+        f"Cost {_cost_text(s['best'])} (start {_cost_text(s['start'])}); on {s['held_seeds']} seeds that "
+        f"were not searched with {_cost_text(s['best_on_held_seeds'])} (start "
+        f"{_cost_text(s['start_on_held_seeds'])}, the robot's own {_cost_text(s['own_on_held_seeds'])})."
     )
 
 
 def term_lines(candidate: Candidate) -> list[str]:
     """Return a candidate's terms on held-out seeds, one a line."""
-    terms = candidate.held.terms
+    terms = candidate.held_out.terms
     return [f"{name} {terms[name]:.2f}: {text}" for name, text in TERMS.items() if name in terms]
 
 
@@ -94,13 +94,13 @@ def _costs(costs: tuple[float, ...]) -> float | list[float] | None:
     return costs[0] if len(costs) == 1 else list(costs)
 
 
-def _shown(cost: float | list[float] | None) -> str:
+def _cost_text(cost: float | list[float] | None) -> str:
     if cost is None:
         return "-"
     costs = cost if isinstance(cost, list) else [cost]
     return " / ".join(f"{value:.2f}" for value in costs)
 
 
-def _on_front(result: SearchResult, trial: FrozenTrial) -> dict[str, Any]:
-    gains = apply(trial.params, result.settings.start)
+def _front_entry(result: SearchResult, trial: FrozenTrial) -> dict[str, Any]:
+    gains = apply_parameters(trial.params, result.settings.start)
     return {"trial": trial.number, "costs": list(trial.values), "gains": gain_values(gains)}

@@ -6,31 +6,31 @@
 namespace surefoot {
 
 /// Where the parts of the filter's error stand.
-namespace error {
+namespace error_index {
 constexpr int kRotation = 0;
 constexpr int kVelocity = 3;
 constexpr int kPosition = 6;
 constexpr int kFeet = 9;  ///< three each
-constexpr int kGyroscope = 21;
-constexpr int kAccelerometer = 24;
+constexpr int kGyroscopeBias = 21;
+constexpr int kAccelerometerBias = 24;
 constexpr int kSize = 27;
-constexpr int kGroup = kGyroscope;  ///< what lies on the group; the biases follow
-}  // namespace error
+constexpr int kGroupSize = kGyroscopeBias;  ///< what lies on the group; the biases follow
+}  // namespace error_index
 
 /// What the motion of one tick does to the error, xi' = Phi xi + noise.
-struct ErrorMotion {
+struct ErrorPropagation {
   /// [R; v x R; p x R; d x R] dt: what a rate of turn adds to each part on the group.
-  Eigen::Matrix<double, error::kGroup, 3> by_rate;
-  Matrix3 by_force;                    ///< R dt: what a specific force adds to the velocity
-  double dt = 0.0;                     ///< [s]
-  double rate_variance = 0.0;          ///< [rad^2/s^2] of the gyroscope over this tick
-  double force_variance = 0.0;         ///< [m^2/s^4] of the accelerometer over this tick
-  Eigen::Vector4d foot_variance;       ///< [m^2] that each foot may have moved
-  double gyroscope_drift = 0.0;        ///< [rad^2/s^2] of the bias, this tick
-  double accelerometer_drift = 0.0;    ///< [m^2/s^4]
-  double accelerometer_kept = 1.0;     ///< share of the bias that this tick does not forget
-  Vector3 up_base = Vector3::UnitZ();  ///< the vertical, along which the bias
-  double vertical_drift = 0.0;         ///< [m^2/s^4] wanders this much more
+  Eigen::Matrix<double, error_index::kGroupSize, 3> rate_jacobian;
+  Matrix3 force_jacobian;                     ///< R dt: what a specific force adds to the velocity
+  double dt = 0.0;                            ///< [s]
+  double rate_variance = 0.0;                 ///< [rad^2/s^2] of the gyroscope over this tick
+  double force_variance = 0.0;                ///< [m^2/s^4] of the accelerometer over this tick
+  Eigen::Vector4d foot_variance;              ///< [m^2] that each foot may have moved
+  double gyroscope_drift_variance = 0.0;      ///< [rad^2/s^2] of the bias, this tick
+  double accelerometer_drift_variance = 0.0;  ///< [m^2/s^4]
+  double accelerometer_bias_decay = 1.0;      ///< share of the bias that this tick does not forget
+  Vector3 up_base = Vector3::UnitZ();         ///< the vertical, along which the bias
+  double vertical_drift_variance = 0.0;       ///< [m^2/s^4] wanders this much more
 };
 
 /// Covariance of the filter's error. Its lower triangle is kept; mostly loops of constant length
@@ -39,8 +39,8 @@ struct ErrorMotion {
 /// Real-time: yes.
 class ErrorCovariance {
  public:
-  static constexpr int kPadded = 28;  // an even number of doubles: whole vectors
-  using Columns = double[3][kPadded];
+  static constexpr int kPaddedSize = 28;  // an even number of doubles: whole vectors
+  using Columns = double[3][kPaddedSize];
 
   ErrorCovariance();
 
@@ -49,7 +49,7 @@ class ErrorCovariance {
   void add_variance(int first, int count, double variance) noexcept;
 
   /// P = Phi P Phi' + Q.
-  void propagate(const ErrorMotion& motion) noexcept;
+  void propagate(const ErrorPropagation& motion) noexcept;
 
   /// P H' of a foot, H xi = position less foot plus rotation x lever.
   /// @param lever [m] world axes @param out shape (kSize, 3), by columns
@@ -61,11 +61,11 @@ class ErrorCovariance {
   void correct(const Columns& W, const Columns& K, const Matrix3& S) noexcept;
 
  private:
-  void multiply(const ErrorMotion& motion) noexcept;
-  void mirror() noexcept;
+  void multiply_transition(const ErrorPropagation& motion) noexcept;
+  void fill_upper_triangle() noexcept;
   void transpose() noexcept;
 
-  alignas(16) double P_[kPadded][kPadded];  // by columns
+  alignas(16) double P_[kPaddedSize][kPaddedSize];  // by columns
 };
 
 }  // namespace surefoot

@@ -19,9 +19,9 @@ class FootNoise {
 
   /// Learn from feet that stand.
   /// @param nis normalised innovation squared of each foot, dimension 3
-  /// @param expected variance of each innovation without the measurement's own [m^2]
-  void update(const Eigen::Vector4d& nis, const Eigen::Vector4d& expected,
-              const std::array<bool, kLegs>& standing, double dt) noexcept;
+  /// @param predicted_variance variance of each innovation without the measurement's own [m^2]
+  void update(const Eigen::Vector4d& nis, const Eigen::Vector4d& predicted_variance,
+              const std::array<bool, kLegs>& stance, double dt) noexcept;
 
   /// Of one coordinate of each foot's position [m^2].
   const Eigen::Vector4d& variance() const noexcept { return variance_; }

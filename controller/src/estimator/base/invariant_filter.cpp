@@ -6,55 +6,55 @@
 
 namespace surefoot {
 
-using namespace error;
+using namespace error_index;
 
 namespace {
-constexpr double kSmallestFoot = 1e-12;  // [m^2] keeps a perfectly known foot invertible
-constexpr double kRounding = 1e-6;       // of a variance of nothing
-constexpr double kMostSpeed = 20.0;      // [m/s]
-constexpr double kMostRateBias = 3.0;    // [rad/s]
-constexpr double kMostForceBias = 30.0;  // [m/s^2]
-constexpr double kTurned = 0.01;         // [rad] after which linearisations are made anew
+constexpr double kMinFootVariance = 1e-12;      // [m^2] keeps a perfectly known foot invertible
+constexpr double kVarianceTolerance = 1e-6;     // of a variance of nothing
+constexpr double kMaxSpeed = 20.0;              // [m/s]
+constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
+constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
+constexpr double kRelinearisationAngle = 0.01;  // [rad] after which linearisations are made anew
 
 double square(double x) noexcept { return x * x; }
 
 // The accelerometer's bias is a first-order Gauss-Markov process that wanders as its gain says and
 // is as great in the long run as it was thought to be at the start. At rest nothing tells it from a
 // tilt, and without a bound both would walk together for ever.
-void move_accelerometer_bias(const Gains& gains, ErrorMotion& motion) noexcept {
+void discretise_accelerometer_bias(const Gains& gains, ErrorPropagation& motion) noexcept {
   const double start = square(gains.start_accelerometer_bias);
   const double rate = 0.5 * square(gains.accelerometer_drift) / start;
-  motion.accelerometer_kept = std::exp(-motion.dt * rate);
-  motion.accelerometer_drift = -start * std::expm1(-2.0 * motion.dt * rate);
+  motion.accelerometer_bias_decay = std::exp(-motion.dt * rate);
+  motion.accelerometer_drift_variance = -start * std::expm1(-2.0 * motion.dt * rate);
 }
 
 }  // namespace
 
 void InvariantFilter::reset(const Quaternion& R, const Vector3& v, const Vector3& p,
-                            const FeetMatrix& p_feet, const StartDoubt& doubt) noexcept {
+                            const FeetMatrix& p_feet, const InitialSigmas& sigmas) noexcept {
   *this = InvariantFilter();
   q_ = R;
-  linear_ = R_ = R.toRotationMatrix();
+  R_linearisation_ = R_ = R.toRotationMatrix();
   v_ = v;
   p_ = p;
   feet_ = p_feet;
-  this->doubt(doubt);
+  this->reset_covariance(sigmas);
 }
 
-void InvariantFilter::doubt(const StartDoubt& doubt) noexcept {
+void InvariantFilter::reset_covariance(const InitialSigmas& sigmas) noexcept {
   P_ = ErrorCovariance();
-  P_.set_variance(kRotation, 2, square(doubt.tilt));
-  P_.set_variance(kVelocity, 3, square(doubt.velocity));
-  P_.set_variance(kFeet, 3 * kLegs, square(doubt.foot));
-  P_.set_variance(kGyroscope, 3, square(doubt.gyroscope));
-  P_.set_variance(kAccelerometer, 3, square(doubt.accelerometer));
+  P_.set_variance(kRotation, 2, square(sigmas.tilt));
+  P_.set_variance(kVelocity, 3, square(sigmas.velocity));
+  P_.set_variance(kFeet, 3 * kLegs, square(sigmas.foot));
+  P_.set_variance(kGyroscopeBias, 3, square(sigmas.gyroscope));
+  P_.set_variance(kAccelerometerBias, 3, square(sigmas.accelerometer));
 }
 
-bool InvariantFilter::possible() const noexcept {
-  const bool values = v_.norm() < kMostSpeed && gyroscope_bias_.norm() < kMostRateBias &&
-                      accelerometer_bias_.norm() < kMostForceBias;
+bool InvariantFilter::is_plausible() const noexcept {
+  const bool values = v_.norm() < kMaxSpeed && gyroscope_bias_.norm() < kMaxGyroscopeBias &&
+                      accelerometer_bias_.norm() < kMaxAccelerometerBias;
   bool variances = true;  // what is no number is none
-  for (int k = 0; k < kSize; ++k) variances = variances && P_(k, k) > -kRounding;
+  for (int k = 0; k < kSize; ++k) variances = variances && P_(k, k) > -kVarianceTolerance;
   return values && variances;
 }
 
@@ -66,41 +66,43 @@ bool InvariantFilter::possible() const noexcept {
 // estimators".) So the attitude it is made at is kept until the body has turned.
 void InvariantFilter::relinearise() noexcept {
   // |R - R'|^2 of two attitudes a small angle apart is twice the angle's square.
-  if ((R_ - linear_).squaredNorm() > 2.0 * square(kTurned)) linear_ = R_;
+  if ((R_ - R_linearisation_).squaredNorm() > 2.0 * square(kRelinearisationAngle))
+    R_linearisation_ = R_;
 }
 
 // The same of the measurement's lever, until the lever itself has turned: the ground's normal is
 // found from the believed feet and trembles with them. Taken as it came, it taught a robot that
 // stands 0.016 m/s^2 of bias an hour.
 void InvariantFilter::relinearise(const Vector3& lever) noexcept {
-  const double most = square(kTurned) * lever.squaredNorm();
-  if ((lever - linear_lever_).squaredNorm() > most) linear_lever_ = lever;
+  const double most = square(kRelinearisationAngle) * lever.squaredNorm();
+  if ((lever - lever_linearisation_).squaredNorm() > most) lever_linearisation_ = lever;
 }
 
-void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
+void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
                               const Eigen::Vector4d& foot_variance) noexcept {
   const double dt = imu.dt;
-  ErrorMotion motion;
+  ErrorPropagation motion;
   motion.dt = dt;
   relinearise();
-  motion.by_force = dt * linear_;
-  motion.by_rate.middleRows<3>(kRotation) = motion.by_force;
-  motion.by_rate.middleRows<3>(kVelocity) = skew(v_) * motion.by_force;
-  motion.by_rate.middleRows<3>(kPosition) = skew(p_) * motion.by_force;
+  motion.force_jacobian = dt * R_linearisation_;
+  motion.rate_jacobian.middleRows<3>(kRotation) = motion.force_jacobian;
+  motion.rate_jacobian.middleRows<3>(kVelocity) = skew(v_) * motion.force_jacobian;
+  motion.rate_jacobian.middleRows<3>(kPosition) = skew(p_) * motion.force_jacobian;
   for (int leg = 0; leg < kLegs; ++leg) {
-    motion.by_rate.middleRows<3>(kFeet + 3 * leg) = skew(feet_.col(leg)) * motion.by_force;
+    motion.rate_jacobian.middleRows<3>(kFeet + 3 * leg) =
+        skew(feet_.col(leg)) * motion.force_jacobian;
   }
   motion.rate_variance = imu.w_variance;
   motion.force_variance = imu.f_variance;
   motion.foot_variance = foot_variance;
-  motion.gyroscope_drift = square(gains.gyroscope_drift) * dt;
-  move_accelerometer_bias(gains, motion);
+  motion.gyroscope_drift_variance = square(gains.gyroscope_drift) * dt;
+  discretise_accelerometer_bias(gains, motion);
   // Along the vertical standing feet tell the bias from everything else, so it may change soon.
   // Were it thought to be known, one that jumps would be laid to the horizontal bias and the tilt,
   // which are not: 0.7 m/s^2 upwards made an a1 rock itself off its feet. How soon it is learnt
   // goes by sigma sqrt(dt) / drift, with the accelerometer's noise sigma.
-  motion.up_base = linear_.row(2);
-  motion.vertical_drift = square(gains.accelerometer_drift_vertical) * dt;
+  motion.up_base = R_linearisation_.row(2);
+  motion.vertical_drift_variance = square(gains.accelerometer_drift_vertical) * dt;
   P_.propagate(motion);
 
   // The specific force is turned by half of the tick's rotation: its mean over the tick.
@@ -109,7 +111,7 @@ void InvariantFilter::predict(const Gains& gains, const InertialStep& imu,
   const Vector3 a = R_ * (force + 0.5 * turn.cross(force)) - kGravity * Vector3::UnitZ();
   p_ += dt * v_ + 0.5 * dt * dt * a;
   v_ += dt * a;
-  accelerometer_bias_ *= motion.accelerometer_kept;
+  accelerometer_bias_ *= motion.accelerometer_bias_decay;
   q_ = (q_ * exp_so3(turn)).normalized();
   R_ = q_.toRotationMatrix();
 }
@@ -122,7 +124,7 @@ void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& v
   nis_dimension_ = 0;
   const FeetMatrix z = R_ * y_base - (feet_.colwise() - p_);
   for (int leg = 0; leg < kLegs; ++leg) {
-    correct_foot(leg, z.col(leg), variance[leg], gate, linear_lever_, xi);
+    correct_foot(leg, z.col(leg), variance[leg], gate, lever_linearisation_, xi);
   }
   apply(xi);
 }
@@ -141,25 +143,25 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, d
     const Vector3 moved = turn.cross(lever);
     for (int i = 0; i < 3; ++i) S(i, k) = W[k][kPosition + i] - W[k][foot + i] + moved[i];
   }
-  expected_[leg] = S.trace() / 3.0;
-  S.diagonal().array() += variance + kSmallestFoot;
-  const Vector3 explained = xi.segment<3>(kPosition) - xi.segment<3>(foot) +
+  predicted_variance_[leg] = S.trace() / 3.0;
+  S.diagonal().array() += variance + kMinFootVariance;
+  const Vector3 predicted = xi.segment<3>(kPosition) - xi.segment<3>(foot) +
                             Vector3(xi.segment<3>(kRotation)).cross(lever);
-  const Vector3 innovation = z - explained;
+  const Vector3 innovation = z - predicted;
   Matrix3 inverse = S.inverse();
   const double nis = innovation.dot(inverse * innovation);
-  const double surprise = nis / (gate * gate);
+  const double gate_ratio = nis / (gate * gate);
   foot_nis_[leg] = nis;
-  refused_[leg] = !(surprise <= kRefuse * kRefuse);
-  if (refused_[leg]) return;
-  if (surprise > 1.0) {
-    S.diagonal().array() += (surprise - 1.0) * S.trace() / 3.0;
+  rejected_feet_[leg] = !(gate_ratio <= kRejectionRatio * kRejectionRatio);
+  if (rejected_feet_[leg]) return;
+  if (gate_ratio > 1.0) {
+    S.diagonal().array() += (gate_ratio - 1.0) * S.trace() / 3.0;
     inverse = S.inverse();
   }
   nis_ += nis;
   nis_dimension_ += 3;
   for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < ErrorCovariance::kPadded; ++i) {
+    for (int i = 0; i < ErrorCovariance::kPaddedSize; ++i) {
       K[k][i] = W[0][i] * inverse(0, k) + W[1][i] * inverse(1, k) + W[2][i] * inverse(2, k);
       xi[i] += K[k][i] * innovation[k];
     }
@@ -181,8 +183,8 @@ void InvariantFilter::apply(const Error& xi) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     feet_.col(leg) = dR * feet_.col(leg) - J * xi.segment<3>(kFeet + 3 * leg);
   }
-  gyroscope_bias_ -= xi.segment<3>(kGyroscope);
-  accelerometer_bias_ -= xi.segment<3>(kAccelerometer);
+  gyroscope_bias_ -= xi.segment<3>(kGyroscopeBias);
+  accelerometer_bias_ -= xi.segment<3>(kAccelerometerBias);
 }
 
 }  // namespace surefoot

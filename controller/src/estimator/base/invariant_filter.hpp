@@ -7,7 +7,7 @@
 namespace surefoot {
 
 /// Standard deviations that a filter starts with.
-struct StartDoubt {
+struct InitialSigmas {
   double tilt = 0.0;           ///< [rad]
   double velocity = 0.0;       ///< [m/s]
   double foot = 0.0;           ///< [m]
@@ -16,7 +16,7 @@ struct StartDoubt {
 };
 
 /// What one tick's IMU says, and how sure it is.
-struct InertialStep {
+struct ImuInput {
   Vector3 w_base = Vector3::Zero();  ///< [rad/s] as read
   Vector3 f_base = Vector3::Zero();  ///< [m/s^2] specific force as read
   double w_variance = 0.0;           ///< [rad^2/s^2]
@@ -37,31 +37,31 @@ class InvariantFilter {
  public:
   /// Begin at rest. @param p IMU's point, @param p_feet contact points, world axes [m]
   void reset(const Quaternion& R, const Vector3& v, const Vector3& p, const FeetMatrix& p_feet,
-             const StartDoubt& doubt) noexcept;
+             const InitialSigmas& sigmas) noexcept;
 
   /// Doubt anew what has been found so far.
-  void doubt(const StartDoubt& doubt) noexcept;
+  void reset_covariance(const InitialSigmas& sigmas) noexcept;
 
   /// Biases are zero again. Their doubt stays as it is.
-  void forget_biases() noexcept {
+  void reset_biases() noexcept {
     gyroscope_bias_.setZero();
     accelerometer_bias_.setZero();
   }
   /// Is the estimate one that a robot may have? What is not does not come back by itself.
-  bool possible() const noexcept;
+  bool is_plausible() const noexcept;
 
   /// Move on by one IMU reading.
   /// @param foot_variance [m^2] that each may have moved besides
-  void predict(const Gains& gains, const InertialStep& imu,
+  void predict(const Gains& gains, const ImuInput& imu,
                const Eigen::Vector4d& foot_variance) noexcept;
 
-  /// Contact points have travelled, by rolling. @param way world axes [m]
-  void move_feet(const FeetMatrix& way) noexcept { feet_ += way; }
+  /// Contact points have travelled, by rolling. @param displacement world axes [m]
+  void move_feet(const FeetMatrix& displacement) noexcept { feet_ += displacement; }
 
   /// Take in where the legs say the contact points are.
   /// @param y_base from the IMU's point, base axes [m], @param variance [m^2] of each
   /// @param gate standard deviations beyond which a foot counts for less (as if its
-  /// measurement were as noisy as its surprise); beyond kRefuse times that it is refused
+  /// measurement were as noisy as its surprise); beyond kRejectionRatio times that it is refused
   /// @param lever [m] from a contact point to its sole's centre, world axes; the measurement is
   /// linearised at one that is kept until it has turned by 10 mrad
   void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate,
@@ -77,19 +77,21 @@ class InvariantFilter {
   const ErrorCovariance& covariance() const noexcept { return P_; }
 
   /// Of the last correct(): refused feet; normalised innovation squared of the others.
-  const std::array<bool, kLegs>& refused() const noexcept { return refused_; }
+  const std::array<bool, kLegs>& rejected_feet() const noexcept { return rejected_feet_; }
   double nis() const noexcept { return nis_; }
   int nis_dimension() const noexcept { return nis_dimension_; }
   /// The same foot by foot, and the innovations' variance without the measurement's own [m^2].
   const Eigen::Vector4d& foot_nis() const noexcept { return foot_nis_; }
-  const Eigen::Vector4d& expected() const noexcept { return expected_; }
+  const Eigen::Vector4d& predicted_variance() const noexcept { return predicted_variance_; }
 
   /// More doubt about the velocity: a blow has clipped the accelerometer.
-  void doubt_velocity(double variance) noexcept { P_.add_variance(error::kVelocity, 3, variance); }
+  void add_velocity_variance(double variance) noexcept {
+    P_.add_variance(error_index::kVelocity, 3, variance);
+  }
 
  private:
-  static constexpr double kRefuse = 5.0;
-  using Error = Eigen::Matrix<double, ErrorCovariance::kPadded, 1>;
+  static constexpr double kRejectionRatio = 5.0;
+  using Error = Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>;
   void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,
                     Error& xi) noexcept;
   void apply(const Error& xi) noexcept;
@@ -98,15 +100,15 @@ class InvariantFilter {
 
   Quaternion q_ = Quaternion::Identity();
   Matrix3 R_ = Matrix3::Identity();
-  Matrix3 linear_ = Matrix3::Identity();    // attitude that the error's motion is made at
-  Vector3 linear_lever_ = Vector3::Zero();  // lever that the measurement is made at
+  Matrix3 R_linearisation_ = Matrix3::Identity();  // attitude that the error's motion is made at
+  Vector3 lever_linearisation_ = Vector3::Zero();  // lever that the measurement is made at
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();
   ErrorCovariance P_;
-  std::array<bool, kLegs> refused_{};
+  std::array<bool, kLegs> rejected_feet_{};
   Eigen::Vector4d foot_nis_ = Eigen::Vector4d::Zero();
-  Eigen::Vector4d expected_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d predicted_variance_ = Eigen::Vector4d::Zero();
   double nis_ = 0.0;
   int nis_dimension_ = 0;
 };

@@ -7,31 +7,31 @@
 namespace surefoot {
 
 namespace {
-constexpr double kSmooth = 0.01;    // [s] of the speeds
-constexpr double kSettling = 0.03;  // [s] from touchdown on in which a foot may come to rest
-constexpr double kCertain = 0.02;   // [s] of sliding until it is sure
-constexpr double kRecovery = 0.5;   // [s] at rest until it is over
-constexpr double kLoaded = 0.5;     // belief of a foot that can slip
+constexpr double kFilterTime = 0.01;       // [s] of the speeds
+constexpr double kSettlingTime = 0.03;     // [s] from touchdown on in which a foot may come to rest
+constexpr double kDetectionTime = 0.02;    // [s] of sliding until it is sure
+constexpr double kRecoveryTime = 0.5;      // [s] at rest until it is over
+constexpr double kLoadedConfidence = 0.5;  // belief of a foot that can slip
 }  // namespace
 
 void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
                           const Eigen::Vector4d& contact, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
-    const bool loaded = contact[leg] > kLoaded;
+    const bool loaded = contact[leg] > kLoadedConfidence;
     // A swing's speed is not a slip's: smoothing begins anew, and settles, at touchdown.
-    if (loaded && down_[leg] == 0.0) v_.col(leg) = v_contact.col(leg);
-    v_.col(leg) += dt / (dt + kSmooth) * (v_contact.col(leg) - v_.col(leg));
-    down_[leg] = loaded ? down_[leg] + dt : 0.0;
+    if (loaded && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v_contact.col(leg);
+    v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v_contact.col(leg) - v_filtered_.col(leg));
+    stance_time_[leg] = loaded ? stance_time_[leg] + dt : 0.0;
   }
   double slowest = std::numeric_limits<double>::infinity();
   for (int leg = 0; leg < kLegs; ++leg) {
-    speed_[leg] = v_.col(leg).norm();
-    if (contact[leg] > kLoaded) slowest = std::min(slowest, speed_[leg]);
+    speed_[leg] = v_filtered_.col(leg).norm();
+    if (contact[leg] > kLoadedConfidence) slowest = std::min(slowest, speed_[leg]);
   }
   for (int leg = 0; leg < kLegs; ++leg) {
-    excess_[leg] = std::max(speed_[leg] - slowest, 0.0);
-    const bool slips = down_[leg] > kSettling && excess_[leg] > gains.slip_speed;
-    const double step = slips ? dt / kCertain : -dt / kRecovery;
+    excess_speed_[leg] = std::max(speed_[leg] - slowest, 0.0);
+    const bool slips = stance_time_[leg] > kSettlingTime && excess_speed_[leg] > gains.slip_speed;
+    const double step = slips ? dt / kDetectionTime : -dt / kRecoveryTime;
     slip_[leg] = std::clamp(slip_[leg] + step, 0.0, 1.0);
   }
 }

@@ -22,9 +22,9 @@ class SlipDetector {
   /// Of the contact points, smoothed [m/s].
   const Eigen::Vector4d& speed() const noexcept { return speed_; }
   /// The same, world axes.
-  const FeetMatrix& velocity() const noexcept { return v_; }
+  const FeetMatrix& velocity() const noexcept { return v_filtered_; }
   /// The same beyond the slowest loaded foot's; 0 while none is loaded.
-  const Eigen::Vector4d& excess() const noexcept { return excess_; }
+  const Eigen::Vector4d& excess_speed() const noexcept { return excess_speed_; }
   /// What is left of each foot's friction coefficient.
   Eigen::Vector4d friction(const Gains& gains) const noexcept {
     return Eigen::Vector4d::Ones() - (1.0 - gains.slip_friction) * slip_;
@@ -33,10 +33,10 @@ class SlipDetector {
   void reset() noexcept { *this = SlipDetector(); }
 
  private:
-  FeetMatrix v_ = FeetMatrix::Zero();
+  FeetMatrix v_filtered_ = FeetMatrix::Zero();
   Eigen::Vector4d speed_ = Eigen::Vector4d::Zero();
-  Eigen::Vector4d excess_ = Eigen::Vector4d::Zero();
-  Eigen::Vector4d down_ = Eigen::Vector4d::Zero();  // [s] since touchdown
+  Eigen::Vector4d excess_speed_ = Eigen::Vector4d::Zero();
+  Eigen::Vector4d stance_time_ = Eigen::Vector4d::Zero();  // [s] since touchdown
   Eigen::Vector4d slip_ = Eigen::Vector4d::Zero();
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "estimator/imu/imu_reader.hpp"
 
-#include "low_state_check.hpp"
+#include "low_level/low_state_check.hpp"
 
 namespace surefoot {
 
@@ -9,22 +9,23 @@ namespace {
 constexpr double kForceRange = 156.0;  // [m/s^2] full scale of 16 g
 }  // namespace
 
-void ImuReader::Stillness::see(const Vector3& value, bool moved, double dt) noexcept {
+void ImuReader::StuckVectorDetector::update(const Vector3& value, bool joints_changed,
+                                            double dt) noexcept {
   if (value == last) {
     // A report that repeats as a whole says that nothing has changed, this signal included.
-    age += moved;
-    held += moved ? dt : 0.0;
+    age += joints_changed;
+    unchanged_time += joints_changed ? dt : 0.0;
     return;
   }
   last = value;
   age = 1;
-  held = 0.0;
+  unchanged_time = 0.0;
 }
 
-Verdict ImuReader::Stillness::verdict(double limit) const noexcept {
-  if (last.cwiseAbs().maxCoeff() >= limit) return Verdict::kSaturated;
-  if (held < kHeld) return Verdict::kGood;
-  return last.isZero(0.0) ? Verdict::kZero : Verdict::kConstant;
+SensorVerdict ImuReader::StuckVectorDetector::verdict(double limit) const noexcept {
+  if (last.cwiseAbs().maxCoeff() >= limit) return SensorVerdict::kSaturated;
+  if (unchanged_time < kMaxHoldTime) return SensorVerdict::kGood;
+  return last.isZero(0.0) ? SensorVerdict::kZero : SensorVerdict::kConstant;
 }
 
 void ImuReader::read(const IMU& imu, const RobotConfig& config, const Vector12& joints, double dt,
@@ -35,11 +36,11 @@ void ImuReader::read(const IMU& imu, const RobotConfig& config, const Vector12& 
   const Quaternion R_base_imu = quaternion_wxyz(config.quat_base_imu);
   const Vector3 w(gyroscope[0], gyroscope[1], gyroscope[2]);
   const Vector3 f(accelerometer[0], accelerometer[1], accelerometer[2]);
-  const bool moved = joints != joints_;
-  joints_ = joints;
-  out.anew = moved || w != gyroscope_.last || f != accelerometer_.last;
-  gyroscope_.see(w, moved, dt);
-  accelerometer_.see(f, moved, dt);
+  const bool joints_changed = joints != last_joints_;
+  last_joints_ = joints;
+  out.changed = joints_changed || w != gyroscope_.last || f != accelerometer_.last;
+  gyroscope_.update(w, joints_changed, dt);
+  accelerometer_.update(f, joints_changed, dt);
   out.w_base = R_base_imu * w;
   out.f_base = R_base_imu * f;
   out.w_age = gyroscope_.age;
@@ -48,10 +49,10 @@ void ImuReader::read(const IMU& imu, const RobotConfig& config, const Vector12& 
   out.accelerometer = accelerometer_.verdict(kForceRange);
 
   Quaternion R_world_imu(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
-  out.has_quaternion = has_quaternion(imu);
-  out.quaternion = out.has_quaternion          ? Verdict::kGood
-                   : R_world_imu.norm() == 0.0 ? Verdict::kZero
-                                               : Verdict::kImplausible;
+  out.has_quaternion = has_unit_quaternion(imu);
+  out.quaternion = out.has_quaternion          ? SensorVerdict::kGood
+                   : R_world_imu.norm() == 0.0 ? SensorVerdict::kZero
+                                               : SensorVerdict::kImplausible;
   if (!out.has_quaternion) return;
   R_world_imu.normalize();
   out.R_world_base = R_world_imu * R_base_imu.conjugate();

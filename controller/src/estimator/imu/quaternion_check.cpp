@@ -6,9 +6,10 @@
 namespace surefoot {
 
 namespace {
-constexpr double kApart = 0.0873;  // [rad] 5 deg: vendors' filters lean by that under acceleration
-constexpr double kSigmas = 4.0;    // of our own doubt besides
-constexpr double kPatience = 1.0;  // [s]
+constexpr double kMaxTiltDifference =
+    0.0873;  // [rad] 5 deg: vendors' filters lean by that under acceleration
+constexpr double kSigmaFactor = 4.0;    // of our own doubt besides
+constexpr double kDetectionTime = 1.0;  // [s]
 }  // namespace
 
 void QuaternionCheck::update(const ImuReading& imu, const Matrix3& R_world_base, double sigma,
@@ -18,10 +19,12 @@ void QuaternionCheck::update(const ImuReading& imu, const Matrix3& R_world_base,
     return;
   }
   const Vector3 up = imu.R_world_base.conjugate() * Vector3::UnitZ();
-  apart_ = std::acos(std::clamp(up.dot(R_world_base.row(2).transpose()), -1.0, 1.0));
-  const bool contradicts = apart_ > kApart + kSigmas * sigma;
-  against_ = std::clamp(against_ + (contradicts ? dt : -dt), 0.0, 2.0 * kPatience);
-  verdict_ = against_ > kPatience ? Verdict::kDisagrees : Verdict::kGood;
+  tilt_difference_ = std::acos(std::clamp(up.dot(R_world_base.row(2).transpose()), -1.0, 1.0));
+  const bool contradicts = tilt_difference_ > kMaxTiltDifference + kSigmaFactor * sigma;
+  contradiction_time_ =
+      std::clamp(contradiction_time_ + (contradicts ? dt : -dt), 0.0, 2.0 * kDetectionTime);
+  verdict_ =
+      contradiction_time_ > kDetectionTime ? SensorVerdict::kDisagrees : SensorVerdict::kGood;
 }
 
 }  // namespace surefoot

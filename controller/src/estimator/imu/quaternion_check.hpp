@@ -11,14 +11,14 @@ class QuaternionCheck {
  public:
   /// @param sigma of our tilt [rad]
   void update(const ImuReading& imu, const Matrix3& R_world_base, double sigma, double dt) noexcept;
-  Verdict verdict() const noexcept { return verdict_; }
-  double tilt_apart() const noexcept { return apart_; }  ///< [rad] between the two
+  SensorVerdict verdict() const noexcept { return verdict_; }
+  double tilt_difference() const noexcept { return tilt_difference_; }  ///< [rad] between the two
   void reset() noexcept { *this = QuaternionCheck(); }
 
  private:
-  Verdict verdict_ = Verdict::kUnjudged;
-  double apart_ = 0.0;
-  double against_ = 0.0;  // [s]
+  SensorVerdict verdict_ = SensorVerdict::kUnjudged;
+  double tilt_difference_ = 0.0;
+  double contradiction_time_ = 0.0;  // [s]
 };
 
 }  // namespace surefoot

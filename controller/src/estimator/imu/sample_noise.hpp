@@ -18,7 +18,7 @@ class SampleNoise {
   /// @param sigma first guess, of one axis; what is measured stays within a quarter and ten times
   /// it
   void reset(double sigma) noexcept {
-    guess_ = sigma;
+    prior_sigma_ = sigma;
     variance_ = sigma * sigma;
     count_ = 0;
   }
@@ -26,29 +26,29 @@ class SampleNoise {
   /// @param value a fresh sample, not a held one
   void update(const Vector3& value, double dt) noexcept {
     if (count_ >= 2) {
-      const double found = (value - 2.0 * last_ + before_).squaredNorm() / 18.0;
-      const double blend = std::max(dt / (dt + kTime), 1.0 / (kGuess + count_));
-      variance_ += blend * (std::min(found, kWild * variance_) - variance_);
+      const double sample_variance = (value - 2.0 * last_ + second_last_).squaredNorm() / 18.0;
+      const double blend = std::max(dt / (dt + kTimeConstant), 1.0 / (kPriorSamples + count_));
+      variance_ += blend * (std::min(sample_variance, kOutlierRatio * variance_) - variance_);
     }
-    before_ = last_;
+    second_last_ = last_;
     last_ = value;
-    count_ = std::min(count_ + 1, kMost);
+    count_ = std::min(count_ + 1, kMaxCount);
   }
 
   double sigma() const noexcept {
-    return std::clamp(std::sqrt(variance_), guess_ * kLeast, guess_ * kMostTimes);
+    return std::clamp(std::sqrt(variance_), prior_sigma_ * kMinRatio, prior_sigma_ * kMaxRatio);
   }
 
  private:
-  static constexpr double kTime = 0.5;    // [s]
-  static constexpr double kGuess = 20.0;  // samples that the first guess is worth
-  static constexpr double kWild = 25.0;   // a blow is not noise
-  static constexpr double kLeast = 0.25;  // of the guess: no sensor is that good while it moves
-  static constexpr double kMostTimes = 10.0;
-  static constexpr int kMost = 1 << 20;
-  double guess_ = 1.0, variance_ = 1.0;
+  static constexpr double kTimeConstant = 0.5;   // [s]
+  static constexpr double kPriorSamples = 20.0;  // samples that the first guess is worth
+  static constexpr double kOutlierRatio = 25.0;  // a blow is not noise
+  static constexpr double kMinRatio = 0.25;  // of the guess: no sensor is that good while it moves
+  static constexpr double kMaxRatio = 10.0;
+  static constexpr int kMaxCount = 1 << 20;
+  double prior_sigma_ = 1.0, variance_ = 1.0;
   int count_ = 0;
-  Vector3 last_ = Vector3::Zero(), before_ = Vector3::Zero();
+  Vector3 last_ = Vector3::Zero(), second_last_ = Vector3::Zero();
 };
 
 }  // namespace surefoot

@@ -27,7 +27,7 @@ class StateToTorque {
 
   void tick() { solution_ = &controller_.update(state_, reference_); }
 
-  void answer(peers::Answer& out) const {
+  void read_result(peers::TickResult& out) const {
     out.solved = surefoot::is_usable(solution_->status);
     out.forces = Eigen::Map<const Eigen::VectorXd>(solution_->forces.data(), 12);
     out.torques = solution_->torques;
@@ -60,7 +60,9 @@ class WholeTick {
 
   void tick() { controller_.update(*report_); }
 
-  void answer(peers::Answer& out) const { out.solved = surefoot::is_usable(controller_.status()); }
+  void read_result(peers::TickResult& out) const {
+    out.solved = surefoot::is_usable(controller_.status());
+  }
 
  private:
   surefoot::StandController controller_;
@@ -68,10 +70,10 @@ class WholeTick {
   const surefoot::LowState* report_ = nullptr;
 };
 
-template <typename Ours>
-void play(const peers::Problem& problem) {
-  Ours ours(problem);
-  peers::serve(problem, ours, "{}");
+template <typename Implementation>
+void serve_ticks(const peers::Problem& problem) {
+  Implementation implementation(problem);
+  peers::serve(problem, implementation, "{}");
 }
 
 }  // namespace
@@ -80,7 +82,7 @@ int main(int argc, char** argv) {
   try {
     const peers::Problem problem(argc > 1 ? argv[1] : "problem.txt");
     const bool whole = argc > 2 && std::strcmp(argv[2], "tick") == 0;
-    whole ? play<WholeTick>(problem) : play<StateToTorque>(problem);
+    whole ? serve_ticks<WholeTick>(problem) : serve_ticks<StateToTorque>(problem);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "surefoot_tick: %s\n", error.what());
     return 1;

@@ -38,9 +38,9 @@ class Tsid {
   void load(int tick) {
     q_ = problem_.q(tick);
     v_ = problem_.v(tick);
-    tsid::trajectories::TrajectorySample place(3);
-    place.setValue(problem_.com(tick));
-    com_->setReference(place);
+    tsid::trajectories::TrajectorySample com_target(3);
+    com_target.setValue(problem_.com(tick));
+    com_->setReference(com_target);
     base_->setReference(pinocchio::SE3(problem_.base(tick), Vector3d::Zero()));
   }
 
@@ -50,7 +50,7 @@ class Tsid {
     torques_ = &formulation_->getActuatorForces(*solution_);
   }
 
-  void answer(peers::Answer& out) {
+  void read_result(peers::TickResult& out) {
     out.solved = solution_->status == tsid::solvers::HQP_STATUS_OPTIMAL;
     for (int leg = 0; leg < 4; ++leg) {
       const std::string& foot = problem_.names("feet")[leg];
@@ -99,9 +99,9 @@ class Tsid {
   void add_body() {
     com_ = std::make_unique<tsid::tasks::TaskComEquality>("com", robot_);
     base_ = std::make_unique<tsid::tasks::TaskSE3Equality>("base", robot_, "root_joint");
-    VectorXd turning(6);
-    turning << 0.0, 0.0, 0.0, 1.0, 1.0, 1.0;
-    base_->setMask(turning);
+    VectorXd rotation_mask(6);
+    rotation_mask << 0.0, 0.0, 0.0, 1.0, 1.0, 1.0;
+    base_->setMask(rotation_mask);
     load(0);
     add_motion(*com_, "com", 3);
     add_motion(*base_, "base", 6);

@@ -65,7 +65,7 @@ class Problem {
 };
 
 /// What a tick came to.
-struct Answer {
+struct TickResult {
   bool solved = false;
   Eigen::VectorXd forces;   ///< (12,) on FR FL RR RL, world axes [N]
   Eigen::VectorXd torques;  ///< (nv - 6,) Pinocchio's order [N.m]
@@ -78,15 +78,15 @@ inline double nanoseconds(clockid_t clock) {
 }
 
 /// Play ticks until standard input ends.
-/// @param peer has load(tick), outside the clock; tick(), inside; answer(), outside
+/// @param peer has load(tick), outside the clock; tick(), inside; read_result(), outside
 /// @param versions of what is behind it, JSON
 template <typename Peer>
 void serve(const Problem& problem, Peer& peer, const std::string& versions) {
   std::printf("{\"versions\": %s}\n", versions.c_str());
   std::fflush(stdout);
-  Answer answer;
-  answer.forces = Eigen::VectorXd::Zero(12);
-  answer.torques = Eigen::VectorXd::Zero(problem.nv - 6);
+  TickResult result;
+  result.forces = Eigen::VectorXd::Zero(12);
+  result.torques = Eigen::VectorXd::Zero(problem.nv - 6);
   std::vector<double> reply;
   int first = 0, count = 0;
   while (std::scanf(" play %d %d", &first, &count) == 2) {
@@ -98,11 +98,11 @@ void serve(const Problem& problem, Peer& peer, const std::string& versions) {
       peer.tick();
       const double wall_end = nanoseconds(CLOCK_MONOTONIC);
       const double cpu_end = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
-      peer.answer(answer);
-      reply.insert(reply.end(), {wall_end - wall, cpu_end - cpu, double(answer.solved)});
-      reply.insert(reply.end(), answer.forces.data(), answer.forces.data() + 12);
-      reply.insert(reply.end(), answer.torques.data(),
-                   answer.torques.data() + answer.torques.size());
+      peer.read_result(result);
+      reply.insert(reply.end(), {wall_end - wall, cpu_end - cpu, double(result.solved)});
+      reply.insert(reply.end(), result.forces.data(), result.forces.data() + 12);
+      reply.insert(reply.end(), result.torques.data(),
+                   result.torques.data() + result.torques.size());
     }
     std::fwrite(reply.data(), sizeof(double), reply.size(), stdout);
     std::fflush(stdout);

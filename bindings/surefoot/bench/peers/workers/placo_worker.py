@@ -65,7 +65,7 @@ class Placo:
         self.robot.update_kinematics()
         self.solution = self.solver.solve()
 
-    def answer(self) -> tuple[bool, Any, Any]:
+    def read_result(self) -> tuple[bool, Any, Any]:
         """Return solved, forces (12,), torques."""
         forces = [np.ravel(contact.wrench) for contact in self.contacts]
         return self.solution.success, np.concatenate(forces), self.solution.tau[6:]

@@ -24,7 +24,7 @@ class Tsid:
         self.robot.set_gear_ratios(np.ones(problem.nv - 6))
         self.formulation = tsid.InverseDynamicsFormulationAccForce("tsid", self.robot, False)
         self.formulation.computeProblemData(0.0, problem.q[0], np.zeros(problem.nv))
-        self.keep: list[Any] = []  # the formulation holds references only
+        self.kept_alive: list[Any] = []  # the formulation holds references only
         self.feet = problem.names("feet")
         for leg, foot in enumerate(self.feet):
             self._add_contact(problem, foot, problem.array("anchors")[3 * leg : 3 * leg + 3])
@@ -45,7 +45,7 @@ class Tsid:
         contact.setRegularizationTaskWeightVector(np.ones(3))
         contact.setForceReference(problem.number("force") * UP)
         self.formulation.addRigidContact(contact, problem.number("force_weight"))
-        self.keep.append(contact)
+        self.kept_alive.append(contact)
 
     def _add_body(self, problem: Problem) -> None:
         self.com = tsid.TaskComEquality("com", self.robot)
@@ -64,21 +64,21 @@ class Tsid:
         bounds = tsid.TaskActuationBounds("torques", self.robot)
         bounds.setBounds(-problem.array("tau_max"), problem.array("tau_max"))
         self.formulation.addActuationTask(bounds, 1.0, 0, 0.0)
-        self.keep.append(bounds)
+        self.kept_alive.append(bounds)
 
     def _add_motion(self, problem: Problem, task: Any, name: str, size: int) -> None:
         stiffness, damping = problem.array(f"{name}_gains")
         task.setKp(stiffness * np.ones(size))
         task.setKd(damping * np.ones(size))
         self.formulation.addMotionTask(task, problem.number(f"{name}_weight"), 1, 0.0)
-        self.keep.append(task)
+        self.kept_alive.append(task)
 
     def load(self, k: int) -> None:
         """Keep the state for the tick, and set the targets."""
         self.q, self.v = self.problem.q[k], self.problem.v[k]
-        place = tsid.TrajectorySample(3)
-        place.value(self.problem.com[k])
-        self.com.setReference(place)
+        com_target = tsid.TrajectorySample(3)
+        com_target.value(self.problem.com[k])
+        self.com.setReference(com_target)
         pose = tsid.TrajectorySample(12, 6)
         pose.value(np.concatenate([np.zeros(3), self.problem.rotation[k].flatten(order="F")]))
         self.base.setReference(pose)
@@ -89,7 +89,7 @@ class Tsid:
         self.solution = self.solver.solve(data)
         self.torques = self.formulation.getActuatorForces(self.solution)
 
-    def answer(self) -> tuple[bool, Any, Any]:
+    def read_result(self) -> tuple[bool, Any, Any]:
         """Return solved, forces (12,), torques."""
         forces = [self.formulation.getContactForce(foot, self.solution) for foot in self.feet]
         return self.solution.status == 0, np.concatenate(forces), self.torques

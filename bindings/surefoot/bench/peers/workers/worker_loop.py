@@ -70,7 +70,7 @@ def serve(make: Callable[[Problem], Any], packages: list[str]) -> None:
 
     Args:
         make: Returns an object with load(k), outside the clock: state and target of tick k;
-            tick(), inside; answer() -> solved, forces (12,), torques (nv - 6,).
+            tick(), inside; read_result() -> solved, forces (12,), torques (nv - 6,).
         packages: Whose versions are told.
     """
     # Libraries may print: what they say must not get between the numbers.
@@ -97,5 +97,5 @@ def _play(peer: Any, problem: Problem, k: int) -> Any:
     tick()
     wall = perf_counter_ns() - wall
     cpu = thread_time_ns() - cpu
-    solved, forces, torques = peer.answer()
+    solved, forces, torques = peer.read_result()
     return np.concatenate([[wall, cpu, solved], forces, torques])

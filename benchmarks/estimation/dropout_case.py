@@ -1,0 +1,77 @@
+"""Figures of reports that are lost, frozen or doubled, in pushes."""
+
+from __future__ import annotations
+
+import numpy as np
+from surefoot import Robot
+
+from estimation.errors import Errors, compute_errors, rms
+from estimation.figures import Result
+from estimation.log_rows import Log
+from estimation.recording import select_rows
+from estimation.replay import replay
+from estimation.rows import SETTLING_TIME, push_rows, row_at, rows_after
+
+FREEZE_TIME = 0.050  # [s]
+FAULT_AFTER_PUSH = 0.05  # [s] after a push's begin
+LOST_ROW_COUNT = 3
+
+
+def dropout(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
+    """Errors while the IMU freezes, its samples come twice, or reports are lost, in pushes."""
+    log = logs["push60"]
+    frozen, dropped = replay_errors(robot, freeze_imu(log)), replay_errors(robot, drop_rows(log))
+    doubled = replay_errors(robot, repeat_samples(log))
+    rows = rows_after(log, SETTLING_TIME)
+    last = slice(-row_at(log, 1.0), None)
+    ends = max(rms(np.linalg.norm(e.velocity[last], axis=1)) for e in (frozen, dropped, doubled))
+    return Result(
+        {
+            "fell": float(log["fell"]),
+            "frozen IMU, velocity error": _max_velocity_error(frozen, rows),
+            "doubled accelerometer, velocity RMSE": rms(
+                np.linalg.norm(doubled.velocity[rows], axis=1)
+            ),
+            "lost rows, velocity error": _max_velocity_error(dropped, rows),
+            "velocity RMSE at the end": ends,
+        }
+    )
+
+
+def replay_errors(robot: Robot, log: Log) -> Errors:
+    """Return the errors of a replay."""
+    return compute_errors(log, replay(robot, log))
+
+
+def _max_velocity_error(errors: Errors, rows: slice) -> float:
+    return float(np.linalg.norm(errors.velocity[rows], axis=1).max())
+
+
+def freeze_imu(log: Log) -> Log:
+    """Let the whole IMU repeat itself for 50 ms in the middle of every push."""
+    out, length = dict(log), row_at(log, FREEZE_TIME)
+    for name in ("gyroscope", "accelerometer", "quaternion"):
+        out[name] = log[name].copy()
+        for row in push_rows(log):
+            start = row + row_at(log, FAULT_AFTER_PUSH)
+            out[name][start : start + length] = log[name][start - 1]
+    return out
+
+
+def repeat_samples(log: Log) -> Log:
+    """Let every second sample of the accelerometer be the one before it."""
+    accelerometer = log["accelerometer"].copy()
+    pairs = len(accelerometer) // 2
+    accelerometer[1 : 2 * pairs : 2] = accelerometer[0 : 2 * pairs : 2]
+    return {**log, "accelerometer": accelerometer}
+
+
+def drop_rows(log: Log) -> Log:
+    """Lose three reports in the middle of every push and every half second."""
+    n = len(log["tick"])
+    starts = [row + row_at(log, FAULT_AFTER_PUSH) for row in push_rows(log)]
+    starts += range(row_at(log, 0.5), n - LOST_ROW_COUNT, row_at(log, 0.5))
+    keep = np.ones(n, bool)
+    for start in starts:
+        keep[start : start + LOST_ROW_COUNT] = False
+    return select_rows(log, keep)

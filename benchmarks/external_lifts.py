@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Standing robots are lifted and put down, and dropped: how many stand afterwards.
+
+    python benchmarks/external_lifts.py --robot go1 --count 500 --jobs 2 --json FILE
+
+A Supervisor at power level 10 is in charge, sensors are real. Every seed draws the floor's
+friction, which force sensors live, and for a lift how high (5 to 30 cm), how fast and for how long
+a hand holds the trunk before it puts it down and lets go. A drop is from 10 cm, let go in 20 ms.
+What fault_table() says of `lifted` is to go on, held softly: a run counts when nothing but feet
+ever touched the ground, nothing damped or sat down, PowerProtect refused nothing, and three seconds
+later the robot stands still at its old height.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections import Counter
+from dataclasses import asdict, dataclass
+
+import numpy as np
+import surefoot
+from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds, seeds_of
+from surefoot import Mode, Start, Status
+from surefoot.cli.environment import write_json
+from surefoot.sim import Lift, Plant, PlantSettings
+from surefoot.sim.truth import has_fallen
+
+KINDS = ("lift", "drop")
+POWER_LEVEL = 10  # of the power protection: a landing takes power
+TIME_BEFORE, TIME_AFTER = 1.0, 3.0  # [s] of standing
+PERIOD = 0.002  # [s]
+MAX_STILL_SPEED = 0.05  # [m/s], [rad/s]
+HEIGHT_TOLERANCE = 0.01  # [m] that it may stand lower or higher afterwards
+
+
+@dataclass
+class Outcome(RunOutcome):
+    """What became of one seed."""
+
+    robot: str
+    kind: str
+    seed: int
+    height: float  # of the lift [m]
+    watts: float  # greatest average that the power protection judged
+    tilt_deg: float  # greatest after the hand let go
+    step_mm: float  # greatest distance of a foot from where it stood, at the end
+    faults: dict[str, int]
+
+
+class LiftRun:
+    """A robot that stands under its supervisor, and what was seen of it."""
+
+    def __init__(self, robot: str, kind: str, seed: int) -> None:
+        rng = np.random.default_rng([seed, KINDS.index(kind), 41])
+        force = str(rng.choice(["est", "raw", "dead"]))
+        friction = float(rng.uniform(0.5, 1.0))
+        self.plant = Plant(robot, PlantSettings(seed=seed, friction=friction, foot_force=force))
+        self.lift = random_lift(kind, rng)
+        self.plant.add_lift(self.lift)
+        options = surefoot.SupervisorOptions(power_level=POWER_LEVEL, start=Start.STANDING)
+        self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
+        self._safety = surefoot.Safety(self.plant.robot)
+        self._state = self.plant.reset()
+        self.start = self.plant.truth
+        self.watts = self.tilt_deg = 0.0
+
+    def step(self) -> str:
+        """Take one control period; return what ends the run, or ""."""
+        command = self.supervisor.update(self._state)
+        refused = self._safety.power_protect(command, self._state, POWER_LEVEL) < 0
+        self.watts = max(self.watts, self._safety.power)
+        self._state = self.plant.step(command)
+        upright = float(self.plant.data.xmat[self.plant.handles.root, 8])
+        if self.plant.time > self.lift.time + self.lift.duration:
+            self.tilt_deg = max(self.tilt_deg, float(np.degrees(np.arccos(min(upright, 1.0)))))
+        when = f"{self.plant.time - self.lift.time:.2f} s after it was taken hold of"
+        if self.supervisor.mode != Mode.STAND:
+            return f"{self.supervisor.mode.name} for {self.supervisor.damping_fault.name}, {when}"
+        if has_fallen(self.plant.data, self.plant.handles):
+            return f"fell, {when}"
+        return f"power protection, {when}" if refused else ""
+
+    def verdict(self) -> str:
+        """Return why it does not stand at the end, or ""."""
+        truth, status = self.plant.truth, self.supervisor.stand_controller.status
+        if status != Status.OK or np.abs(truth.v).max() > MAX_STILL_SPEED:
+            return f"does not stand still: {status.name}, {np.abs(truth.v).max():.2f}"
+        if not np.all(truth.contact):
+            return "a foot is in the air"
+        height_loss = self.start.q[2] - truth.q[2]
+        return (
+            ""
+            if abs(height_loss) < HEIGHT_TOLERANCE
+            else f"stands {1e3 * height_loss:.0f} mm lower"
+        )
+
+
+def random_lift(kind: str, rng: np.random.Generator) -> Lift:
+    """Draw what the hand does."""
+    if kind == "drop":
+        return Lift("trunk", TIME_BEFORE, float(rng.uniform(0.4, 1.5)), 0.1)
+    height, up, down = (float(x) for x in rng.uniform([0.05, 0.1, 0.1], [0.3, 0.6, 0.5]))
+    held = float(rng.uniform(0.5, 3.0))
+    return Lift("trunk", TIME_BEFORE, height / up + held + height / down, height, up, 0.1, down)
+
+
+def run(job: Job) -> Outcome:
+    """Lift one robot, or drop it."""
+    robot, kind, seed = str(job[0]), str(job[1]), int(job[2])
+    lift_run = LiftRun(robot, kind, seed)
+    why = ""
+    while not why and lift_run.plant.time < TIME_BEFORE + lift_run.lift.duration + TIME_AFTER:
+        why = lift_run.step()
+    why = why or lift_run.verdict()
+    moved = lift_run.plant.truth.p_world_feet - lift_run.start.p_world_feet
+    counts = {i.name: lift_run.supervisor.faults.count(i.id) for i in surefoot.fault_table()}
+    return Outcome(
+        not why,
+        why,
+        robot,
+        kind,
+        seed,
+        round(lift_run.lift.height, 3),
+        round(lift_run.watts, 1),
+        round(lift_run.tilt_deg, 2),
+        round(1e3 * float(np.linalg.norm(moved, axis=0).max()), 1),
+        {name: count for name, count in counts.items() if count},
+    )
+
+
+def summarise(outcomes: list[Outcome]) -> dict[str, object]:
+    """Return the figures of one robot and kind."""
+    stand = [o for o in outcomes if o.ok]
+    return {
+        "robot": outcomes[0].robot,
+        "kind": outcomes[0].kind,
+        "count": len(outcomes),
+        "stand": len(stand),
+        "peak_watts": max(o.watts for o in outcomes),
+        "greatest_tilt_deg": max((o.tilt_deg for o in stand), default=None),
+        "greatest_step_mm": max((o.step_mm for o in stand), default=None),
+        "runs_that_told": dict(Counter(name for o in outcomes for name in o.faults)),
+        "failures": [asdict(o) for o in sorted(outcomes, key=lambda o: o.seed) if not o.ok],
+    }
+
+
+def summary_line(summary: dict[str, object]) -> str:
+    """Return one line."""
+    line = (
+        "{robot} {kind}: {stand} of {count} stand, peak {peak_watts:.0f} W, tilt up to "
+        "{greatest_tilt_deg} deg, feet up to {greatest_step_mm} mm from where they stood; "
+        "told by so many: {runs_that_told}"
+    )
+    return line.format(**summary)
+
+
+def main() -> int:
+    """Run and print; 3 if any robot did not stand afterwards."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--robot", action="append", choices=ROBOTS, help="default: all")
+    parser.add_argument("--kind", action="append", choices=KINDS, help="default: both")
+    add_seed_options(parser, 500)
+    options = parser.parse_args()
+    groups = [(r, k) for r in options.robot or ROBOTS for k in options.kind or KINDS]
+    jobs: list[Job] = [(*group, seed) for seed in seeds_of(options) for group in groups]
+    outcomes = run_seeds(run, Outcome, jobs, options)
+    parts = [[o for o in outcomes if (o.robot, o.kind) == group] for group in groups]
+    summaries = [summarise(part) for part in parts]
+    print("\n".join(summary_line(summary) for summary in summaries))
+    if options.json:
+        runs = [asdict(o) for o in sorted(outcomes, key=lambda o: (o.robot, o.kind, o.seed))]
+        write_json(options.json, {"groups": summaries, "runs": runs}, 1)
+    return 0 if all(o.ok for o in outcomes) else 3
+
+
+if __name__ == "__main__":
+    sys.exit(main())

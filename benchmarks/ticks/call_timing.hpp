@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <time.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// One timed call.
+struct CallTiming {
+  float wall = 0.0F;  ///< [us]
+  float cpu = 0.0F;   ///< [us] of this thread
+  std::uint16_t iterations = 0;
+  std::uint16_t failed = 0;  ///< 1: no usable status
+};
+
+/// Samples of one kind of call, with room for all of them made before the first.
+struct Series {
+  Series(std::string n, std::size_t capacity) : name(std::move(n)) { timings.reserve(capacity); }
+  std::string name;
+  std::vector<CallTiming> timings;
+  long allocations = 0;  ///< while they were taken, after the first pass over the reports
+  long page_faults = 0;  ///< the same
+  long first_allocations = 0, first_page_faults = 0;  ///< in the first pass, which is not timed
+  bool has_cpu_time = true;
+};
+
+inline double nanoseconds(clockid_t clock) noexcept {
+  timespec t;
+  clock_gettime(clock, &t);
+  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+}
+
+/// Times a call by the wall and by the thread's CPU clock. Allocates nothing.
+template <typename Call>
+CallTiming time_call(Call&& call) noexcept {
+  const double cpu = nanoseconds(CLOCK_THREAD_CPUTIME_ID);
+  const double wall = nanoseconds(CLOCK_MONOTONIC);
+  call();
+  CallTiming timing;
+  timing.wall = static_cast<float>(1e-3 * (nanoseconds(CLOCK_MONOTONIC) - wall));
+  timing.cpu = static_cast<float>(1e-3 * (nanoseconds(CLOCK_THREAD_CPUTIME_ID) - cpu));
+  return timing;
+}
+
+}  // namespace bench

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tick_timing.hpp"
+
+#include <algorithm>
+#include <surefoot/whole_body_controller.hpp>
+
+#include "memory_counters.hpp"
+
+namespace bench {
+
+namespace {
+
+using namespace surefoot;
+
+constexpr long kMaxStageTimings = 100000;
+constexpr std::size_t kPacedTicks = 500;
+
+// What a call costs the heap and the pager.
+template <typename Call>
+void count_memory(long& allocations, long& faults, Call&& call) {
+  const long allocations_before = heap_allocations(), faults_before = page_faults();
+  call();
+  allocations = heap_allocations() - allocations_before;
+  faults = page_faults() - faults_before;
+}
+
+// One pass to warm up, counted apart, then those that are timed.
+template <typename Pass>
+void run_passes(const ReplayPlan& plan, Series& series, Pass&& pass) {
+  count_memory(series.first_allocations, series.first_page_faults, pass);
+  series.timings.clear();
+  count_memory(series.allocations, series.page_faults, [&] {
+    for (long k = 0; k < plan.passes; ++k) pass();
+  });
+}
+
+// As it was told when the reports were recorded; part of no tick.
+void apply_reference(const ReplayPlan& plan, std::size_t k, StandController& controller) {
+  if (!plan.references.empty()) controller.set_body_reference(plan.references[k]);
+}
+
+timespec add_microseconds(timespec time, long us) {
+  time.tv_nsec += 1000 * us;
+  time.tv_sec += time.tv_nsec / 1000000000;
+  time.tv_nsec %= 1000000000;
+  return time;
+}
+
+// Touched once, so that its pages are there.
+Series make_series(const char* name, std::size_t capacity) {
+  Series series(name, capacity);
+  series.timings.resize(series.timings.capacity());
+  series.timings.clear();
+  return series;
+}
+
+Series make_series(const char* name, const ReplayPlan& plan) {
+  return make_series(name, static_cast<std::size_t>(plan.passes) * plan.reports.size());
+}
+
+template <typename Controller>
+void record_result(const Controller& controller, bool solved, CallTiming& timing) {
+  timing.iterations = static_cast<std::uint16_t>(controller.solution().iterations);
+  timing.failed = solved ? 0 : 1;
+}
+
+}  // namespace
+
+Series time_ticks(const ReplayPlan& plan) {
+  Series series = make_series("tick", plan);
+  StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  run_passes(plan, series, [&] {
+    controller.reset();
+    for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+      apply_reference(plan, k, controller);
+      CallTiming timing = time_call([&] { controller.update(plan.reports[k]); });
+      record_result(controller, controller.fallback_level() == FallbackLevel::kSolved, timing);
+      series.timings.push_back(timing);
+    }
+  });
+  return series;
+}
+
+Series time_paced_ticks(const ReplayPlan& plan) {
+  Series series = make_series("paced", kPacedTicks);
+  StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  timespec due{};
+  clock_gettime(CLOCK_MONOTONIC, &due);
+  count_memory(series.allocations, series.page_faults, [&] {
+    for (std::size_t k = 0; k < std::min(kPacedTicks, plan.reports.size()); ++k) {
+      due = add_microseconds(due, plan.period);
+      clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
+      apply_reference(plan, k, controller);
+      CallTiming timing = time_call([&] { controller.update(plan.reports[k]); });
+      record_result(controller, controller.fallback_level() == FallbackLevel::kSolved, timing);
+      series.timings.push_back(timing);
+    }
+  });
+  return series;
+}
+
+Series time_state_to_torque(const ReplayPlan& plan) {
+  StandController stand(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  std::vector<RobotState> states;
+  std::vector<Reference> references;
+  for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+    apply_reference(plan, k, stand);
+    stand.update(plan.reports[k]);
+    states.push_back(stand.state());
+    references.push_back(stand.reference());
+  }
+  Series series = make_series("state_to_torque", plan);
+  WholeBodyController controller(plan.robot, plan.gains, WholeBodyOptions{plan.form});
+  run_passes(plan, series, [&] {
+    controller.reset();
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      CallTiming timing = time_call([&] { controller.update(states[k], references[k]); });
+      record_result(controller, is_usable(controller.solution().status), timing);
+      series.timings.push_back(timing);
+    }
+  });
+  return series;
+}
+
+std::vector<Series> time_stages(const ReplayPlan& plan) {
+  // Nine series of a million would be long to read and tell no more.
+  const long passes = std::min(
+      plan.passes, std::max(1L, kMaxStageTimings / static_cast<long>(plan.reports.size())));
+  std::vector<Series> stages;
+  for (std::size_t k = 0; k < kStages; ++k) {
+    stages.push_back(make_series(to_string(static_cast<Stage>(k)), plan));
+    stages.back().has_cpu_time = false;
+  }
+  StandController controller(plan.robot, plan.gains, StandOptions{0.0, 0.0, plan.form});
+  StageClock clock;
+  for (long pass = 0; pass <= passes; ++pass) {
+    controller.reset();
+    for (Series& stage : stages) {
+      if (pass == 1) stage.timings.clear();
+    }
+    for (std::size_t tick = 0; tick < plan.reports.size(); ++tick) {
+      apply_reference(plan, tick, controller);
+      clock.start();
+      controller.update(plan.reports[tick]);
+      clock.stop();
+      for (std::size_t k = 0; k < kStages; ++k) {
+        CallTiming timing;
+        timing.wall = static_cast<float>(1e-3 * clock.time(static_cast<Stage>(k)));
+        stages[k].timings.push_back(timing);
+      }
+    }
+  }
+  return stages;
+}
+
+Series time_null(const ReplayPlan& plan, double length) {
+  const auto spin = [](long rounds) {
+    for (volatile long k = 0; k < rounds; k = k + 1) {
+    }
+  };
+  constexpr long kCalibrationRounds = 1000000;
+  const long rounds = static_cast<long>(kCalibrationRounds * length /
+                                        time_call([&] { spin(kCalibrationRounds); }).wall);
+  Series series = make_series("null", plan);
+  run_passes(plan, series, [&] {
+    for (std::size_t k = 0; k < plan.reports.size(); ++k) {
+      series.timings.push_back(time_call([&] { spin(rounds); }));
+    }
+  });
+  return series;
+}
+
+}  // namespace bench

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How fast gains are tried: real-time factor of a core, two processes, a Dask cluster of two.
+
+    python benchmarks/tuning_throughput.py --robot go1 --rounds 5
+
+Every round runs the same trials on each crew in turn; ratios are of the same round, and medians
+over rounds are printed, for machines are shared. A trial is what `surefoot tune search` runs:
+estimator, program, physics at 1 kHz, control at 500 Hz, sensors, cost.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from statistics import median
+
+import mujoco
+from surefoot import load_robot
+from surefoot.robot.gain_files import gain_values
+from surefoot.sim import PlantSettings
+from surefoot.tune.search.episodes import Episode
+from surefoot.tune.search.rollout import TrialJob, cached_plant, evaluate_exclusively
+from surefoot.tune.search.trial_queue import TrialQueue
+from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
+
+PORT = 8796
+SEEDS = 2  # episodes a trial
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--robot", default="go1")
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--trials", type=int, default=8, help="a round and crew")
+    parser.add_argument("--json", metavar="FILE")
+    options = parser.parse_args()
+    figures = measure(options.robot, options.rounds, options.trials)
+    for name, value in figures.items():
+        print(f"{name:<44}{value:10.3g}")
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump(figures, file, indent=2)
+
+
+def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
+    """Return the medians over rounds."""
+    job = TrialJob(
+        gain_values(load_robot(robot).config.gains),
+        tuple(Episode(robot, seed, PlantSettings()) for seed in range(SEEDS)),
+        ("balance",),
+    )
+    evaluate_exclusively(job)  # builds the plants
+    outcomes = [evaluate_exclusively(job) for _ in range(rounds)]
+    wall_times: dict[str, list[float]] = {"one": [], "two": [], "dask": []}
+    with cluster() as address:
+        worker_pools = {"one": ProcessPool(1), "two": ProcessPool(2), "dask": DaskCluster(address)}
+        for worker_pool in worker_pools.values():
+            _run(worker_pool, job, 4 * worker_pool.count)  # every worker has its plants
+        for _ in range(rounds):
+            for name, worker_pool in worker_pools.items():
+                wall_times[name].append(_run(worker_pool, job, trials))
+        for worker_pool in worker_pools.values():
+            worker_pool.close()
+    pairs = zip(wall_times["one"], wall_times["two"], wall_times["dask"], strict=True)
+    ratios = [(one / two, dask / two) for one, two, dask in pairs]
+    return {
+        "x real time, one core": median(o.simulated_time / o.cpu_time for o in outcomes),
+        "ticks per second of CPU": median(o.ticks / o.cpu_time for o in outcomes),
+        "physics steps per second of CPU": median(o.steps / o.cpu_time for o in outcomes),
+        "of it MuJoCo's own steps": median(_physics(job) * o.steps / o.cpu_time for o in outcomes),
+        "two processes, times one": median(two for two, _ in ratios),
+        "Dask of two, time of two processes": median(dask for _, dask in ratios),
+    }
+
+
+def _run(worker_pool: ProcessPool | DaskCluster, job: TrialJob, trials: int) -> float:
+    """Return the time that trials take [s]."""
+    queue, done = TrialQueue(worker_pool), 0
+    begin = time.monotonic()
+    while done < trials:
+        while len(queue) < min(worker_pool.count, trials - done):
+            queue.put(done, job)
+        done += len(queue.take())
+    return time.monotonic() - begin
+
+
+def _physics(job: TrialJob) -> float:
+    """Return the CPU time of a physics step alone, of a robot that its motors hold [s]."""
+    plant = cached_plant(job.episodes[0])
+    plant.reset()
+    model, data, steps = plant.model, mujoco.MjData(plant.model), 1000
+    data.qpos[:], data.qfrc_applied[:] = plant.data.qpos, plant.data.qfrc_applied
+    mujoco.mj_forward(model, data)
+    begin = time.process_time()
+    for _ in range(steps):
+        mujoco.mj_step2(model, data)
+        mujoco.mj_step1(model, data)
+    return (time.process_time() - begin) / steps
+
+
+@contextmanager
+def cluster() -> Iterator[str]:
+    """Run a Dask scheduler with two workers on this machine; yield its address."""
+    dask, address = [sys.executable, "-m", "dask"], f"tcp://127.0.0.1:{PORT}"
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    words = ("scheduler", "--host", "127.0.0.1", "--port", str(PORT), "--no-dashboard")
+    scheduler = subprocess.Popen([*dask, *words], **quiet)
+    words = ("worker", address, "--nworkers", "2", "--nthreads", "1", "--no-dashboard")
+    workers = subprocess.Popen([*dask, *words], **quiet)
+    try:
+        _wait_for(address)
+        yield address
+    finally:
+        for process in (workers, scheduler):
+            process.terminate()
+            process.wait()
+
+
+def _wait_for(address: str) -> None:
+    import distributed
+
+    with distributed.Client(address, timeout=30) as client:
+        client.wait_for_workers(2, timeout=60)
+
+
+if __name__ == "__main__":
+    main()

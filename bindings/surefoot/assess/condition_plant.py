@@ -1,0 +1,93 @@
+"""A condition as a plant: settings, and what moves while the robot stands."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+
+from surefoot.assess.condition import Condition
+from surefoot.robot.loading import RobotDescription, build_robot, describe_robot
+from surefoot.sim import Flaws, Plant, PlantSettings
+from surefoot.sim.model.moving_ground import set_ground_speed
+from surefoot.sim.model.mujoco_model import trunk_mass
+from surefoot.sim.settings import COARSE_DT
+
+STEP_RISE_TIME = 0.5  # [s] in which the ground below a foot rises
+
+RobotSource = str | tuple[str, str]
+"""A robot's name, or the paths of its URDF and TOML: plain, so that it travels."""
+
+
+def describe_source(source: RobotSource) -> RobotDescription:
+    """Return a robot's files; raises Error."""
+    if isinstance(source, str):
+        return describe_robot(source)
+    return describe_robot(urdf=source[0], config=source[1])
+
+
+@lru_cache(maxsize=32)
+def plant_of(source: RobotSource, condition: Condition) -> Plant:
+    """Return a condition's plant, kept from run to run: reseed() it, then reset() it."""
+    description = describe_source(source)
+    settings = plant_settings(condition, build_robot(description).mass, trunk_mass(description))
+    return Plant(description, settings)
+
+
+def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSettings:
+    """Return a condition's settings, seed 0.
+
+    Args:
+        condition: Whose first heading counts.
+        mass: Of the robot [kg].
+        trunk: Of its trunk alone [kg].
+    """
+    c = condition
+    return PlantSettings(
+        physics_dt=COARSE_DT,
+        friction=c.friction,
+        slope_deg=c.slope_deg,
+        slope_heading_deg=c.headings_deg[0],
+        payload_kg=c.payload_share * mass,
+        payload_position=c.payload_offset_m,
+        extra_delay=c.latency_ms / 1000.0,
+        joint_friction_scale=c.joint_friction_scale,
+        motor_lag=c.motor_lag_ms / 1000.0,
+        soft_ground_sink=c.soft_ground_mm / 1000.0,
+        platform_heading_deg=c.headings_deg[0] if c.tilt_deg > 0.0 else None,
+        block_foot=c.step_foot or None,
+        flaws=Flaws(
+            torque_scale=c.torque_scale, trunk_mass_scale=1.0 + c.mass_share * mass / trunk
+        ),
+    )
+
+
+def loop_delay(plant: Plant) -> float:
+    """Return how long it takes from a measurement to the action of the command made from it [s]."""
+    settings = plant.settings
+    # As Plant.step() has it: in whole steps of its physics.
+    extra = round(settings.extra_delay / settings.physics_dt) * settings.physics_dt
+    return (2.0 if settings.real else 0.0) / settings.control_rate + extra
+
+
+def ground_motion_time(condition: Condition) -> float:
+    """Return for how long the ground moves [s]."""
+    tilts = condition.tilt_deg / condition.tilt_deg_per_s
+    return max(tilts, STEP_RISE_TIME if condition.step_foot else 0.0)
+
+
+def ground_mover(condition: Condition, plant: Plant) -> Callable[[float], None] | None:
+    """Return what moves the ground, given the time since the quiet ended [s]; None: nothing."""
+    if not condition.ground_moves:
+        return None
+    displacement = (
+        math.radians(condition.tilt_deg) if condition.tilt_deg > 0.0 else condition.step_m
+    )
+    time = ground_motion_time(condition)
+
+    def move(time_since_quiet: float) -> None:
+        set_ground_speed(
+            plant.model, plant.data, displacement / time if 0.0 <= time_since_quiet < time else 0.0
+        )
+
+    return move

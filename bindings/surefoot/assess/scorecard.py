@@ -1,0 +1,154 @@
+"""The card: which pushes, under which conditions, with how many seeds."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any
+
+from surefoot._core import Error
+from surefoot.assess.condition import Condition, read_condition
+from surefoot.robot.robot_toml import read_toml, suggest
+from surefoot.robot.setting_checks import check_integer, check_numbers, check_unique
+
+NOMINAL_CONDITION = "level ground"
+STANDARD_PUSH = (0.1, 0.0)  # [s] length, [m] height: of pushes that all cards have, as a rule
+MAX_COUNT = 1000  # directions, seeds
+MAX_SEED = 1_000_000
+_FOLDER = Path(__file__).parent
+
+
+@dataclass(frozen=True)
+class Scorecard:
+    """What is asked of a robot.
+
+    Attributes:
+        name: "full", "quick" or a file's.
+        directions: Of pushes, evenly all around, the first forward.
+        lengths_s: Of pushes [s].
+        heights_m: Of their lines of action above the centre of mass [m].
+        seeds: Runs of every push, each with other sensors and motors.
+        first_seed: The first of pushes' and stands' seeds: who was tuned on some shows by others
+            what he can.
+        condition_directions: Of STANDARD pushes under each further condition.
+        condition_seeds: Their seeds, and those of quiet stands.
+        faults: Is the matrix of faults run? "none", "brief" or "all".
+        references: Are the reference controllers pushed as well?
+        conditions: The usual one, under which all pushes are tried, first.
+    """
+
+    name: str
+    directions: int = 16
+    lengths_s: tuple[float, ...] = (0.1,)
+    heights_m: tuple[float, ...] = (0.0,)
+    seeds: int = 20
+    condition_directions: int = 8
+    condition_seeds: int = 10
+    first_seed: int = 0
+    faults: str = "brief"
+    references: bool = False
+    conditions: tuple[Condition, ...] = field(
+        default_factory=lambda: (Condition(NOMINAL_CONDITION),)
+    )
+
+    def __post_init__(self) -> None:
+        for name, low in (("directions", 1), ("seeds", 1)):
+            check_integer(name, getattr(self, name), low, MAX_COUNT)
+        for name in ("condition_directions", "condition_seeds"):
+            check_integer(name, getattr(self, name), 0, MAX_COUNT)
+        check_integer("first_seed", self.first_seed, 0, MAX_SEED)
+        check_numbers("lengths_s", self.lengths_s, 0.002, 5.0)
+        check_unique("lengths_s", self.lengths_s)
+        check_numbers("heights_m", self.heights_m, -1.0, 1.0)
+        check_unique("heights_m", self.heights_m)
+        if self.faults not in ("none", "brief", "all"):
+            raise Error(f"faults: got {self.faults!r}, expected none, brief or all")
+        if not isinstance(self.references, bool):
+            raise Error(f"references: got {self.references!r}, expected true or false")
+        names = [condition.name for condition in self.conditions]
+        if not names or len(set(names)) < len(names):
+            raise Error(f"condition: got {', '.join(names) or 'none'}, expected names, each once")
+        for condition in self.conditions[1:]:
+            if condition.pushes and not (self.condition_directions and self.condition_seeds):
+                raise Error(
+                    f"condition '{condition.name}': pushes: got true, expected false where "
+                    "condition_directions or condition_seeds is 0"
+                )
+        nominal = self.conditions[0]
+        if nominal.slope_deg or nominal.ground_moves:
+            raise Error(
+                f"condition '{nominal.name}': got a slope or ground that moves, expected level "
+                "ground of the first: all pushes are tried on it, and their limits are its"
+            )
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return all of it as plain data."""
+        return asdict(self)
+
+    def seed_range(self, count: int) -> range:
+        """Return so many seeds."""
+        return range(self.first_seed, self.first_seed + count)
+
+    @property
+    def summary_push(self) -> tuple[float, float]:
+        """Length [s] and height [m] of the pushes that the summary is about."""
+        return summary_push(
+            [(length, push_height) for length in self.lengths_s for push_height in self.heights_m]
+        )
+
+    @property
+    def directions_deg(self) -> list[float]:
+        """Directions of pushes, from forward towards left [deg]."""
+        return [360.0 * k / self.directions for k in range(self.directions)]
+
+    @property
+    def condition_directions_deg(self) -> list[float]:
+        """Directions of pushes under further conditions [deg]."""
+        return [360.0 * k / self.condition_directions for k in range(self.condition_directions)]
+
+
+def summary_push(candidates: list[tuple[float, float]]) -> tuple[float, float]:
+    """Return the length and height that a summary is about: STANDARD, or the first without it."""
+    return STANDARD_PUSH if STANDARD_PUSH in candidates else candidates[0]
+
+
+def standard_scorecard(name: str) -> Scorecard:
+    """Return "full", or "quick", which has the full one's conditions without their pushes."""
+    card = read_scorecard(_FOLDER / f"{name}.toml", name)
+    if name != "quick":
+        return card
+    conditions = standard_scorecard("full").conditions
+    return replace(card, conditions=tuple(replace(c, pushes=False) for c in conditions))
+
+
+def read_scorecard(path: str | Path, name: str | None = None) -> Scorecard:
+    """Read a card from a TOML file.
+
+    Raises:
+        Error: No such file, no TOML, an unknown key, a value that cannot be.
+    """
+    table = read_toml(Path(path))
+    try:
+        return _scorecard_from_table(table, name or Path(path).stem)
+    except (Error, TypeError) as problem:
+        raise Error(f"scenario file '{path}': {problem}") from None
+
+
+def _scorecard_from_table(table: dict[str, Any], name: str) -> Scorecard:
+    valid = [f.name for f in fields(Scorecard) if f.name not in ("name", "conditions")] + [
+        "condition"
+    ]
+    for key in table:
+        if key not in valid:
+            hint = suggest(key, valid)
+            raise Error(f"unknown key '{key}'{hint}; valid names: {', '.join(valid)}")
+    values = {key: value for key, value in table.items() if key != "condition"}
+    for key in ("lengths_s", "heights_m"):
+        if isinstance(values.get(key), list):
+            values[key] = tuple(values[key])
+    tables = table.get("condition", [])
+    if not isinstance(tables, list):
+        raise Error(f"condition: got {tables!r}, expected tables [[condition]]")
+    if tables:
+        values["conditions"] = tuple(read_condition(entry) for entry in tables)
+    return Scorecard(name=name, **values)

@@ -1,0 +1,71 @@
+"""A quiet stand, judged: is the body still where and as it was when the robot was handed over."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from surefoot.assess.condition import Condition
+from surefoot.assess.push_outcome import attitude_angles
+from surefoot.assess.rollout import TrueTrajectory
+from surefoot.stand.foot_frame import pose_in_support, rotation_angle
+
+HOLD_TIME = 4.0  # [s] of standing after the quiet and what moved
+JUDGED_TIME = 1.0  # [s] at the end over which it is judged
+
+
+@dataclass(frozen=True)
+class StandOutcome:
+    """What came of a stand, the worst of the last WINDOW, from the pose that was handed over.
+
+    On ground that moves a body may stay level or be carried along: the smaller angle and height
+    counts, and feet are seen from above.
+
+    Attributes:
+        stood: Did it stand to the end?
+        tilt_deg: Of the body from its attitude [deg]; None if it fell.
+        height_mm: Of the body above its feet [mm].
+        foot_mm: Farthest that a foot ever moved [mm].
+    """
+
+    stood: bool
+    tilt_deg: float | None
+    height_mm: float | None
+    foot_mm: float
+
+    def passes(self, condition: Condition) -> bool:
+        """Is it within what the condition asks for?"""
+        if self.tilt_deg is None or self.height_mm is None:
+            return False
+        return (
+            self.tilt_deg <= condition.tilt_within_deg
+            and self.height_mm <= condition.height_within_mm
+            and self.foot_mm <= condition.foot_within_mm
+        )
+
+
+def judge_stand(trajectory: TrueTrajectory, condition: Condition) -> StandOutcome:
+    """Judge a run."""
+    axis_count = 2 if condition.ground_moves else 3
+    foot = float(
+        np.linalg.norm(
+            (trajectory.feet_without_roll - trajectory.feet_without_roll[0])[:, :, :axis_count],
+            axis=2,
+        ).max()
+    )
+    if trajectory.fall_tick is not None:
+        return StandOutcome(False, None, None, 1e3 * foot)
+    last = slice(-round(JUDGED_TIME * trajectory.rate), None)
+    base, feet = trajectory.base[last], trajectory.feet[last]
+    tilt = attitude_angles(base[:, 3:], trajectory.base[0, 3:])
+    height_over_feet = base[:, 2] - feet[:, :, 2].mean(axis=1)
+    initial_height = trajectory.base[0, 2] - trajectory.feet[0, :, 2].mean()
+    height = np.abs(height_over_feet - initial_height)
+    if condition.ground_moves:
+        rows = np.vstack([trajectory.base[:1], base])[:, [0, 1, 2, 4, 5, 6, 3]]
+        pose = pose_in_support(rows, np.moveaxis(np.vstack([trajectory.feet[:1], feet]), 1, 2))
+        turn_angle = rotation_angle(pose.rotation[0].T @ pose.rotation[1:])
+        tilt = np.minimum(tilt, turn_angle)
+        height = np.minimum(height, np.abs(pose.position[1:, 2] - pose.position[0, 2]))
+    return StandOutcome(True, float(np.degrees(tilt.max())), 1e3 * float(height.max()), 1e3 * foot)

@@ -1,0 +1,181 @@
+"""The units of work: what is run in one go, and is in the store when it is done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
+from typing import Any, ClassVar, Protocol
+
+from surefoot._core import Error
+from surefoot.assess.condition import Condition
+from surefoot.assess.condition_plant import RobotSource, ground_motion_time, loop_delay, plant_of
+from surefoot.assess.controller_check import ControllerFailure
+from surefoot.assess.controller_under_test import ControllerUnderTest
+from surefoot.assess.push_outcome import FAILED_OUTCOME, PushOutcome, judge_push, run_duration
+from surefoot.assess.rollout import TickCallback, TrueTrajectory, roll_out
+from surefoot.assess.stand_outcome import HOLD_TIME, judge_stand
+from surefoot.assess.sweep import FINEST_STEP, MIN_LEVEL, outcome_rows, run_sweep
+from surefoot.files.json_values import json_value
+from surefoot.sim import Push
+
+Heartbeat = Callable[[], None]
+"""Called before the first run and after every run: the contestant is alive."""
+
+
+@dataclass(frozen=True)
+class PushUnit:
+    """Pushes of rising strength in one direction, one seed.
+
+    Attributes:
+        condition: Under which.
+        direction_deg: Direction, from forward towards left [deg].
+        duration: Of every push [s].
+        push_height: Of its line of action above the centre of mass [m].
+        seed: Of sensors and motors.
+        limit: The robot's own, which is 100 % [N.s].
+        start_level: Level that the sweep begins with [%].
+        finest_step: Step that its limit is told in [%].
+    """
+
+    condition: Condition
+    direction_deg: float
+    duration: float
+    push_height: float
+    seed: int
+    limit: float
+    start_level: float = MIN_LEVEL
+    finest_step: float = FINEST_STEP
+    deadline_factor: ClassVar[float] = 1.0
+
+    @property
+    def key(self) -> str:
+        """Its name in the store."""
+        where = f"{self.direction_deg:g} deg, {self.duration:g} s, {self.push_height:+g} m"
+        return f"push | {self.condition.name} | {where} | {self.seed}"
+
+    def run(
+        self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
+    ) -> dict[str, Any]:
+        """Run the sweep and return its rows as plain JSON.
+
+        A controller that breaks under a push has not survived that one; the first reason is kept.
+        """
+        broken: dict[str, str] = {}
+
+        def push(level: float) -> PushOutcome:
+            try:
+                trajectory = self.simulate(source, controller_under_test, level)
+            except ControllerFailure as problem:
+                broken.setdefault("broken", str(problem))
+                return FAILED_OUTCOME
+            finally:
+                heartbeat()
+            return judge_push(trajectory, self.condition.quiet_s, self.duration)
+
+        plant_of(source, self.condition)
+        heartbeat()  # the deadline is for runs
+        return {"rows": outcome_rows(run_sweep(push, self.start_level, self.finest_step)), **broken}
+
+    def simulate(
+        self,
+        source: RobotSource,
+        controller_under_test: ControllerUnderTest,
+        level: float,
+        on_tick: TickCallback | None = None,
+    ) -> TrueTrajectory:
+        """Run one level, in percent of the limit; raises Broken, Error."""
+        begin, plant = self.condition.quiet_s, plant_of(source, self.condition)
+        impulse = level / 100.0 * self.limit
+        plant.reseed(
+            self.seed, [Push(self.direction_deg, impulse, self.duration, begin, self.push_height)]
+        )
+        act = controller_under_test.make(plant.robot, loop_delay(plant))
+        length = run_duration(begin, self.duration)
+        return roll_out(plant, self.condition, act, length, on_tick)
+
+
+@dataclass(frozen=True)
+class StandUnit:
+    """A quiet stand, one seed.
+
+    Attributes:
+        condition: Under which.
+        heading: Of slope or platform [deg].
+        seed: Of sensors and motors.
+    """
+
+    condition: Condition
+    heading: float
+    seed: int
+    deadline_factor: ClassVar[float] = 1.0
+
+    @property
+    def key(self) -> str:
+        """Its name in the store."""
+        return f"stand | {self.condition.name} | {self.heading:g} deg | {self.seed}"
+
+    def run(
+        self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
+    ) -> dict[str, Any]:
+        """Run it and return what came of it as plain JSON."""
+        plant_of(source, self._one_heading_condition)
+        heartbeat()  # the deadline is for runs
+        stood = judge_stand(self.simulate(source, controller_under_test), self.condition)
+        result: dict[str, Any] = json_value(
+            {**asdict(stood), "passed": stood.passes(self.condition)}
+        )
+        return result
+
+    def simulate(
+        self,
+        source: RobotSource,
+        controller_under_test: ControllerUnderTest,
+        on_tick: TickCallback | None = None,
+    ) -> TrueTrajectory:
+        """Run it; raises Broken, Error."""
+        condition = self._one_heading_condition
+        plant = plant_of(source, condition)
+        plant.reseed(self.seed)
+        length = condition.quiet_s + ground_motion_time(condition) + HOLD_TIME
+        act = controller_under_test.make(plant.robot, loop_delay(plant))
+        return roll_out(plant, condition, act, length, on_tick)
+
+    @property
+    def _one_heading_condition(self) -> Condition:
+        return replace(self.condition, headings_deg=(self.heading,))
+
+
+class WorkUnit(Protocol):
+    """What is run in one go.
+
+    Attributes:
+        deadline_factor: Times the deadline that it may take from beat to beat.
+    """
+
+    deadline_factor: ClassVar[float]
+
+    @property
+    def key(self) -> str:
+        """Its name in the store."""
+
+    def run(
+        self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
+    ) -> dict[str, Any]:
+        """Run it and return what came of it as plain JSON; raises Broken, Error."""
+
+
+def run_unit(
+    unit: WorkUnit,
+    source: RobotSource,
+    controller_under_test: ControllerUnderTest,
+    heartbeat: Heartbeat = lambda: None,
+) -> dict[str, Any]:
+    """Run a unit; a contestant that breaks, or a plant that cannot be, is a result as well.
+
+    Returns:
+        What the unit returns, or {"broken": why} alone.
+    """
+    try:
+        return unit.run(source, controller_under_test, heartbeat)
+    except (ControllerFailure, Error) as problem:
+        return {"broken": str(problem)}

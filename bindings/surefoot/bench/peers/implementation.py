@@ -1,0 +1,86 @@
+"""One side of a comparison: computes ticks of the recording when told to."""
+
+from __future__ import annotations
+
+from time import perf_counter_ns, thread_time_ns
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from surefoot._core import LowState, StandController, WholeBodyController, is_usable
+from surefoot.bench.peers.problem import Problem
+
+WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3
+TORQUES = FORCES + 12
+Ticks = NDArray[np.float64]
+"""A row a tick: wall [ns], CPU [ns], solved, forces (12) [N], torques [N.m]; tick_width() wide."""
+
+
+def tick_width(problem: Problem) -> int:
+    """Return how many numbers a tick is told in."""
+    return TORQUES + problem.robot.nv - 6
+
+
+class Implementation(Protocol):
+    """What plays in turns with others."""
+
+    def run_ticks(self, first: int, count: int) -> Ticks:
+        """Compute ticks first .. first + count - 1; raises PeerError if it cannot."""
+        ...
+
+    def close(self) -> None:
+        """Let go of what it holds."""
+        ...
+
+
+class StateToTorque:
+    """Ours from a state: WholeBodyController.update()."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._controller = WholeBodyController(problem.point_robot)
+        self._inputs = list(zip(problem.states(), problem.references(), strict=True))
+
+    def run_ticks(self, first: int, count: int) -> Ticks:
+        """See Contestant."""
+        update, rows = self._controller.update, []
+        for state, reference in self._inputs[first : first + count]:
+            cpu = thread_time_ns()
+            wall = perf_counter_ns()
+            solution = update(state, reference)
+            wall = perf_counter_ns() - wall
+            cpu = thread_time_ns() - cpu
+            forces = np.ravel(solution.forces, order="F")
+            timing = [wall, cpu, float(is_usable(solution.status))]
+            rows.append(np.concatenate([timing, forces, solution.torques]))
+        return np.array(rows)
+
+    def close(self) -> None:
+        """See Contestant."""
+
+
+class WholeTick:
+    """Ours from the sensors: StandController.update(), estimator and protections included."""
+
+    def __init__(self, problem: Problem, reports: list[LowState]) -> None:
+        self._controller = StandController(problem.robot)
+        self._width = tick_width(problem)
+        self._reports = reports
+
+    def run_ticks(self, first: int, count: int) -> Ticks:
+        """See Contestant; forces and torques are left zero, for its problem is another."""
+        if first == 0:
+            self._controller.reset()  # or its clock would seem to run backwards
+        update = self._controller.update
+        ticks = np.zeros((count, self._width))
+        for row, report in zip(ticks, self._reports[first : first + count], strict=True):
+            cpu = thread_time_ns()
+            wall = perf_counter_ns()
+            update(report)
+            wall = perf_counter_ns() - wall
+            cpu = thread_time_ns() - cpu
+            row[: SOLVED + 1] = wall, cpu, is_usable(self._controller.status)
+        return ticks
+
+    def close(self) -> None:
+        """See Contestant."""

@@ -1,0 +1,69 @@
+"""Sequences for qpbenchmark: a folder with its own test set."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from surefoot.bench.problems.qp_sequence import QpSequence
+
+TEST_SET = '''\
+"""Whole-body programs of quadrupeds for qpbenchmark: qpbenchmark surefoot_wbc.py run"""
+
+from pathlib import Path
+from typing import Any
+
+import qpbenchmark
+
+
+class SurefootWbc(qpbenchmark.TestSet):
+    """Every program here, as qpsolvers.Problem.load() reads them."""
+
+    description = "Whole-body torque control of Unitree quadrupeds, recorded tick after tick."
+    sparse_only = False
+    title = "Surefoot whole-body control"
+
+    def __iter__(self):
+        for path in sorted((Path(__file__).parent / "data").glob("*.npz")):
+            yield qpbenchmark.Problem.load(str(path))
+'''
+
+
+def export_qpbenchmark(sequences: Iterable[QpSequence], folder: Path, every: int = 50) -> int:
+    """Write FOLDER/surefoot_wbc.py and every so many of the programs as FOLDER/data/*.npz.
+
+    qpbenchmark solves from nothing and asks for minutes per thousand programs, so a sample serves;
+    two-sided rows become two one-sided ones, G x <= h.
+
+    Returns:
+        How many programs were written.
+    """
+    data = folder / "data"
+    data.mkdir(parents=True, exist_ok=True)
+    (folder / "surefoot_wbc.py").write_text(TEST_SET, encoding="utf-8")
+    count = 0
+    for sequence in sequences:
+        for k in range(0, len(sequence), every):
+            np.savez(
+                data / f"{sequence.name}-{sequence.tick[k]:06d}.npz", **_qpsolvers(sequence, k)
+            )
+            count += 1
+    return count
+
+
+def _qpsolvers(s: QpSequence, k: int) -> dict[str, Any]:
+    upper, lower = np.isfinite(s.u[k]), np.isfinite(s.l[k])
+    none = np.array(None)  # what qpsolvers writes, and reads as "none of these"
+    equalities = {"A": s.A[k], "b": s.b[k]} if s.b.shape[1] else {"A": none, "b": none}
+    return {
+        "P": s.H[k],
+        "q": s.g[k],
+        "G": np.vstack([s.C[k][upper], -s.C[k][lower]]),
+        "h": np.concatenate([s.u[k][upper], -s.l[k][lower]]),
+        **equalities,
+        "lb": none,
+        "ub": none,
+    }

@@ -1,0 +1,110 @@
+"""Runs the program that times ticks: C++ alone, so that heap and pages are the tick's own."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+import surefoot
+from surefoot._core import BodyReference, Error, QpForm
+from surefoot.bench.recording import Recording
+
+PROGRAM = Path(surefoot.__path__[0]) / "bin" / "surefoot_tick_bench"
+_CALL_TIMING = np.dtype(
+    [("wall", "<f4"), ("cpu", "<f4"), ("iterations", "<u2"), ("failed", "<u2")]
+)  # bench::CallTiming
+
+
+@dataclass(frozen=True)
+class Series:
+    """One kind of call, timed again and again.
+
+    Attributes:
+        wall: (n,) [us].
+        cpu: (n,) of the thread [us]; None where only the wall clock was read.
+        iterations: (n,) of the solver.
+        failures: Calls without a usable status.
+        allocations: On the heap, in all calls.
+        page_faults: In all calls.
+        first_allocations: In the first pass over the reports, which is not among the calls.
+        first_page_faults: The same.
+    """
+
+    wall: npt.NDArray[np.float32]
+    cpu: npt.NDArray[np.float32] | None
+    iterations: npt.NDArray[np.uint16]
+    failures: int
+    allocations: int
+    page_faults: int
+    first_allocations: int
+    first_page_faults: int
+
+
+def run_tick_program(
+    recording: Recording, form: QpForm, ticks: int
+) -> tuple[dict[str, Series], dict[str, Any]]:
+    """Time a recording; return the series by name, and what the program says of itself.
+
+    That is "build", the library's compiler and flags, and "memory_locked", whether the system
+    allowed that; where it does not, pages are there after the first pass only.
+
+    Raises:
+        Error: The program is not there or failed; with its own words.
+    """
+    passes = math.ceil(ticks / len(recording.reports))
+    with tempfile.TemporaryDirectory() as folder:
+        robot, reports, out = (Path(folder) / name for name in ("robot", "reports", "out"))
+        recording.robot.save(str(robot))
+        reports.write_bytes(b"".join(report.to_bytes() for report in recording.reports))
+        arguments: list[str | Path] = [robot, reports, out]
+        arguments += ["--form", form.name.lower(), "--passes", str(passes)]
+        arguments += ["--period-us", str(round(1e6 * recording.period))]
+        if recording.references:
+            references = Path(folder) / "references"
+            np.array([_reference_row(r) for r in recording.references]).tofile(references)
+            arguments += ["--references", references]
+        try:
+            process = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True)
+        except OSError as problem:
+            raise Error(f"bench: {PROGRAM}: {problem.strerror}") from None
+        if process.returncode != 0:
+            raise Error(
+                f"bench: {PROGRAM.name} ended with {process.returncode}: {process.stderr.strip()}"
+            )
+        return _read_output(out)
+
+
+def _reference_row(r: BodyReference) -> list[float]:
+    return [r.x, r.y, r.height, r.roll, r.pitch, r.yaw]  # the struct's order
+
+
+def _read_output(path: Path) -> tuple[dict[str, Series], dict[str, Any]]:
+    with path.open("rb") as file:
+        header = json.loads(file.readline())
+        found = {
+            entry["name"]: _series(entry, np.fromfile(file, _CALL_TIMING, entry["n"]))
+            for entry in header["series"]
+        }
+    build = f"{header['compiler']}, {' '.join(header['flags'].split())}"
+    return found, {"build": build, "memory_locked": header["memory_locked"]}
+
+
+def _series(entry: dict[str, Any], samples: npt.NDArray[Any]) -> Series:
+    return Series(
+        samples["wall"],
+        samples["cpu"] if entry["cpu"] else None,
+        samples["iterations"],
+        int(samples["failed"].sum()),
+        entry["allocations"],
+        entry["page_faults"],
+        entry["first_allocations"],
+        entry["first_page_faults"],
+    )

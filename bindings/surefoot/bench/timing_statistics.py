@@ -1,0 +1,64 @@
+"""Durations of calls, and how they are distributed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot.bench.tick_program import Series
+
+PERCENTILES = {"min": 0.0, "p50": 50.0, "p90": 90.0, "p99": 99.0, "p99.9": 99.9, "max": 100.0}
+DEADLINES = {"500Hz": 2000.0, "1kHz": 1000.0}  # [us]
+HISTOGRAM_END = 500  # [us] the last bin has all that is longer
+
+
+def distribution(durations: npt.ArrayLike) -> dict[str, float]:
+    """Return n, and min, p50, p90, p99, p99.9 and max, of durations [us]."""
+    values = np.asarray(durations, dtype=float)
+    numbers = np.percentile(values, list(PERCENTILES.values()))
+    return {
+        "n": len(values),
+        **{k: round(float(v), 3) for k, v in zip(PERCENTILES, numbers, strict=True)},
+    }
+
+
+def histogram(durations: npt.ArrayLike) -> list[int]:
+    """Return how many durations [us] fall in bins of 1 us, as far as there are any."""
+    bins = np.minimum(np.asarray(durations, dtype=float), HISTOGRAM_END).astype(int)
+    return [int(count) for count in np.bincount(bins)]
+
+
+def slowest_tick(durations: npt.NDArray[np.float32], reports: int) -> float:
+    """Return how long the slowest of the reports takes [us], by its median over all passes.
+
+    A maximum over everything is mostly the machine's; what is slow again and again is ours.
+    """
+    return round(float(np.median(durations.reshape(-1, reports), axis=0).max()), 3)
+
+
+def series_statistics(series: Series, reports: int) -> dict[str, Any]:
+    """Return a series' figures as plain JSON types; each pass had so many reports."""
+    figures: dict[str, Any] = {
+        "wall_us": distribution(series.wall),
+        "slowest_us": slowest_tick(series.wall, reports),
+    }
+    if series.cpu is None:
+        return figures
+    iterations = Counter(series.iterations.tolist())
+    return {
+        **figures,
+        "cpu_us": distribution(series.cpu),
+        "missed": {name: int((series.wall > us).sum()) for name, us in DEADLINES.items()},
+        "histogram_us": histogram(series.wall),
+        "iterations": {str(k): iterations[k] for k in sorted(iterations)},
+        "failures": series.failures,
+        "allocations": series.allocations,
+        "page_faults": series.page_faults,
+        "first_pass": {
+            "allocations": series.first_allocations,
+            "page_faults": series.first_page_faults,
+        },
+    }

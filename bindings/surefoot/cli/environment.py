@@ -1,0 +1,98 @@
+"""What commands that simulate need of the machine: graphics, modules, a place for results."""
+
+from __future__ import annotations
+
+import ctypes.util
+import importlib
+import json
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+from surefoot._core import Error
+from surefoot.files.atomic_write import write_text_atomically
+from surefoot.files.tables import check_table_name
+
+
+def choose_graphics() -> None:
+    """Choose, before MuJoCo is imported, how it draws on a machine without a screen."""
+    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or sys.platform != "linux":
+        return
+    # Without the library MuJoCo would not even import; a run without a film needs no graphics.
+    library = ctypes.util.find_library("EGL")
+    os.environ.setdefault("MUJOCO_GL", "egl" if library else "disable")
+
+
+def missing_module(command: str, problem: ModuleNotFoundError, *more: str) -> Error:
+    """Return the error that says how to get a module that a command needs.
+
+    Args:
+        command: Without "surefoot".
+        problem: Names the module.
+        more: Extras that the command needs besides "sim".
+    """
+    extras = ("sim", *more)
+    names = " and ".join(f"'{extra}'" for extra in extras)
+    return Error(
+        f"module '{problem.name}' not found: surefoot {command} needs the "
+        f"extra{'s' if more else ''} {names}; run: pip install 'surefoot[{','.join(extras)}]'"
+    )
+
+
+def check_json_path(place: str | None) -> None:
+    """Find out before a run, not after it, that its result has no place to go; raises Error."""
+    if place != "-":
+        check_output_path("--json", place)
+
+
+def check_table_path(option: str, place: str | None) -> None:
+    """Find out before a run that a .csv or .npz has another name or no place; raises Error."""
+    if place is not None:
+        check_table_name(place, option)
+        check_output_path(option, place)
+
+
+def check_output_path(option: str, place: str | None) -> None:
+    """Raise Error unless there is a folder for a file that an option asks for; None is none."""
+    if place is None:
+        return
+    path = Path(place)
+    if path.is_dir() or not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
+        raise Error(f"{option}: got '{path}', expected a file in a folder that can be written")
+
+
+def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2) -> None:
+    """Write a result as one JSON object to a file or, for "-", to stdout.
+
+    Args:
+        place: Where to; None is nowhere.
+        result: What.
+        indent: Of nested lines; None puts everything in one, for long logs.
+    """
+    if place is None:
+        return
+    text = json.dumps(result, indent=indent, allow_nan=False) + "\n"
+    if place == "-":
+        sys.stdout.write(text)
+        return
+    write_text_atomically(Path(place), text)  # a second Ctrl-C may end this at any point
+
+
+def check_report_folder(folder: str | None, command: str, module: str) -> None:
+    """Find out before a run, not after it, that its report cannot be written; raises Error.
+
+    Args:
+        folder: Where it goes, or None for no report.
+        command: That needs it, for the message.
+        module: That writes it; imported here.
+    """
+    if folder is None:
+        return
+    try:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        importlib.import_module(module)
+    except OSError as problem:
+        raise Error(f"--report: cannot make the folder: {problem}") from None
+    except ModuleNotFoundError as problem:
+        raise missing_module(command, problem) from None

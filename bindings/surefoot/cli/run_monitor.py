@@ -1,0 +1,139 @@
+"""Watches a StandRunner's loop: signals and keys to it, lines from it."""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from collections.abc import Callable
+
+from surefoot._core import Robot, RunSnapshot, StandRunner
+from surefoot.cli.automatic_rise import AutomaticRise
+from surefoot.cli.run_operator import ArmingMonitor, Operator
+from surefoot.cli.run_text import FaultMonitor, LinkWarnings, status_line
+from surefoot.reports.damping_reason import damping_reason
+
+_POLL_PERIOD = 0.02  # [s] between looks at the loop
+_STATUS_PERIOD = 1.0  # [s] between status lines
+_STUCK_TIME = 0.5  # [s] without a look, after which what was typed is of another time
+_STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def supervise(
+    runner: StandRunner,
+    robot: Robot,
+    print_line: Callable[[str], None],
+    rise: bool = False,
+    automatic: bool = False,
+) -> RunSnapshot:
+    """Run the loop in a thread of its own; watch it, the keyboard and signals from this one.
+
+    Args:
+        runner: The loop.
+        robot: What it runs on, for names and limits.
+        print_line: Called with lines for people.
+        rise: The robot is to get up: say what keeps it from being armed.
+        automatic: Arm and rise without being asked, once all checks pass.
+    """
+    loop = threading.Thread(target=runner.run)
+    monitor = _RunMonitor(runner, robot, rise, print_line)
+    arming_monitor = ArmingMonitor(robot, print_line) if rise else None
+    automatic_rise = AutomaticRise(runner) if automatic else None
+    old_handlers = {
+        number: signal.signal(number, lambda *_: monitor.end()) for number in _STOP_SIGNALS
+    }
+    old_handlers[signal.SIGUSR1] = signal.signal(signal.SIGUSR1, lambda *_: runner.rearm())
+    old_handlers[signal.SIGQUIT] = signal.signal(signal.SIGQUIT, lambda *_: runner.stop())
+    loop.start()
+    try:
+        while loop.is_alive():
+            time.sleep(_POLL_PERIOD)
+            runner.heartbeat()
+            monitor.discard_stale_keys()
+            snapshot = runner.snapshot()
+            if automatic_rise:
+                automatic_rise.update(snapshot)
+            due = monitor.update(snapshot)
+            if arming_monitor and snapshot.time > 0.0:
+                arming_monitor.update(snapshot, due)
+    finally:
+        runner.stop()
+        loop.join()
+        for number, handler in old_handlers.items():
+            signal.signal(number, handler)
+    return runner.snapshot()
+
+
+class _RunMonitor:
+    """Says what changes, and how it is once a second."""
+
+    def __init__(
+        self, runner: StandRunner, robot: Robot, rise: bool, print_line: Callable[[str], None]
+    ) -> None:
+        self._runner, self._print_line = runner, print_line
+        self._link_warnings, self._fault_monitor = (
+            LinkWarnings(print_line),
+            FaultMonitor(print_line),
+        )
+        self._operator = Operator(runner, robot, rise, print_line)
+        self._last_status_time = self._last_poll_time = time.monotonic()
+        self._phase = ""
+        self._refused = self._pauses = 0
+        self._stuck = self._ending = False
+
+    def end(self) -> None:
+        """Sit down, then damp, and end; asked again, damp at once."""
+        if self._ending:
+            self._runner.stop()
+        self._ending = True
+        self._runner.finish()
+
+    def discard_stale_keys(self) -> None:
+        """Leave out what was typed while this program was stuck: it was meant for then."""
+        stuck = time.monotonic() - self._last_poll_time
+        self._last_poll_time = time.monotonic()
+        if stuck > _STUCK_TIME and self._operator.discard_typed():
+            self._print_line(f"stuck for {stuck:.1f} s: keys typed meanwhile are left out")
+
+    def update(self, snapshot: RunSnapshot) -> bool:
+        """Look at keys and loop; return whether a status line was due."""
+        self._operator.update(snapshot)
+        self._link_warnings.update(snapshot)
+        self._print_counts(snapshot)
+        if snapshot.phase != self._phase and snapshot.time > 0.0:
+            if not self._phase:
+                self._print_line(self._runner.real_time)
+            self._phase = snapshot.phase
+            why = (
+                f": {damping_reason(snapshot)}; a + Enter arms again"
+                if snapshot.phase == "damping"
+                else ""
+            )
+            self._print_line(f"{snapshot.time:7.2f} s {snapshot.phase}{why}")
+        self._fault_monitor.update(snapshot)
+        due = time.monotonic() - self._last_status_time > _STATUS_PERIOD
+        if due:
+            self._last_status_time = time.monotonic()
+            self._print_line(status_line(snapshot))
+        return due
+
+    def _print_counts(self, snapshot: RunSnapshot) -> None:
+        if snapshot.refused_rearms > self._refused:
+            self._refused = snapshot.refused_rearms
+            silent = snapshot.state_age > _POLL_PERIOD
+            why = (
+                f"no LowState for {1000 * snapshot.state_age:.0f} ms"
+                if silent
+                else "arming checks fail"
+            )
+            self._print_line(f"{snapshot.time:7.2f} s not re-armed: {why}")
+        if snapshot.resumed_dampings > self._pauses:
+            self._pauses = snapshot.resumed_dampings
+            self._print_line(
+                f"{snapshot.time:7.2f} s going on: the robot's clock had stood still as well"
+            )
+        if snapshot.rise_failed and not self._stuck:
+            self._print_line(
+                f"{snapshot.time:7.2f} s the rise gave up: a leg or the body could not follow"
+            )
+        self._stuck = snapshot.rise_failed

@@ -1,0 +1,146 @@
+"""Legs in the order FR FL RR RL, hips of the SDK's sign: seen from where the feet are."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+
+from surefoot._core import Error, Robot
+from surefoot.estimate.checks.torques import feet_are_loaded
+from surefoot.estimate.checks.windows import Windows, finite_median
+from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.sensor_log.sensor_log import SensorLog
+
+_QUADRANT_SIGNS = np.array([[1, -1], [1, 1], [-1, -1], [-1, 1]])  # of x and y, FR FL RR RL
+_SIGN = {1: "> 0", -1: "< 0"}
+_MIRRORED_LEGS = {"": [], "right hips": [0, 2], "left hips": [1, 3], "all hips": [0, 1, 2, 3]}
+SPAN_WINDOWS = 3  # windows in one comparison
+COMPARISONS = 12  # comparisons, where joints move the most: half a second of motion is enough
+MAX_FOOT_SLIDE = 0.0015  # [m] feet that stand do not move so far against each other in 0.3 s
+ORDER_FIT_RATIO = 0.15  # of the squared slide: another order explains the rest
+
+
+class _FootKinematics:
+    """Positions of a robot's feet from its joint angles."""
+
+    def __init__(self, robot: Robot) -> None:
+        import pinocchio  # a second to load: only when a log is checked
+
+        self._pin: Any = pinocchio
+        self._model = pinocchio.Model()
+        self._model.loadFromString(robot.serialized_model())
+        self._data = self._model.createData()
+        self._robot = robot
+        self._q = robot.q_standing()
+        self._q[:3] = 0.0
+        self._motors = list(robot.motor_to_q)
+
+    def __call__(self, angles: Array) -> Array:
+        """Return the centres (4, 3) [m] in base axes of angles (4, 3) [rad]."""
+        self._q[self._motors] = angles.ravel()
+        self._pin.framesForwardKinematics(self._model, self._data, self._q)
+        return np.array([self._data.oMf[i].translation for i in self._robot.foot_frame_ids])
+
+
+def check_legs(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
+    """Find feet in others' quadrants, or feet that only stand if legs are exchanged.
+
+    Raises:
+        Error: Where the median of q puts a foot on another's side of the base; where the feet slide
+            against each other as logged and stand in another order or with hips mirrored. Where
+            torques do not tell that the feet bear weight, that is only doubtful.
+    """
+    feet = _FootKinematics(robot)
+    median = finite_median(log.columns["q"]).reshape(4, 3)
+    foot_positions = feet(median)
+    for leg, name in enumerate(LEGS):
+        if np.any(foot_positions[leg, :2] * _QUADRANT_SIGNS[leg] <= 0.0):
+            x, y = foot_positions[leg, :2]
+            raise Error(
+                f"{log.source}: column 'q': got foot {name} at x = {x:.3f} m, y = {y:.3f} m from "
+                f"the base (median), expected x {_SIGN[_QUADRANT_SIGNS[leg, 0]]}, "
+                f"y {_SIGN[_QUADRANT_SIGNS[leg, 1]]}: order FR FL RR RL, signs of the SDK"
+            )
+    return _check_stance(robot, log, windows, feet)
+
+
+def _check_stance(
+    robot: Robot, log: SensorLog, windows: Windows, feet: _FootKinematics
+) -> list[str]:
+    """Feet that stand keep their distances: find the order of legs in which they do."""
+    moved, turned = (_span_sums(values) for values in (windows.q_change, windows.gyro_rotation))
+    most_moving = np.argsort(-np.linalg.norm(moved, axis=1))[:COMPARISONS]
+    if len(most_moving) == 0:
+        return []
+    # [window, start or end, hip sign, leg, whose angles, xyz]
+    rows = np.stack(
+        [windows.start[most_moving], windows.end[most_moving + SPAN_WINDOWS - 1]], axis=1
+    )
+    table = np.array(
+        [[_feet_with_exchanged_angles(feet, log, row) for row in pair] for pair in rows]
+    )
+    back = np.swapaxes(_base_rotations(robot, turned[most_moving]), 1, 2)
+    slides = {}
+    for flip, order in itertools.product(_MIRRORED_LEGS, itertools.permutations(range(4))):
+        mirrored = np.isin(np.arange(4), _MIRRORED_LEGS[flip]).astype(int)
+        placed = table[:, :, mirrored, np.arange(4), list(order), :]
+        slides[flip, order] = _median_slide(placed, back)
+    logged_slide = slides["", (0, 1, 2, 3)]
+    flip, order = min(slides, key=lambda key: slides[key])
+    if logged_slide < MAX_FOOT_SLIDE**2 or slides[flip, order] > ORDER_FIT_RATIO * logged_slide:
+        return []
+    names = " ".join(LEGS[list(order).index(k)] for k in range(4))
+    found = f"legs in the order {names}" + (f" with {flip} mirrored" if flip else "")
+    reversed_gyro_slide = _median_slide(
+        table[:, :, 0, np.arange(4), np.arange(4)], np.swapaxes(back, 1, 2)
+    )
+    if reversed_gyro_slide < slides[flip, order]:
+        found = "a gyroscope that turned the other way"
+    slid = f"feet that slide by {1000 * np.sqrt(logged_slide):.0f} mm in 0.3 s as logged"
+    if not feet_are_loaded(robot, log, rows.ravel()):
+        return [f"q has {slid} and keep their distances with {found}; or do they hang?"]
+    raise Error(
+        f"{log.source}: columns 'q' and 'gyroscope': got {slid} and stand with {found}, expected "
+        "FR FL RR RL, signs of the SDK"
+    )
+
+
+def _median_slide(placed: Array, back: Array) -> float:
+    """Return the median of how far feet move against each other, squared and summed [m^2].
+
+    Args:
+        placed: (w, 2, 4, 3) feet in base axes at start and end [m].
+        back: (w, 3, 3) base axes at the start to those at the end.
+    """
+    placed = placed - placed.mean(axis=2, keepdims=True)
+    slide = placed[:, 1] - np.einsum("nij,nlj->nli", back, placed[:, 0])
+    return float(np.median(np.sum(slide**2, axis=(1, 2))))
+
+
+def _span_sums(values: Array) -> Array:
+    """Return sums (w - SPAN + 1, k) of SPAN windows in a row of values (w, k)."""
+    total = np.cumsum(np.vstack([np.zeros_like(values[:1]), values]), axis=0)
+    return np.asarray(total[SPAN_WINDOWS:] - total[:-SPAN_WINDOWS])
+
+
+def _feet_with_exchanged_angles(feet: _FootKinematics, log: SensorLog, row: int) -> Array:
+    """Return every leg's foot with every leg's angles, (hip sign 2, leg 4, whose 4, 3)."""
+    angles = log.columns["q"][row].reshape(4, 3)
+    table = np.zeros((2, 4, 4, 3))
+    for mirrored, shift in itertools.product(range(2), range(4)):
+        source_leg = (np.arange(4) + shift) % 4
+        turned = angles[source_leg] * ([-1.0, 1.0, 1.0] if mirrored else 1.0)
+        table[mirrored, np.arange(4), source_leg] = feet(turned)
+    return table
+
+
+def _base_rotations(robot: Robot, turned: Array) -> Array:
+    """Return the rotations (n, 3, 3), base axes at the end to those at the start, of windows."""
+    w, x, y, z = robot.config.quat_base_imu
+    axes = turned @ matrices_from_xyzw(np.array([[x, y, z, w]]))[0].T
+    angle = np.linalg.norm(axes, axis=1, keepdims=True)
+    axis = axes / np.maximum(angle, 1e-12)
+    return matrices_from_xyzw(np.hstack([np.sin(angle / 2) * axis, np.cos(angle / 2)]))

@@ -1,0 +1,90 @@
+"""What a log's sensors say of the same tenths of a second, for comparing them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot.geometry.batch_rotations import Array
+from surefoot.sensor_log.sensor_log import SensorLog
+
+WINDOW_TIME = 0.1  # [s]
+MIN_ROTATION = 0.003  # [rad] in a window: 0.03 rad/s, above noise and bias of a gyroscope
+MIN_WINDOWS = 5  # windows that must tell the same
+DEG_PER_RAD = 180.0 / np.pi
+
+
+@dataclass(frozen=True)
+class Windows:
+    """A log's finite rows, cut into windows of about 0.1 s.
+
+    Attributes:
+        start: (w,) rows of the log where the windows begin.
+        end: (w,) rows where they end, which are where others begin.
+        gyro_rotation: (w, 3) integral of the gyroscope, IMU axes [rad] (if it is in rad/s).
+        q_change: (w, 12) change of q.
+        dq_integral: (w, 12) integral of dq; zeros if the log has none.
+        mean_acceleration: (w, 3) mean of the accelerometer.
+    """
+
+    start: npt.NDArray[np.int64]
+    end: npt.NDArray[np.int64]
+    gyro_rotation: Array
+    q_change: Array
+    dq_integral: Array
+    mean_acceleration: Array
+
+    def __len__(self) -> int:
+        return len(self.start)
+
+
+def cut_windows(log: SensorLog) -> Windows:
+    """Cut a log into windows; those much shorter or longer than 0.1 s are left out."""
+    names = [name for name in ("gyroscope", "accelerometer", "q", "dq") if name in log.columns]
+    good = np.isfinite(log.time)
+    for name in names:
+        good &= np.isfinite(log.columns[name]).all(axis=1)
+    rows = np.flatnonzero(good)
+    time = log.time[rows]
+    firsts = np.unique(np.floor(time / WINDOW_TIME), return_index=True)[1]
+    start, end = firsts[:-1], firsts[1:]
+    lengths = time[end] - time[start]
+    fit = (lengths > 0.5 * WINDOW_TIME) & (lengths < 1.5 * WINDOW_TIME)
+    start, end = start[fit], end[fit]
+    step = np.diff(time, prepend=time[:1])[:, None]
+
+    def integral(name: str) -> Array:
+        total = np.cumsum(log.sensor(name)[rows] * step, axis=0)
+        return np.asarray(total[end] - total[start])
+
+    q, total_acceleration = (
+        log.columns["q"][rows],
+        np.cumsum(log.columns["accelerometer"][rows], axis=0),
+    )
+    return Windows(
+        start=rows[start],
+        end=rows[end],
+        gyro_rotation=integral("gyroscope"),
+        q_change=q[end] - q[start],
+        dq_integral=integral("dq"),
+        mean_acceleration=(total_acceleration[end] - total_acceleration[start])
+        / np.maximum(end - start, 1)[:, None],
+    )
+
+
+def finite_median(values: Array) -> Array:
+    """Return the median (k,) of the finite rows of values (n, k); NaN without any."""
+    finite = values[np.isfinite(values).all(axis=1)]
+    return np.median(finite, axis=0) if len(finite) else np.full(values.shape[1], np.nan)
+
+
+def unit_rows(values: Array) -> Array:
+    """Return the rows (n, k) scaled to length 1; zeros stay."""
+    return np.asarray(values / np.maximum(np.linalg.norm(values, axis=1, keepdims=True), 1e-12))
+
+
+def angles_between(a: Array, b: Array) -> Array:
+    """Return the angles (n,) [deg] between rows of unit vectors (n, 3)."""
+    return np.asarray(np.degrees(np.arccos(np.clip(np.sum(a * b, axis=1), -1.0, 1.0))))

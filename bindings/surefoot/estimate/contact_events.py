@@ -1,0 +1,64 @@
+"""When something begins and ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from surefoot.estimate.estimate_result import Estimate
+from surefoot.geometry.batch_rotations import Array
+from surefoot.messages.low_state_layout import LEGS
+
+THRESHOLD = 0.5
+
+
+@dataclass(frozen=True)
+class Transition:
+    """A foot that came down or lifted off.
+
+    Attributes:
+        time: [s].
+        leg: 0 .. 3, FR FL RR RL.
+        begins: Whether it came down.
+    """
+
+    time: float
+    leg: int
+    begins: bool
+
+
+def transitions(time: Array, on: Array) -> list[Transition]:
+    """Return where (n, 4) changes, NaN rows apart, in order of time (n,)."""
+    known = np.isfinite(on).all(axis=1)
+    time, states = time[known], on[known] > THRESHOLD
+    rows, legs = np.nonzero(states[1:] != states[:-1])
+    return [
+        Transition(float(time[row + 1]), int(leg), bool(states[row + 1, leg]))
+        for row, leg in zip(rows, legs, strict=True)
+    ]
+
+
+def row_durations(estimate: Estimate) -> Array:
+    """Return how long each row was in force (m,) [s]: until the next; the last one a period."""
+    return np.diff(estimate.time, append=estimate.time[-1] + estimate.log.period)
+
+
+def slip_events(estimate: Estimate) -> list[dict[str, object]]:
+    """Return when feet slipped more likely than not: time [s], foot, how long [s]."""
+    end = float(estimate.time[-1])
+    events: list[dict[str, object]] = []
+    start_times: dict[int, float] = {}
+    # A quiet row before, so that a slip under way at the start is one too.
+    time = np.concatenate([estimate.time[:1], estimate.time])
+    slip = np.vstack([np.zeros((1, 4)), estimate.slip])
+    changes = transitions(time, slip)
+    still = [Transition(end, leg, False) for leg in range(4)]
+    for change in [*changes, *still]:
+        if change.begins:
+            start_times[change.leg] = change.time
+        elif change.leg in start_times:
+            start = start_times.pop(change.leg)
+            foot, lasted = LEGS[change.leg], change.time - start
+            events.append({"time": start, "foot": foot, "duration_s": lasted})
+    return sorted(events, key=lambda event: float(str(event["time"])))

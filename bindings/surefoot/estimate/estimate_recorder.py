@@ -1,0 +1,88 @@
+"""Takes down what an estimator says after every row."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from surefoot._core import EstimatorReport, Robot, SensorVerdict, StateEstimator, Status
+from surefoot.estimate.estimate_result import FOOT_SENSORS, SENSOR_NAMES
+from surefoot.geometry.batch_rotations import Array
+
+_DIAGONAL = 16 * np.arange(15)
+_ROTATION = (15 * np.arange(3)[:, None] + np.arange(3)).ravel()
+_COVARIANCE_ENTRIES = np.concatenate([_DIAGONAL, _ROTATION])  # of the flat covariance
+_UNJUDGED = SensorVerdict.UNJUDGED.value
+
+
+class EstimateRecorder:
+    """Arrays that fill up row by row.
+
+    Args:
+        robot: Whose estimator it is.
+        rows: How many there will be.
+    """
+
+    def __init__(self, robot: Robot, rows: int) -> None:
+        self.status = np.full(rows, Status.NON_FINITE.value, dtype=np.int64)
+        self.update_us = np.zeros(rows)
+        self.verdicts = np.full((rows, len(SENSOR_NAMES)), _UNJUDGED, dtype=np.int64)
+        shapes: dict[str, tuple[int, ...]] = {
+            **{"q": (robot.nq,), "v": (robot.nv,), "contact": (4,), "covariance": (24,)},
+            **{"gyroscope_bias": (3,), "accelerometer_bias": (3,), "slip": (4,)},
+            **{"contact_by_source": (4, 4), "foot_forces_from_torques": (4,), "refused": (4,)},
+            **{"nis": (), "nis_dimension": (), "payload": (), "com_shift": (3,)},
+        }
+        self._rows = {name: np.full((rows, *shape), np.nan) for name, shape in shapes.items()}
+        self._last_verdicts: list[Any] = []
+        self._verdict_codes = self.verdicts[:1].copy()
+
+    def record(self, k: int, status: Status, estimator: StateEstimator, elapsed_us: float) -> None:
+        """Take down row k; what was refused changes nothing but verdicts."""
+        report = estimator.report
+        self.update_us[k] = elapsed_us
+        self.status[k] = status.value
+        self._record_verdicts(k, report)
+        if status != Status.OK:
+            return
+        rows, state = self._rows, estimator.state
+        rows["q"][k], rows["v"][k], rows["contact"][k] = state.q, state.v, state.contact
+        rows["covariance"][k] = report.covariance.ravel()[_COVARIANCE_ENTRIES]
+        rows["gyroscope_bias"][k] = report.gyroscope_bias
+        rows["accelerometer_bias"][k] = report.accelerometer_bias
+        rows["nis"][k], rows["nis_dimension"][k] = report.nis, report.nis_dimension
+        rows["slip"][k], rows["refused"][k] = report.slip, report.rejected_feet
+        rows["contact_by_source"][k] = report.contact_by_source
+        rows["foot_forces_from_torques"][k] = report.foot_forces_from_torques[2]
+        rows["payload"][k], rows["com_shift"][k] = report.payload, report.com_shift
+
+    def _record_verdicts(self, k: int, report: EstimatorReport) -> None:
+        sources = report.contact_sources
+        verdict_sources: list[Any] = [
+            report.gyroscope,
+            report.accelerometer,
+            report.quaternion,
+            sources,
+        ]
+        if (
+            verdict_sources != self._last_verdicts
+        ):  # verdicts seldom change, and their numbers are slow to get
+            self._last_verdicts = verdict_sources
+            verdicts = [
+                *verdict_sources[:3],
+                *(v for row in sources[: len(FOOT_SENSORS)] for v in row),
+            ]
+            self._verdict_codes = np.array([verdict.value for verdict in verdicts])
+        self.verdicts[k] = self._verdict_codes
+
+    def arrays(self) -> dict[str, Array]:
+        """Return the rows; one that was refused is as the last that was taken."""
+        count = np.arange(len(self.status))
+        last = np.maximum.accumulate(np.where(self.status == Status.OK.value, count, -1))
+        # Before the first that was taken: row 0, which is NaN then.
+        rows = {name: values[np.maximum(last, 0)] for name, values in self._rows.items()}
+        covariance = rows.pop("covariance")
+        rows["std"] = np.sqrt(np.maximum(covariance[:, :15], 0.0))
+        rows["rotation_covariance"] = covariance[:, 15:].reshape(-1, 3, 3)
+        return rows

@@ -1,0 +1,73 @@
+"""Rows of a log as LowStates, many at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import LowState
+from surefoot.geometry.batch_rotations import Array
+from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
+from surefoot.sensor_log.columns import FOOT_COLUMNS, SENSOR_COLUMNS
+from surefoot.sensor_log.sensor_log import SensorLog
+
+CHUNK = 4096  # rows at a time: 4 MB of frames
+SERVO_MODE = 0x0A
+_IMU = ("quaternion", "gyroscope", "accelerometer")
+_INT16 = np.iinfo(np.int16)
+
+
+def low_state_blocks(log: SensorLog, dq: Array) -> Iterator[npt.NDArray[np.uint8]]:
+    """Yield the packed LowStates of a log, (up to CHUNK, 937) bytes each time, in order.
+
+    Columns that the log has not are zeros.
+
+    Args:
+        log: The log.
+        dq: (n, 12) joint velocities [rad/s], from the log or derived.
+    """
+    empty_state = np.array(LowState().raw)
+    for start in range(0, log.rows, CHUNK):
+        rows = slice(start, min(start + CHUNK, log.rows))
+        block = np.tile(empty_state, (rows.stop - start, 1))
+        state = block.view(LOW_STATE)[:, 0]
+        # What is beyond float32 becomes infinite, and the estimator refuses it.
+        with np.errstate(over="ignore", invalid="ignore"):
+            for name in _IMU:
+                state[name] = log.sensor(name)[rows]
+            motors = state["motorState"]
+            for name, values in (("q", log.sensor("q")), ("tauEst", log.sensor("tauEst"))):
+                motors[name][:, :MOTOR_COUNT] = values[rows]
+            motors["dq"][:, :MOTOR_COUNT] = dq[rows]
+            motors["mode"][:, :MOTOR_COUNT] = SERVO_MODE
+            for name in FOOT_COLUMNS:
+                values = np.nan_to_num(log.sensor(name)[rows])
+                state[name] = np.clip(np.round(values), _INT16.min, _INT16.max)
+        state["tick"] = _ticks(log, rows)
+        yield block
+
+
+def _ticks(log: SensorLog, rows: slice) -> Array:
+    if log.clock == "tick":
+        values = log.columns["tick"][rows, 0]
+    else:
+        values = np.round(1000.0 * log.time[rows]) % 2**32
+    return np.asarray(np.nan_to_num(values).astype(np.uint32))
+
+
+def finite_rows(log: SensorLog) -> tuple[npt.NDArray[np.bool_], dict[str, int]]:
+    """Return whether the clock and all sensors of each row are finite (n,), and what is not.
+
+    The second is the number of rows with NaN or infinity by column; columns without are left out.
+    """
+    good = np.isfinite(log.time)
+    counts = {} if good.all() else {log.clock: int((~good).sum())}
+    for name in (*SENSOR_COLUMNS, *FOOT_COLUMNS):
+        if name in log.columns:
+            finite = np.isfinite(log.columns[name]).all(axis=1)
+            if not finite.all():
+                counts[name] = int((~finite).sum())
+                good &= finite
+    return good, counts

@@ -1,0 +1,16 @@
+"""Which rows are drawn of a long log."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot.estimate.estimate_result import Estimate
+
+MAX_PLOT_ROWS = 20_000  # rows in a plot: ten to a pixel
+
+
+def rows_to_plot(estimate: Estimate) -> npt.NDArray[np.int64]:
+    """Return the indices of the rows to draw: all, or evenly spread ones."""
+    count = len(estimate.time)
+    return np.unique(np.linspace(0, count - 1, min(count, MAX_PLOT_ROWS)).astype(np.int64))

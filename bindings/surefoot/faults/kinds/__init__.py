@@ -1,0 +1,1 @@
+"""Kinds of faults and how each changes commands, states, link or surroundings."""

@@ -1,0 +1,147 @@
+"""Faults from before the robot is armed: wiring, mistaken robots, what is not modelled."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from surefoot._core import LowCmd, LowState, Robot, SupervisorOptions
+from surefoot.faults.kinds.fault import CombinedFault, Fault
+from surefoot.faults.kinds.injections import constant
+from surefoot.faults.kinds.signals import AttitudeFault, SignalFault, signal_view
+from surefoot.geometry.rotations import Array
+from surefoot.robot.loading import load_robot
+from surefoot.sim import Plant, PlantSettings
+
+SIMILAR_ROBOT = {"a1": "go1", "go1": "a1", "go2": "go1", "b1": "go2"}  # the robot most like it
+DIFFERENT_ROBOT = {"a1": "b1", "go1": "b1", "go2": "b1", "b1": "go1"}
+
+
+class WrongWiring(Fault):
+    """Motors are connected in another order, from the start.
+
+    Args:
+        order: order[i] is the motor that is driven, and reported, as motor i.
+        reversed_motors: Motors that turn the other way round.
+    """
+
+    from_start = True
+
+    def __init__(self, order: dict[int, int], reversed_motors: tuple[int, ...] = ()) -> None:
+        self._order = np.array([order.get(i, i) for i in range(12)])
+        self._reversed_motors = reversed_motors
+
+    def change_state(self, state: LowState, k: int) -> None:
+        """Report them in that order."""
+        motors = state.raw[75 : 75 + 12 * 38].reshape(12, 38)
+        motors[:] = motors[self._order]
+        for name in ("q", "dq", "tauEst"):
+            signal_view(state, name)[list(self._reversed_motors)] *= -1.0
+
+    def change_command(self, command: LowCmd, k: int) -> None:
+        """Drive them in that order."""
+        for i in self._reversed_motors:
+            motor = command.motorCmd[i]
+            motor.tau, motor.dq = -motor.tau, -motor.dq if abs(motor.dq) < 1e3 else motor.dq
+        motors = command.raw[22 : 22 + 12 * 33].reshape(12, 33)
+        commanded = motors.copy()
+        motors[self._order] = commanded
+
+
+class WrongRobot(Fault):
+    """The supervisor is set up for another robot, from the start.
+
+    Args:
+        others: By this robot's name, the one it is taken for.
+    """
+
+    from_start = True
+
+    def __init__(self, others: dict[str, str]) -> None:
+        self._others = others
+
+    def assumed_robot(self, robot: Robot) -> Robot:
+        """Return the other robot."""
+        return load_robot(self._others.get(robot.name, "go1"))
+
+
+class ChangedSurroundings(Fault):
+    """The surroundings are not what is modelled, from the start.
+
+    Args:
+        friction: Of the ground.
+        sink: How far feet sink into it [m].
+        hung: The robot hangs in the air.
+    """
+
+    from_start = True
+
+    def __init__(self, friction: float = 0.8, sink: float = 0.0, hung: bool = False) -> None:
+        self._friction, self._sink, self._hung = friction, sink, hung
+
+    def plant_settings(self, settings: PlantSettings) -> PlantSettings:
+        """Return the settings with them."""
+        return replace(
+            settings, friction=self._friction, soft_ground_sink=self._sink, hung=self._hung
+        )
+
+    def start(self, plant: Plant, lying: Array) -> LowState:
+        """Lay it down, unless it hangs."""
+        return plant.reset() if self._hung else super().start(plant, lying)
+
+
+class UnknownPayload(Fault):
+    """The robot carries what its model does not know, from the start.
+
+    Args:
+        share: Of its own mass.
+        x: Of the load, forward of the base [m].
+        limit: That the supervisor is told it may bear, as a share; 0 is any load.
+    """
+
+    from_start = True
+
+    def __init__(self, share: float, x: float = 0.0, limit: float = 0.0) -> None:
+        self._share, self._x, self._limit, self._mass = share, x, limit, 0.0
+
+    def assumed_robot(self, robot: Robot) -> Robot:
+        """Learn its mass."""
+        self._mass = robot.mass
+        return robot
+
+    def set_options(self, options: SupervisorOptions) -> None:
+        """Set what it may bear."""
+        if self._limit > 0.0:
+            options.payload_limit = self._limit * self._mass
+
+    def plant_settings(self, settings: PlantSettings) -> PlantSettings:
+        """Return the settings with the load."""
+        load = self._share * self._mass
+        return replace(settings, payload_kg=load, payload_position=(self._x, 0.0, 0.1))
+
+
+class StartsStanding(Fault):
+    """The robot stands in position mode as the program starts."""
+
+    from_start = True
+
+    def start(self, plant: Plant, lying: Array) -> LowState:
+        """Stand it up."""
+        return plant.reset()
+
+
+def swapped_legs(one: int, other: int) -> dict[int, int]:
+    """Return the order in which two legs are swapped; 0 .. 3 are FR FL RR RL."""
+    first, second = 3 * one, 3 * other
+    return {a + i: b + i for a, b in ((first, second), (second, first)) for i in range(3)}
+
+
+def reported_slope() -> Fault:
+    """Return that reports say that the robot lies at 35 degrees."""
+    angle = np.radians(35.0)
+    return CombinedFault(
+        AttitudeFault(lambda k: 35.0, 1),
+        SignalFault("accelerometer", constant(-9.81 * np.sin(angle)), 0),
+        SignalFault("accelerometer", constant(9.81 * np.cos(angle)), 2),
+    )

@@ -1,0 +1,55 @@
+"""Options and gains that make no sense: they must be refused by name, and nothing else happen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from surefoot._core import Error, Gains, Robot, Supervisor, SupervisorOptions
+from surefoot.faults.kinds.fault import Fault
+
+
+class InvalidConfig(Fault):
+    """Supervisors are made with options and gains that make no sense."""
+
+    def __init__(self) -> None:
+        self._robot: Robot | None = None
+        self._problems: list[str] = []
+
+    def assumed_robot(self, robot: Robot) -> Robot:
+        """Remember for which robot."""
+        self._robot = robot
+        return robot
+
+    def operate(self, supervisor: Supervisor, k: int) -> None:
+        """Make them; each must be refused by name."""
+        robot = self._robot
+        if k or robot is None:
+            return
+        attempts: dict[str, Callable[[], object]] = {
+            "power_level": lambda: Supervisor(robot, options=SupervisorOptions(power_level=11)),
+            "arming_time": lambda: Supervisor(robot, options=SupervisorOptions(arming_time=-1.0)),
+            "temperature_warning": lambda: Supervisor(
+                robot, options=SupervisorOptions(temperature_warning=float("nan"))
+            ),
+            "damping_kd": lambda: Supervisor(robot, gains=_gains(damping_kd=float("nan"))),
+            "slip_friction": lambda: Supervisor(robot, gains=_gains(slip_friction=-1.0)),
+        }
+        for name, attempt in attempts.items():
+            try:
+                attempt()
+            except Error as refusal:
+                if name not in str(refusal):
+                    self._problems.append(f"{name}: refused without its name: {refusal}")
+            else:
+                self._problems.append(f"{name}: taken")
+
+    def problems(self) -> list[str]:
+        """Return what was not refused."""
+        return self._problems
+
+
+def _gains(**values: float) -> Gains:
+    gains = Gains()
+    for name, value in values.items():
+        setattr(gains, name, value)
+    return gains

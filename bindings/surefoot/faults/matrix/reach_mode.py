@@ -1,0 +1,57 @@
+"""How a robot comes to the moment in which a fault begins."""
+
+from __future__ import annotations
+
+from surefoot._core import Mode
+from surefoot.faults.matrix.scenario import Scenario
+from surefoot.sim import Push
+
+RISE_REQUESTED = "asked to rise"  # no further than that
+RISE_FRACTION = 0.4  # of the way up, where a rise is disturbed
+RISE_TIME = 15.0  # [s] that a rise may take
+SETTLE_TIME = 1.5  # [s] of standing before
+PUSH_FRACTION = 0.4  # of the push that the pendulum survives
+PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] of the push; and of it before the fault
+
+
+def reach_mode(scenario: Scenario, mode: str) -> str:
+    """Bring a robot to a mode's moment; return why it did not get there, or ""."""
+    if scenario.taken_over:
+        scenario.step()
+        return _stand(scenario, mode) if scenario.is_armed() else "was not taken over"
+    if not scenario.arm():
+        return f"was not armed: {scenario.arming_failures}"
+    if mode == "lying":
+        scenario.run(0.2)
+        return ""
+    scenario.supervisor.request(Mode.RISE)
+    if mode == RISE_REQUESTED:
+        return ""
+    if mode == "rising":
+        return _rise(scenario)
+    if not scenario.run_until_mode(Mode.STAND, RISE_TIME):
+        return _progress_text(scenario)
+    return _stand(scenario, mode)
+
+
+def _stand(scenario: Scenario, mode: str) -> str:
+    scenario.run(SETTLE_TIME)
+    if mode == "pushed":
+        plant = scenario.plant
+        impulse = PUSH_FRACTION * plant.lip_push_limit("lateral", PUSH_TIME)
+        plant.add_push(Push("lateral", impulse, PUSH_TIME, plant.time))
+        scenario.run(PUSH_LEAD)
+    return "" if scenario.supervisor.mode == Mode.STAND else _progress_text(scenario)
+
+
+def _rise(scenario: Scenario) -> str:
+    for _ in range(round(RISE_TIME / 0.002)):
+        scenario.step()
+        if scenario.supervisor.rise_progress > RISE_FRACTION:
+            return ""
+    return _progress_text(scenario)
+
+
+def _progress_text(scenario: Scenario) -> str:
+    supervisor = scenario.supervisor
+    return f"got no further than {supervisor.mode.name}, {supervisor.damping_fault.name}"

@@ -1,0 +1,89 @@
+"""The matrix: every cell run, in this process or in several, and what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import as_completed
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any
+
+from surefoot._core import Error
+from surefoot.faults.catalogue import choose_cells
+from surefoot.faults.matrix.matrix_settings import FaultSettings
+from surefoot.faults.matrix.matrix_setup import MatrixSetup, make_setup
+from surefoot.faults.matrix.run_cell import error_result, run_cell
+from surefoot.files.result_store import open_result_store
+from surefoot.robot.power_level import power_level
+from surefoot.system.machine import describe_machine
+from surefoot.system.worker_processes import killable_pool
+
+Progress = Callable[[int, int], None]
+"""Called with how many cells are done, and how many there are."""
+
+
+def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dict[str, Any]:
+    """Run a matrix and return everything as plain JSON types.
+
+    Args:
+        settings: What to run.
+        progress: Told how far it is.
+
+    Raises:
+        Error: An unknown robot or pattern; a process that died; a store of another run.
+        OSError: The store cannot be written; what is in it is safe.
+    """
+    names = [cell.id for cell in choose_cells(settings.only, settings.taken_over)]
+    setup = make_setup(settings.description, settings.seed, taken_over=settings.taken_over)
+    robot = setup.description.name
+    with open_result_store(settings.store, "surefoot faults", settings.identity_values()) as store:
+        pending = [name for name in names if (robot, name) not in store.results]
+        cells = {name: store.results.get((robot, name), {}) for name in names}
+        for k, result in enumerate(_results(setup, pending, settings.jobs), 1):
+            cells[result["id"]] = result
+            if not result.get("broken"):
+                store.add(robot, result["id"], result)
+            if progress is not None:
+                progress(len(names) - len(pending) + k, len(names))
+    return summarise(settings, setup, list(cells.values()))
+
+
+def summarise(
+    settings: FaultSettings, setup: MatrixSetup, cells: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """Return what a matrix's JSON has."""
+    failures = [cell for cell in cells if cell["verdict"] != "pass"]
+    robot = setup.description.name
+    return {
+        "robot": robot,
+        "seed": settings.seed,
+        "only": list(settings.only),
+        "taken_over": settings.taken_over,
+        "power_level": power_level(robot),
+        "passed": len(cells) - len(failures),
+        "failed": len(failures),
+        "failures": [{"id": cell["id"], "reason": cell["reason"]} for cell in failures],
+        "versions": describe_machine()["versions"],
+        "cells": cells,
+    }
+
+
+def _results(setup: MatrixSetup, names: list[str], jobs: int) -> Iterator[dict[str, Any]]:
+    if jobs == 1:
+        for name in names:
+            yield run_or_fail(setup, name)
+        return
+    with killable_pool(max(1, min(jobs, len(names)))) as pool:
+        futures = [pool.submit(run_or_fail, setup, name) for name in names]
+        try:
+            for future in as_completed(futures):
+                yield future.result()
+        except BrokenProcessPool:
+            raise Error("faults: a process died; is there enough memory for --jobs?") from None
+
+
+def run_or_fail(setup: MatrixSetup, name: str) -> dict[str, Any]:
+    """Run a cell; one that cannot be run is a failure as well."""
+    try:
+        return run_cell(setup, name)
+    except Exception as problem:
+        return error_result(name, problem)

@@ -1,0 +1,165 @@
+"""A supervised robot on its plant with one fault: control period by control period."""
+
+from __future__ import annotations
+
+from surefoot._core import (
+    LowCmd,
+    LowState,
+    Mode,
+    RequestStatus,
+    Start,
+    SupervisorOptions,
+    fault_table,
+)
+from surefoot.faults.kinds.fault import Fault
+from surefoot.faults.matrix.command_monitor import CommandMonitor
+from surefoot.faults.matrix.frame_loopback import FrameLoopback
+from surefoot.faults.matrix.matrix_setup import MatrixSetup
+from surefoot.robot.loading import build_robot
+from surefoot.robot.power_level import power_level
+from surefoot.sim import Plant, PlantSettings
+from surefoot.sim.settings import COARSE_DT
+
+PERIOD = 0.002  # [s]
+
+
+class Scenario:
+    """One run.
+
+    Args:
+        setup: What it has in common with others.
+        fault: What goes wrong.
+        level: Of the power protection; None is the robot's usual one.
+        tick0: LowState.tick of the first report [ms].
+
+    Attributes:
+        plant, supervisor: As they are.
+        monitor: Of the commands so far.
+        fault: As given; begin() starts it.
+        command: That the supervisor made last.
+        armed: Was it armed by arm(), or taken over?
+        taken_over: It stands from the start, and is armed so.
+        k: Control periods since the fault began, or None.
+    """
+
+    def __init__(
+        self, setup: MatrixSetup, fault: Fault, level: int | None = None, tick0: int = 0
+    ) -> None:
+        self.fault = fault
+        robot = build_robot(setup.description)
+        assumed_robot = fault.assumed_robot(robot)
+        settings = fault.plant_settings(PlantSettings(seed=setup.seed, physics_dt=COARSE_DT))
+        self.plant = Plant(setup.description, settings, tick0=tick0)
+        self.taken_over = setup.taken_over
+        if self.taken_over:
+            self._state = self.plant.reset()
+        else:
+            self._state = fault.start(self.plant, setup.lying_qpos)
+        level = power_level(robot.name) if level is None else level
+        start = Start.STANDING if self.taken_over else Start.LYING
+        options = SupervisorOptions(power_level=level, start=start)
+        fault.set_options(options)
+        self.supervisor = setup.make_supervisor(assumed_robot, options)
+        fault.prepare(self.supervisor)
+        self.monitor = CommandMonitor(robot, level)
+        self._loopback = FrameLoopback(robot.name) if fault.uses_frames else None
+        self.command = LowCmd()
+        self.k: int | None = None
+        self.armed = False
+        self._counts_before_arming: dict[str, int] = {}
+        if fault.from_start:
+            self.begin()
+
+    @property
+    def tick(self) -> int:
+        """LowState.tick of the report that comes next [ms]."""
+        return int(self._state.tick)
+
+    def begin(self) -> None:
+        """Let the fault begin with the next period."""
+        if self.k is None:
+            self.k = 0
+            self.fault.begin(self.plant)
+
+    def step(self) -> None:
+        """Take one control period: a report, the fault, a tick, the fault, the physics."""
+        fault, k = self.fault, self.k
+        received = LowState()
+        received.raw[:] = self._state.raw
+        runs = True
+        if k is None:
+            fault.update_before(self.supervisor)
+        else:
+            runs = fault.loop_runs(k)
+            fault.change_state(received, k)
+        if self._loopback is not None:
+            frame = self._loopback.encode(received)
+            received = self._loopback.receive(
+                [frame] if k is None else fault.change_frame(frame, k)
+            )
+        if k is not None:
+            fault.operate(self.supervisor, k)
+        if runs:
+            self.command = self.supervisor.update(received)
+            dq = self.plant.data.qvel[self.plant.handles.motor_v]
+            self.monitor.check(self.command, self._state, dq)
+        delivered = LowCmd()
+        delivered.raw[:] = self.command.raw
+        if k is not None:
+            fault.change_command(delivered, k)
+            self.k = k + 1
+        self._state = self.plant.step(delivered)
+
+    def run(self, seconds: float) -> None:
+        """Take as many periods as fit."""
+        for _ in range(round(seconds / PERIOD)):
+            self.step()
+
+    def run_until_mode(self, mode: Mode, seconds: float) -> bool:
+        """Go on until a mode is there, or the time is over; return whether it is."""
+        for _ in range(round(seconds / PERIOD)):
+            if self.supervisor.mode == mode:
+                return True
+            self.step()
+        return self.supervisor.mode == mode
+
+    def arm(self) -> bool:
+        """Wait for the arming checks and arm; return whether it is.
+
+        Who stood sinks first, its motors braking, for up to three seconds.
+        """
+        for _ in range(round(6.0 / PERIOD)):
+            if self.supervisor.arm() == RequestStatus.ACCEPTED:
+                self.step()
+                return self.is_armed()
+            self.step()
+        return False
+
+    def is_armed(self) -> bool:
+        """Return whether it is armed; from now on what is told counts."""
+        self.armed = bool(self.supervisor.armed)
+        self._counts_before_arming = self._counts()
+        return self.armed
+
+    @property
+    def reported_faults(self) -> list[str]:
+        """Names of the faults that the supervisor has told of since it was armed."""
+        return [
+            name
+            for name, n in self._counts().items()
+            if n > self._counts_before_arming.get(name, 0)
+        ]
+
+    def _counts(self) -> dict[str, int]:
+        faults = self.supervisor.faults
+        return {info.name: faults.count(info.id) for info in fault_table()}
+
+    @property
+    def arming_failures(self) -> str:
+        """The arming checks that fail, in one line."""
+        return "; ".join(str(self.supervisor.arming.failures(self.plant.robot)).splitlines())
+
+    def close(self) -> None:
+        """Let go of sockets."""
+        if self._loopback is not None:
+            self._loopback.close()

@@ -1,0 +1,149 @@
+"""Whether what was seen is what is expected."""
+
+from __future__ import annotations
+
+import math
+
+from surefoot._core import Mode
+from surefoot.faults.expectation import TIME_TOLERANCE, Expectation, Reaction
+from surefoot.faults.matrix.observation import Observation
+
+GRAVITY = 9.81  # [m/s^2]
+LYING_SHARE = 0.4  # of its standing height: legs that fold prop healthy bodies up by 0.36 at most
+
+
+def fall_speed(height: float) -> float:
+    """Return the speed that counts as a fast fall: half of a free fall's from a height [m/s]."""
+    return 0.5 * math.sqrt(2.0 * GRAVITY * height)
+
+
+def reaction_time(observed: Observation, expectation: Expectation) -> float | None:
+    """Return when the reaction expected came [s]; None too of one that has no moment.
+
+    A refusal is asked for from the time stated on, not looked for before.
+    """
+    return {
+        Reaction.DAMP: observed.damped_at,
+        Reaction.SIT: observed.sat_at,
+        Reaction.REFUSE: None,
+        Reaction.STAY: observed.damped_at,
+        Reaction.WATCH: observed.reported_at,
+        Reaction.DEGRADE: observed.reported_at,
+    }[expectation.reaction]
+
+
+def deviations(
+    observed: Observation, expectation: Expectation, mode: str, height: float
+) -> list[str]:
+    """Return in words what is not as expected; empty if all is.
+
+    Args:
+        observed: What was seen.
+        expectation: What is expected.
+        mode: In which the fault began.
+        height: Of the standing base [m].
+    """
+    if expectation.reaction == Reaction.DAMP:
+        return _damps(observed, expectation)
+    if expectation.reaction == Reaction.STAY:
+        return _stays(observed, expectation, height)
+    if expectation.reaction == Reaction.SIT:
+        return _sits(observed, expectation) + descends_too_fast(observed, height)
+    if expectation.reaction == Reaction.REFUSE:
+        return _refuses(observed)
+    return _goes_on(observed, expectation, mode)
+
+
+def descends_too_fast(observed: Observation, height: float) -> list[str]:
+    """Return that it went down too fast, if it did."""
+    if observed.max_descent_speed <= fall_speed(height):
+        return []
+    return [f"went down at {observed.max_descent_speed:.2f} m/s, expected {fall_speed(height):.2f}"]
+
+
+def unreported_fault(observed: Observation, expectation: Expectation) -> list[str]:
+    """Return that the operator could not read the fault, or too late, if so."""
+    if not expectation.fault:
+        return []
+    if observed.reported_at is None:
+        return [f"fault {expectation.fault} is not told"]
+    if observed.reported_at > expectation.within + TIME_TOLERANCE:
+        return [f"fault {expectation.fault} told after {_ms(observed.reported_at)}"]
+    return []
+
+
+def _damps(observed: Observation, expectation: Expectation) -> list[str]:
+    if observed.damped_at is None:
+        return [f"motors never damped, {observed.mode.name} at the end"]
+    problems = []
+    if observed.damped_at > expectation.within + TIME_TOLERANCE:
+        problems.append(
+            f"damped after {_ms(observed.damped_at)}, expected {_ms(expectation.within)}"
+        )
+    if observed.mode != Mode.DAMPING:
+        problems.append(f"not latched: {observed.mode.name} at the end")
+    if observed.torque_resumed_at is not None:
+        problems.append(f"torques again after {_ms(observed.torque_resumed_at)}")
+    return problems
+
+
+def _stays(observed: Observation, expectation: Expectation, height: float) -> list[str]:
+    problems = _damps(observed, expectation)
+    if observed.damped_at is not None and observed.latch_reason != expectation.fault:
+        problems.append(f"latched for {observed.latch_reason}, expected {expectation.fault}")
+    if observed.max_rise > LYING_SHARE * height:
+        problems.append(f"rose by {100 * observed.max_rise:.0f} cm")
+    return problems
+
+
+def _sits(observed: Observation, expectation: Expectation) -> list[str]:
+    if observed.sat_at is None:
+        return [f"never sat down, {observed.mode.name} at the end"]
+    problems = []
+    if observed.sat_at > expectation.within + TIME_TOLERANCE:
+        problems.append(
+            f"sat down after {_ms(observed.sat_at)}, expected {_ms(expectation.within)}"
+        )
+    if observed.passive_at is None:
+        problems.append(f"did not come to lie, {observed.mode.name} at the end")
+    return problems
+
+
+def _refuses(observed: Observation) -> list[str]:
+    problems = []
+    if observed.accepted_at is not None:
+        problems.append(f"not refused after {_ms(observed.accepted_at)} ({observed.answers})")
+    elif observed.refused_at is None:
+        problems.append("never asked")
+    if observed.damped_at is None or observed.torque_resumed_at is not None:
+        problems.append("the motors got torques")
+    return problems
+
+
+def _goes_on(observed: Observation, expectation: Expectation, mode: str) -> list[str]:
+    if (
+        expectation.alternative
+        and observed.latch_reason == expectation.alternative
+        and observed.mode == Mode.DAMPING
+    ):
+        return []
+    if mode == "lying":
+        problems = [] if observed.accepted_at is not None else [f"may not rise ({observed.answers})"]
+        return problems + _rests(observed)
+    problems = []
+    if observed.damped_at is not None:
+        problems.append(f"damped after {_ms(observed.damped_at)}")
+    if observed.mode != Mode.STAND:
+        problems.append(f"{observed.mode.name} at the end, expected STAND")
+    if observed.fell_at is not None:
+        problems.append(f"fell after {_ms(observed.fell_at)}")
+    return problems
+
+
+def _rests(observed: Observation) -> list[str]:
+    lies = observed.mode in (Mode.PASSIVE, Mode.DAMPING) and observed.damped_at is not None
+    return [] if lies else [f"{observed.mode.name} at the end, expected to lie"]
+
+
+def _ms(seconds: float) -> str:
+    return f"{1e3 * seconds:.0f} ms"

@@ -1,0 +1,99 @@
+"""Rows about numbers in a report, and old data."""
+
+from __future__ import annotations
+
+import math
+
+from surefoot.faults.case import Row, case
+from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation, watch_unless
+from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds.fault import CombinedFault
+from surefoot.faults.kinds.signals import AllSensorsFault, SignalFault
+
+KNEE, LEG = 5, [3, 4, 5]  # FL_2, FL
+NOT_FINITE = table_expectation("state_not_finite")
+NAN, INF = math.nan, math.inf
+intermittent = inject.intermittent
+
+
+def _imu(ticks: int) -> CombinedFault:
+    names = ("quaternion", "gyroscope", "accelerometer")
+    return CombinedFault(*(SignalFault(name, inject.slow(ticks)) for name in names))
+
+
+def _leg() -> CombinedFault:
+    return CombinedFault(*(SignalFault(name, inject.stuck(), LEG) for name in ("q", "dq")))
+
+
+ROWS = (
+    Row(
+        "nan_in_state",
+        "NaN or infinity in a report",
+        (
+            case(
+                "garbage",
+                "a joint angle is NaN",
+                lambda: SignalFault("q", inject.constant(NAN), KNEE),
+                NOT_FINITE,
+            ),
+            case(
+                "wrong",
+                "a gyroscope axis is infinite",
+                lambda: SignalFault("gyroscope", inject.constant(INF), 1),
+                NOT_FINITE,
+            ),
+            case(
+                "stuck",
+                "all measured torques are NaN",
+                lambda: SignalFault("tauEst", inject.constant(NAN)),
+                NOT_FINITE,
+            ),
+            case(
+                "intermittent",
+                "joint speeds are NaN in 1 report of 25",
+                lambda: SignalFault("dq", intermittent(inject.constant(NAN), 25)),
+                WATCH,
+            ),
+        ),
+    ),
+    Row(
+        "duplicate_data",
+        "old data under a tick that goes on",
+        (
+            case("slow", "IMU at 50 Hz", lambda: _imu(10), WATCH, WATCH),
+            case(
+                "slow",
+                "accelerometer anew in every second report",
+                lambda: SignalFault("accelerometer", inject.slow(2)),
+                WATCH,
+                WATCH,
+            ),
+            case("slow", "all at 50 Hz", lambda: AllSensorsFault(inject.slow(10)), WATCH, WATCH),
+            case(
+                "stuck",
+                "all sensors",
+                lambda: AllSensorsFault(inject.stuck()),
+                table_expectation("frozen"),
+                expect_refusal(0.05),
+            ),
+            case(
+                "stuck",
+                "angles and speeds of a leg",
+                _leg,
+                watch_unless("encoder"),
+                lying=None,
+                rising=table_expectation("encoder"),
+            ),
+            case(
+                "delayed", "all by 6 ms", lambda: AllSensorsFault(inject.delayed(3)), WATCH, WATCH
+            ),
+            case(
+                "intermittent",
+                "1 report of 10 repeats the last one's data",
+                lambda: AllSensorsFault(inject.repeated(10)),
+                WATCH,
+                WATCH,
+            ),
+        ),
+    ),
+)

@@ -1,0 +1,1 @@
+"""Rotations: one at a time and in batches."""

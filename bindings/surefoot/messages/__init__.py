@@ -1,0 +1,1 @@
+"""NumPy layouts of the packed LowState and LowCmd structs."""

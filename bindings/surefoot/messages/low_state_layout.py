@@ -1,0 +1,32 @@
+"""LowState's fields in its 937 packed bytes: for arrays of many states at once."""
+
+from __future__ import annotations
+
+import numpy as np
+
+LEGS = ("FR", "FL", "RR", "RL")  # the SDK's order of legs: feet, and three motors each
+MOTOR_COUNT = 12
+MOTOR_SLOTS = 20
+
+MOTOR_STATE = np.dtype(
+    {
+        "names": ["mode", "q", "dq", "ddq", "tauEst", "temperature"],
+        "formats": ["u1", "<f4", "<f4", "<f4", "<f4", "i1"],
+        "offsets": [0, 1, 5, 9, 13, 29],
+        "itemsize": 38,
+    }
+)
+LOW_STATE = np.dtype(
+    {
+        "names": [
+            *("quaternion", "gyroscope", "accelerometer", "rpy", "imu_temperature"),
+            *("motorState", "footForce", "footForceEst", "tick"),
+        ],
+        "formats": [
+            *(("<f4", 4), ("<f4", 3), ("<f4", 3), ("<f4", 3), "i1"),
+            *((MOTOR_STATE, MOTOR_SLOTS), ("<i2", 4), ("<i2", 4), "<u4"),
+        ],
+        "offsets": [22, 38, 50, 62, 74, 75, 869, 877, 885],
+        "itemsize": 937,
+    }
+)

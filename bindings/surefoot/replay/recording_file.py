@@ -1,0 +1,84 @@
+"""Tapes as arrays of an NPZ file, by themselves or beside a sensor log's columns."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from surefoot._core import Error, LowCmd, LowState
+from surefoot.files.corrupt_npz import CORRUPT_NPZ
+from surefoot.files.tables import write_npz
+from surefoot.replay.recording import Call, Recording
+from surefoot.sensor_log.columns import REPLAY_PREFIX
+
+_REPORTS, _COMMANDS, _HEADER = (
+    f"{REPLAY_PREFIX}{name}" for name in ("reports", "commands", "head")
+)
+_FORMAT = 1
+_KEYS = {"kind": str, "robot": str, "gains": dict, "options": dict, "build": str, "calls": list}
+
+
+def recording_columns(recording: Recording) -> dict[str, np.ndarray]:
+    """Return a tape as arrays by name: bytes of reports and commands, the rest as JSON."""
+    header = {name: value for name, value in vars(recording).items() if name in _KEYS}
+    header["calls"] = [asdict(call) for call in recording.calls]
+    return {
+        _REPORTS: recording.samples,
+        _COMMANDS: recording.commands,
+        _HEADER: np.array(json.dumps({"format": _FORMAT, **header})),
+    }
+
+
+def write_recording(path: str | Path, recording: Recording) -> None:
+    """Write a tape by itself; raises OSError."""
+    write_npz(Path(path), recording_columns(recording))
+
+
+def read_recording(path: str | Path) -> Recording:
+    """Read a tape from an NPZ file; raises Error where there is none that is whole."""
+    path = Path(path)
+    if path.suffix.lower() != ".npz":
+        raise Error(f"log: got '{path}', expected a .npz: a CSV has not all that commands need")
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            missing = [name for name in (_REPORTS, _COMMANDS, _HEADER) if name not in file.files]
+            if missing:
+                raise Error(
+                    f"{path}: got no {missing[0]}, expected what surefoot stand --log writes"
+                )
+            samples, commands, header = (
+                file[_REPORTS],
+                file[_COMMANDS],
+                json.loads(str(file[_HEADER])),
+            )
+    except OSError as problem:
+        raise Error(f"log: cannot read '{path}': {problem.strerror or problem}") from None
+    except CORRUPT_NPZ as problem:
+        raise Error(f"{path}: got no NPZ file of a replay ({problem}), expected one") from None
+    return _check(path, samples, commands, header)
+
+
+def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -> Recording:
+    """Return the tape of a file's arrays; raises Error."""
+    for name, rows, width in (
+        (_REPORTS, samples, len(LowState().raw)),
+        (_COMMANDS, commands, len(LowCmd().raw)),
+    ):
+        if rows.dtype != np.uint8 or rows.ndim != 2 or rows.shape[1] != width or not len(rows):
+            got = f"{rows.dtype} {rows.shape}"
+            raise Error(f"{path}: {name}: got {got}, expected uint8 (rows, {width})")
+    if len(samples) != len(commands):
+        raise Error(f"{path}: got {len(samples)} reports and {len(commands)} commands")
+    if not isinstance(header, dict) or header.pop("format", None) != _FORMAT:
+        raise Error(f"{path}: {_HEADER}: got another format, expected {_FORMAT}")
+    if {name: type(value) for name, value in header.items()} != _KEYS:
+        raise Error(f"{path}: {_HEADER}: got {sorted(header)}, expected {sorted(_KEYS)}")
+    try:
+        calls = tuple(Call(**call) for call in header.pop("calls"))
+    except TypeError as problem:
+        raise Error(f"{path}: {_HEADER}: a call is none: {problem}") from None
+    return Recording(**header, samples=samples, commands=commands, calls=calls)

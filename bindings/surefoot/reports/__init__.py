@@ -1,0 +1,1 @@
+"""HTML pages and plots that all reports share."""

@@ -1,0 +1,97 @@
+"""How long a command takes to act, from a log: what StandOptions.delay wants to be told."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import Error
+
+_RESOLUTION = 0.25e-3  # [s] resolution of the search
+_DIFFERENCE_TIME = 0.01  # [s] over which changes are compared; a motor's lag blurs shorter ones
+_MIN_TORQUE_CHANGE = 0.02  # [N.m] RMS change of torque between samples; less is noise
+_MIN_FIT = 0.8  # share of the reported torque's changes that the delayed commands explain
+
+Array = npt.NDArray[np.float64]
+
+
+def identify_delay(
+    tau_sent: Any, tau_reported: Any, period: float, max_delay: float = 0.05
+) -> float:
+    """Find the delay from the log of a small excitation.
+
+    The reported torque is taken for the sent one, later and with a gain per joint:
+    tau_reported(t) = k tau_sent(t - delay) + noise. Changes are compared, not values, so that
+    friction and offsets do not matter. A motor's lag counts as delay: it acts as one.
+
+    To get such a log, stand, ask in every tick t for
+    BodyReference(height=0.01 * sin(20 * t), roll=0.03 * sin(31 * t)) with the gains
+    reference_acceleration at 10 and reference_turn_acceleration at 100, and log two seconds of it.
+
+    Args:
+        tau_sent: LowCmd motorCmd[i].tau of every tick, shape (n, 12) [N.m].
+        tau_reported: LowState motorState[i].tauEst that the tick's command was made from,
+            shape (n, 12) [N.m].
+        period: Between ticks [s].
+        max_delay: Delay to look for [s].
+
+    Returns:
+        Seconds from a measurement to the action of the command made from it, for
+        StandOptions(delay=...).
+
+    Raises:
+        Error: Shapes that do not match, too short a log, too little motion, no agreement.
+    """
+    sent, reported = _validated(tau_sent, tau_reported, period, max_delay)
+    delays = np.arange(0.0, max_delay + 0.5 * _RESOLUTION, _RESOLUTION)
+    span = max(1, round(_DIFFERENCE_TIME / period))
+    fits = np.array([_explained_share(sent, reported, delay / period, span) for delay in delays])
+    best = int(np.argmax(fits))
+    if fits[best] < _MIN_FIT:
+        raise Error(
+            f"identify_delay: the commands explain {100 * fits[best]:.0f} % of the reported "
+            f"torque's changes at best, expected at least {100 * _MIN_FIT:.0f} %; move the body "
+            "a little while logging, in pure torque mode"
+        )
+    return float(delays[best])
+
+
+def _validated(
+    tau_sent: Any, tau_reported: Any, period: float, max_delay: float
+) -> tuple[Array, Array]:
+    sent, reported = np.asarray(tau_sent, float), np.asarray(tau_reported, float)
+    if sent.ndim != 2 or sent.shape != reported.shape:
+        raise Error(
+            f"identify_delay: got shapes {sent.shape} and {reported.shape}, "
+            "expected two equal ones, (ticks, joints)"
+        )
+    if not (np.isfinite(sent).all() and np.isfinite(reported).all()):
+        raise Error("identify_delay: got a torque that is not finite")
+    if not 0.0 < period <= max_delay:
+        raise Error(f"identify_delay: got period {period} s, expected above 0, up to {max_delay} s")
+    if len(sent) < 4.0 * max_delay / period:
+        raise Error(
+            f"identify_delay: got {len(sent)} ticks, expected at least {4.0 * max_delay / period:.0f}"
+        )
+    motion = float(np.sqrt(np.mean(np.diff(sent, axis=0) ** 2)))
+    if motion < _MIN_TORQUE_CHANGE:
+        raise Error(
+            f"identify_delay: sent torques change by {motion:.2g} N.m a tick, expected at least "
+            f"{_MIN_TORQUE_CHANGE}; move the body a little while logging"
+        )
+    return sent, reported
+
+
+def _explained_share(sent: Array, reported: Array, ticks: float, span: int) -> float:
+    """Return the share of the reported changes that the commands, `ticks` later, explain."""
+    count = len(sent)
+    start = int(np.ceil(ticks))
+    sample_time = np.arange(start, count) - ticks
+    sample_index = np.minimum(np.floor(sample_time).astype(int), count - 2)
+    fraction = (sample_time - sample_index)[:, None]
+    delayed = (1.0 - fraction) * sent[sample_index] + fraction * sent[sample_index + 1]
+    x, y = delayed[span:] - delayed[:-span], reported[start + span :] - reported[start:-span]
+    gain = (x * y).sum(axis=0) / np.maximum((x * x).sum(axis=0), 1e-12)
+    return float(1.0 - ((y - gain * x) ** 2).sum() / max((y**2).sum(), 1e-12))

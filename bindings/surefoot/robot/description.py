@@ -1,0 +1,91 @@
+"""Find a robot's files, by its name or from where one has them."""
+
+from __future__ import annotations
+
+import importlib.metadata
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from surefoot._core import Error
+from surefoot.robot.robot_toml import read_table, suggest
+
+
+@dataclass(frozen=True)
+class RobotDescription:
+    """The files and the parsed TOML that a robot is built from.
+
+    Attributes:
+        name: One word.
+        urdf: Path of the URDF.
+        srdf: Path of the SRDF, or None.
+        mesh_root: Folder that ``package://example-robot-data/`` paths start from.
+        table: The TOML, checked: every key is known.
+    """
+
+    name: str
+    urdf: Path
+    srdf: Path | None
+    mesh_root: Path
+    table: dict[str, Any]
+
+
+def available_robots() -> list[str]:
+    """List the robots that load_robot() knows by name."""
+    return sorted(path.stem for path in _models_folder().glob("*.toml"))
+
+
+def describe_robot(
+    name: str | None = None, *, urdf: str | Path | None = None, config: str | Path | None = None
+) -> RobotDescription:
+    """Find a robot's files and check its TOML, without building the model; raises Error."""
+    if name is not None and (urdf is not None or config is not None):
+        raise Error(f"robot: got name '{name}' and files, expected a name, or urdf= and config=")
+    if name is not None:
+        return _describe_by_name(name)
+    if urdf is None or config is None:
+        raise Error("robot: give a name, or both urdf= and config=")
+    table = read_table(config)
+    path = Path(urdf)
+    if not path.is_file():
+        raise Error(f"URDF not found: got '{path}', expected a file")
+    srdf = table["robot"].get("srdf")
+    return RobotDescription(
+        table["robot"]["name"], path, path.parent / srdf if srdf else None, path.parent, table
+    )
+
+
+def _describe_by_name(name: str) -> RobotDescription:
+    if name not in available_robots():
+        raise Error(
+            f"unknown robot: got '{name}'{suggest(name, available_robots())}; "
+            f"valid names: {', '.join(available_robots())}"
+        )
+    table = read_table(_models_folder() / f"{name}.toml")
+    root = _robot_data_folder()
+    robot = table["robot"]
+    return RobotDescription(
+        name, root / "robots" / robot["urdf"], root / "robots" / robot["srdf"], root, table
+    )
+
+
+def _models_folder() -> Path:
+    return Path(__file__).parents[1] / "models"
+
+
+def _robot_data_folder() -> Path:
+    """Find share/example-robot-data: the wheel carries data only, no loader."""
+    try:
+        files = importlib.metadata.files("example-robot-data") or []
+    except importlib.metadata.PackageNotFoundError:
+        raise Error(
+            "robot data not found: loading a robot by name needs the example-robot-data package; "
+            "run: pip install 'surefoot[sim]' (or bring a URDF, or a .robot file)"
+        ) from None
+    marker = "share/example-robot-data/robots/"
+    for file in files:
+        text = str(file)
+        if marker in text:
+            start = text.index(marker) + len(marker) - len("robots/")
+            return Path(str(file.locate())[: len(str(file.locate())) - len(text) + start])
+    raise Error("the example-robot-data package holds no share/example-robot-data/robots folder")

@@ -1,0 +1,108 @@
+"""Robots by name, or from a URDF or a model and a TOML of your own."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from surefoot._core import Error, Robot
+from surefoot.robot.config import build_config, per_motor
+from surefoot.robot.description import RobotDescription, available_robots, describe_robot
+from surefoot.robot.robot_toml import read_table
+
+__all__ = [
+    "RobotDescription",
+    "available_robots",
+    "build_robot",
+    "describe_robot",
+    "load_pinocchio_model",
+    "load_robot",
+    "package_digest",
+    "per_motor",
+    "robot_identity",
+]
+
+
+def load_robot(
+    name: str | None = None,
+    *,
+    urdf: str | Path | None = None,
+    model: Any = None,
+    config: str | Path | None = None,
+) -> Robot:
+    """Load a robot by its name, or from a URDF or a model with a TOML.
+
+    Args:
+        name: One of available_robots(); needs the example-robot-data package (extra ``sim``).
+        urdf: Or: the path of a URDF ...
+        model: ... or: a pinocchio.Model whose root is a free-flyer ...
+        config: ... either with the path of a TOML that says what it does not (see models/).
+
+    Returns:
+        The robot; armature, limits and IMU mount are in it.
+
+    Raises:
+        Error: Two sources at once, unknown name, missing file, joint or frame, a key that does
+            not exist.
+    """
+    sources = {"a name": name, "urdf=": urdf, "model=": model}
+    given = [source for source, value in sources.items() if value is not None]
+    if len(given) != 1 or (name is None) == (config is None):
+        got = " and ".join(given + ["config="] * (config is not None)) or "nothing"
+        raise Error(
+            f"load_robot: got {got}, expected a name, or urdf= and config=, or model= and config="
+        )
+    if model is None or config is None:
+        return build_robot(describe_robot(name, urdf=urdf, config=config))
+    import pinocchio
+
+    if not isinstance(model, pinocchio.Model):
+        raise Error(f"model: got {type(model).__name__}, expected a pinocchio.Model")
+    return _robot_from_model(model, read_table(config))
+
+
+def load_pinocchio_model(description: RobotDescription) -> Any:
+    """Parse the URDF into a pinocchio.Model with a free-flyer root; raises Error."""
+    import pinocchio
+
+    if not description.urdf.is_file():
+        raise Error(f"URDF not found: got '{description.urdf}', expected a file")
+    try:
+        return pinocchio.buildModelFromUrdf(str(description.urdf), pinocchio.JointModelFreeFlyer())
+    except ValueError as problem:
+        raise Error(f"'{description.urdf}' is not a URDF: {problem}") from None
+
+
+def build_robot(description: RobotDescription) -> Robot:
+    """Build the Robot that a description describes; raises Error."""
+    return _robot_from_model(load_pinocchio_model(description), description.table)
+
+
+def robot_identity(description: RobotDescription, robot: Robot) -> dict[str, str]:
+    """Return as plain data which robot it is, built by which Surefoot."""
+    hashed_values = [robot.serialized_model(), repr(description.table), robot.config.foot_radius]
+    return {
+        "robot": robot.name,
+        "robot files": hashlib.sha256(json.dumps(hashed_values).encode()).hexdigest()[:16],
+        "version": importlib.metadata.version("surefoot"),
+        "build": package_digest(),
+    }
+
+
+@cache
+def package_digest() -> str:
+    """Return what tells the installed code from any other: of every file of the package."""
+    folder = Path(__file__).parents[1]
+    files = [path for path in sorted(folder.rglob("*")) if path.suffix in (".py", ".so", ".toml")]
+    digest = hashlib.sha256()
+    for path in files:
+        digest.update(str(path.relative_to(folder)).encode() + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _robot_from_model(model: Any, table: dict[str, Any]) -> Robot:
+    return Robot.from_serialized_model(model.saveToString(), build_config(model, table))

@@ -1,0 +1,1 @@
+"""Logs of a robot's sensors: columns, readers and writers of CSV and NPZ files."""

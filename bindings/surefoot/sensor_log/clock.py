@@ -1,0 +1,79 @@
+"""When each row of a log was sampled."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot._core import Error
+from surefoot.geometry.batch_rotations import Array
+
+MAX_STEP = 0.1  # [s] the estimator is told no more
+_WRAP = 2**32
+
+
+def read_clock(source: str, columns: dict[str, Array]) -> tuple[str, Array]:
+    """Return which column is the clock, and the time of each row (n,) [s] from the first.
+
+    `tick`, the robot's own clock, comes before `time`, which is often the recorder's; where tick
+    stands still throughout, time serves. Rows whose clock is not finite have time NaN.
+
+    Raises:
+        Error: A clock that goes backwards, stands still throughout, or is in another unit.
+    """
+    names = [name for name in ("tick", "time") if name in columns]
+    advancing = [name for name in names if np.ptp(_finite(columns[name][:, 0])) > 0.0]
+    if not advancing and len(columns[names[0]]) == 1:
+        advancing = names  # a single row cannot tell
+    if not advancing:
+        name, count = names[0], len(columns[names[0]])
+        value = columns[name][0, 0]
+        raise Error(
+            f"{source}: column '{name}': got {count} rows that all say {value:g}, "
+            "expected a clock that advances"
+        )
+    name = advancing[0]
+    stamps = columns[name][:, 0]
+    good = np.isfinite(stamps)
+    seconds = _tick_seconds(source, stamps[good]) if name == "tick" else stamps[good]
+    steps = np.diff(seconds)
+    _check_steps(source, name, steps, np.flatnonzero(good))
+    time = np.full(len(stamps), np.nan)
+    time[good] = seconds - seconds[0]
+    return name, time
+
+
+def _finite(values: Array) -> Array:
+    finite = values[np.isfinite(values)]
+    return finite if len(finite) else np.zeros(1)
+
+
+def _tick_seconds(source: str, ticks: Array) -> Array:
+    """Return ticks [ms], which wrap, as seconds from the first."""
+    if np.any(ticks != np.round(ticks)) or ticks.min() < 0 or ticks.max() >= _WRAP:
+        wrong = ticks[(ticks != np.round(ticks)) | (ticks < 0) | (ticks >= _WRAP)][0]
+        raise Error(
+            f"{source}: column 'tick': got {wrong:g}, expected whole milliseconds from 0 up to "
+            "2^32 - 1; a clock in seconds is called 'time'"
+        )
+    steps = np.mod(np.diff(ticks.astype(np.int64)), _WRAP)
+    steps[steps >= _WRAP // 2] -= _WRAP  # half the range is the past
+    return np.concatenate([[0.0], 1e-3 * np.cumsum(steps)])
+
+
+def _check_steps(source: str, name: str, steps: Array, rows: np.ndarray) -> None:
+    back = np.flatnonzero(steps < 0.0)
+    if len(back):
+        k = int(back[0])
+        raise Error(
+            f"{source}: column '{name}': got a step of {steps[k]:g} s at row {rows[k + 1]} "
+            "(counted from 0), expected a clock that never goes backwards"
+        )
+    if not np.any(steps > 0.0):
+        return
+    median = float(np.median(steps[steps > 0.0]))
+    if median > MAX_STEP:
+        unit = {"tick": "milliseconds", "time": "seconds"}[name]
+        raise Error(
+            f"{source}: column '{name}': got a median step of {median:g} s, expected at most "
+            f"{MAX_STEP:g}: is it in {unit}?"
+        )

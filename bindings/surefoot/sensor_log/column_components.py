@@ -1,0 +1,90 @@
+"""Which part of a file holds which component of which column: nothing twice, nothing half."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+from typing import Generic, TypeVar
+
+from surefoot._core import Error
+from surefoot.sensor_log.column_names import find_column
+from surefoot.sensor_log.columns import (
+    CLOCK_COLUMNS,
+    COLUMNS,
+    REQUIRED_COLUMNS,
+    Column,
+    valid_names,
+)
+
+Location = TypeVar("Location")
+
+
+class ColumnComponents(Generic[Location]):
+    """Collects where the components of columns are.
+
+    Args:
+        source: The file, for errors.
+
+    Attributes:
+        ignored: Names in the file that mean nothing here, in its order.
+    """
+
+    def __init__(self, source: str) -> None:
+        self.ignored: list[str] = []
+        self._source = source
+        self._locations: dict[tuple[str, int], tuple[str, Location]] = {}
+
+    def find(self, text: str) -> tuple[Column, int | None] | None:
+        """Return what a name means as find_column() does; None notes it as ignored."""
+        found = find_column(text)
+        if found is None:
+            self.ignored.append(text)
+        return found
+
+    def add(self, text: str, column: Column, index: int, location: Location) -> None:
+        """Say that what the file calls `text` is a component of a column; raises Error if twice."""
+        name = column.component(index)
+        if (column.name, index) in self._locations:
+            first = self._locations[column.name, index][0]
+            raise Error(
+                f"{self._source}: column '{name}': got '{first}' and '{text}', expected it once"
+            )
+        self._locations[column.name, index] = (text, location)
+
+    def ordered(self) -> dict[str, list[Location]]:
+        """Return the places of every column's components in order.
+
+        Raises:
+            Error: A column with some of its components, a needed one that is missing.
+        """
+        complete = {}
+        for column in COLUMNS:
+            got = [k for k in range(column.width) if (column.name, k) in self._locations]
+            if 0 < len(got) < column.width:
+                raise Error(
+                    f"{self._source}: column '{column.name}': got {len(got)} of its components "
+                    f"({', '.join(column.component(k) for k in got)}), expected {column.width}: "
+                    f"{column.component(0)} .. {column.component(column.width - 1)}"
+                )
+            if got:
+                complete[column.name] = [self._locations[column.name, k][1] for k in got]
+        self._check_required(complete)
+        return complete
+
+    def _check_required(self, names: Iterable[str]) -> None:
+        present = set(names)
+        missing = [name for name in REQUIRED_COLUMNS if name not in present]
+        if missing or not present & set(CLOCK_COLUMNS):
+            name = missing[0] if missing else "tick"
+            other = " (or 'time')" if name == "tick" else ""
+            # Unlike elsewhere the file's names are the wrong ones: the nearest of them is told.
+            close = get_close_matches(
+                name, [text.rstrip("_0123456789[].") for text in self.ignored]
+            )
+            hint = next((t for t in self.ignored if close and t.startswith(close[0])), None)
+            meant = f" (is it '{hint}'?)" if hint else ""
+            got = ", ".join([*sorted(present), *(f"'{text}'" for text in self.ignored)])
+            raise Error(
+                f"{self._source}: missing column '{name}'{other}{meant}: got {got or 'none'}, "
+                f"expected a clock, {', '.join(REQUIRED_COLUMNS)}; valid names (and widths): {valid_names()}"
+            )

@@ -1,0 +1,70 @@
+"""Which column a name in a log means: names are written liberally, and read so.
+
+A name is a column's, or one of its aliases, in any case, after the SDK's path to it if one likes,
+and with a component behind it: `accelerometer_0`, `imu.accelerometer[0]`, `acc.x`, `quat_w`,
+`q_FR_hip_joint`, `motorState[3].q`, `motorState_3_q`, `footForce_RL`, `truth_foot_forces_FR_z`.
+"""
+
+from __future__ import annotations
+
+import re
+
+from surefoot.messages.low_state_layout import LEGS
+from surefoot.sensor_log.columns import COLUMNS, JOINTS, MOTOR_NAMES, Column
+
+_PATH = re.compile(r"^/?(?:low_?state[._/])?(?:imu(?:_?state)?[._/]|motor_?state[._/](?=[a-z]))?")
+_MOTOR = re.compile(r"^motor_?state[._\[/]?(\d+)\]?[._/](\w+)$")
+_NAMES = sorted(
+    ((name, column) for column in COLUMNS for name in (column.name.lower(), *column.aliases)),
+    key=lambda pair: -len(pair[0]),
+)
+
+
+def find_column(text: str) -> tuple[Column, int | None] | None:
+    """Return the column that a name means and the component, None for all; None if it means none.
+
+    A column of width 1 has the component 0 and None alike.
+    """
+    word = _PATH.sub("", text.strip().lower())
+    motor = _MOTOR.match(word)
+    if motor:
+        column = _column_named(motor.group(2))
+        index = int(motor.group(1))
+        known = column is not None and column.labels == MOTOR_NAMES and index < column.width
+        return (column, index) if column is not None and known else None
+    for name, column in _NAMES:  # longest first: footforceest is not footforce with a suffix
+        if word.startswith(name):
+            rest = word[len(name) :]
+            if not rest:
+                return column, None
+            component = _component(column, rest)
+            if component is not None:
+                return column, component
+    return None
+
+
+def _column_named(word: str) -> Column | None:
+    return next((column for name, column in _NAMES if name == word), None)
+
+
+def _component(column: Column, rest: str) -> int | None:
+    """Return the component that what follows a column's name means, or None."""
+    if not (rest[0] in "_.[/ " or rest[0].isdigit()):
+        return None
+    words = [word for word in re.split(r"[_.\[\]/ ]+", rest) if word and word != "joint"]
+    if len(words) == 1 and words[0].isdigit():
+        index = int(words[0])
+        return index if index < column.width else None
+    names = [_label_part(part, column, k) for k, part in enumerate(words)]
+    label = "_".join(name for name in names if name is not None).lower()
+    labels = [entry.lower() for entry in column.labels]
+    return labels.index(label) if None not in names and label in labels else None
+
+
+def _label_part(part: str, column: Column, place: int) -> str | None:
+    """Return a part of a label as labels have it; joints and axes may be numbers: q_FR_0."""
+    if not part.isdigit() or place == 0:
+        return part
+    parts = JOINTS if column.labels == MOTOR_NAMES else ("x", "y", "z")
+    of_legs = len(column.labels) == len(LEGS) * len(parts)
+    return parts[int(part)] if of_legs and int(part) < len(parts) else None

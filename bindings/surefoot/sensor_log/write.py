@@ -1,0 +1,50 @@
+"""Write a log as read_log() reads it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from surefoot.files.tables import check_table_name, write_table
+from surefoot.sensor_log.columns import COLUMNS
+from surefoot.sensor_log.sensor_log import SensorLog
+
+
+def write_log(
+    path: str | Path, log: SensorLog, extras: Mapping[str, np.ndarray] | None = None
+) -> None:
+    """Write a log, as CSV or NPZ by the file's name.
+
+    Sensors are written as LowState carries them (float32, int16, tick as uint32), so that what is
+    read again is the same to the last bit for an estimator.
+
+    Args:
+        path: The file.
+        log: What the sensors said.
+        extras: Arrays that an NPZ has besides, named replay_... (replay/recording_file.py) or run_...
+
+    Raises:
+        Error: Another suffix.
+        OSError: The file cannot be written.
+    """
+    path = check_table_name(path, "log")
+    table: dict[str, np.ndarray] = {}
+    for column in COLUMNS:
+        if column.name in log.columns:
+            values = log.columns[column.name]
+            table[column.name] = _as_low_state_type(column.name, values, column.width)
+    if extras is not None and path.suffix.lower() == ".npz":
+        table.update(extras)
+    write_table(path, table)
+
+
+def _as_low_state_type(name: str, values: np.ndarray, width: int) -> np.ndarray:
+    """Return values in the type that LowState has for them, where it holds them."""
+    integer_type = {"tick": np.uint32, "footForce": np.int16, "footForceEst": np.int16}.get(name)
+    if integer_type is not None and np.isfinite(values).all():
+        values = values.astype(np.int64).astype(integer_type)  # by int64: modulo, never undefined
+    elif integer_type is None and name != "time" and not name.startswith("truth_"):
+        values = values.astype(np.float32)
+    return values[:, 0] if width == 1 else values

@@ -1,0 +1,1 @@
+"""Motors, encoders, IMU, foot sensors and the quantised wire format."""

@@ -1,0 +1,34 @@
+"""Foot force sensors: newtons, raw counts, or nothing."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from surefoot import _plant
+
+FORCE_NOISE = 3.0  # [N] standard deviation of footForceEst
+COUNT_NOISE = 2.0  # counts, standard deviation of footForce
+COUNT_OFFSET = (5.0, 50.0)  # counts of an unloaded foot
+COUNT_GAIN = (1.0, 2.0)  # counts per newton
+COUNT_DRIFT = 10.0 / 2.0  # counts, standard deviation of the random walk after a minute
+
+
+class FootSensors(_plant.FootSensors):
+    """Turns normal forces into the int16 that a LowState carries.
+
+    Args:
+        kind: "est" fills both fields, "raw" footForce alone, "dead" none.
+        period: Between readings [s].
+        rng: Draws offsets, gains, drift and noise; None reads exact newtons in both fields.
+    """
+
+    def __init__(self, kind: str, period: float, rng: np.random.Generator | None) -> None:
+        super().__init__(rng)
+        self.counts_enabled, self.newtons_enabled = kind != "dead", kind == "est"
+        if rng is not None:
+            self.offset = rng.uniform(*COUNT_OFFSET, 4)
+            self.gain = rng.uniform(*COUNT_GAIN, 4)
+            self.offset_walk = COUNT_DRIFT * math.sqrt(period / 60.0)
+            self.count_noise, self.force_noise = COUNT_NOISE, FORCE_NOISE

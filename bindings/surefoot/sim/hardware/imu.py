@@ -1,0 +1,44 @@
+"""What is wrong with a real IMU: a constant bias, noise, a sample a millisecond."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot import _plant
+from surefoot.geometry.rotations import Array
+from surefoot.sim.flaws import Flaws, draw_bias
+from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
+
+GYRO_NOISE = 0.005  # [rad/s] standard deviation of a sample
+GYRO_BIAS = 0.005  # [rad/s] constant, uniform in +- this
+ACCELEROMETER_NOISE = 0.05  # [m/s^2]
+ACCELEROMETER_BIAS = 0.05  # [m/s^2]
+SAMPLE_PERIOD = 0.001  # [s] of the real IMU and its filter
+
+
+def draw_imu_flaws(
+    flaws: Flaws, dt: float, rng: np.random.Generator
+) -> tuple[_plant.ImuErrorModel, Array]:
+    """Draw an IMU.
+
+    Args:
+        flaws: What the biases are.
+        dt: Physics step [s].
+        rng: Draws the biases; the noise comes from it, too, later.
+
+    Returns:
+        The flaws, and the biases (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes.
+    """
+    gyro_bias = draw_bias(flaws.gyro_bias, GYRO_BIAS, rng)
+    accelerometer_bias = draw_bias(flaws.accelerometer_bias, ACCELEROMETER_BIAS, rng)
+    steps = max(1, round(SAMPLE_PERIOD / dt))
+    imu_flaws = _plant.ImuErrorModel(
+        gyro_bias,
+        accelerometer_bias,
+        GYRO_NOISE,
+        ACCELEROMETER_NOISE,
+        steps,
+        steps * dt,
+        MAHONY_GAIN,
+    )
+    return imu_flaws, np.concatenate([gyro_bias, accelerometer_bias])

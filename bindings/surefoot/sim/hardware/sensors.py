@@ -1,0 +1,74 @@
+"""Everything a LowState says, put together: the robot as its controller sees it."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from surefoot import _plant
+from surefoot._core import Robot
+from surefoot.sim.hardware.encoders import IdealEncoders, RealEncoders
+from surefoot.sim.hardware.foot_sensors import FootSensors
+from surefoot.sim.hardware.imu import draw_imu_flaws
+from surefoot.sim.hardware.wire_format import WireFormat, default_low_state
+from surefoot.sim.model.mujoco_handles import Handles
+from surefoot.sim.settings import PlantSettings
+
+
+def mujoco_state(data: mujoco.MjData, handles: Handles) -> _plant.MujocoState:
+    """Return views of MuJoCo's memory: they follow it."""
+    return _plant.MujocoState(
+        *(data.qpos, data.qvel, data.qacc, data.qfrc_applied, data.sensordata),
+        *(handles.motor_q.astype(np.int32), handles.motor_v.astype(np.int32)),
+    )
+
+
+class Sensors(_plant.Sensors):
+    """Reads a MuJoCo state into LowStates.
+
+    Args:
+        robot: The robot.
+        data: MuJoCo's state, read in place.
+        handles: Indices into it.
+        settings: Kind of sensors, rates, seed; foot_force resolved.
+        tick0: LowState.tick of the first reading [ms].
+
+    Attributes:
+        imu_bias: (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes; for judging.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        data: mujoco.MjData,
+        handles: Handles,
+        settings: PlantSettings,
+        tick0: int,
+    ) -> None:
+        # A stream of random numbers for each: one sensor's draws never shift another's.
+        imu_rng, encoder_rng, foot_rng = (
+            np.random.default_rng([settings.seed, k]) for k in range(3)
+        )
+        self.imu_bias, flaws = np.zeros(6), None
+        encoders: IdealEncoders | RealEncoders = IdealEncoders()
+        if settings.real:
+            flaws, self.imu_bias = draw_imu_flaws(settings.flaws, settings.physics_dt, imu_rng)
+            encoders = RealEncoders(settings.physics_dt, encoder_rng)
+        super().__init__(
+            mujoco_state(data, handles),
+            WireFormat(robot.name, settings.real),
+            (handles.gyro.start, handles.accelerometer.start, handles.quaternion.start),
+            flaws,
+            imu_rng,
+            encoders,
+            FootSensors(
+                settings.foot_force or "dead",
+                1.0 / settings.control_rate,
+                foot_rng if settings.real else None,
+            ),
+            handles.foot_forces.ravel().astype(np.int32),
+            handles.ground_normal,
+            default_low_state(),
+            tick0,
+            settings.control_rate,
+        )

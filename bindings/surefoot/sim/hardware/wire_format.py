@@ -1,0 +1,44 @@
+"""What the packed frames carry of commands and states, and how coarsely."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from surefoot import _plant
+from surefoot._core import LowState
+from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
+from surefoot.sim.hardware.motors import SERVO_MODE
+
+MotorCommands = _plant.MotorCommands
+
+
+class WireFormat(_plant.WireFormat):
+    """Reads commands and torques as the robot gets them; see bindings/src/plant/motors.hpp.
+
+    Args:
+        robot_name: "b1" has the coarser torque unit.
+        real: False passes values through unchanged.
+    """
+
+    def __init__(self, robot_name: str, real: bool) -> None:
+        super().__init__(128.0 if robot_name == "b1" else 256.0, real)
+
+
+def default_low_state() -> LowState:
+    """Return what a LowState says that no physics decides: motors on, 35 C, battery half full."""
+    state = LowState()  # head and levelFlag are in it
+    for i in range(MOTOR_COUNT):
+        state.motorState[i].mode, state.motorState[i].temperature = SERVO_MODE, 35
+    state.imu.temperature = 45
+    # A six-cell pack in the middle of its charge.
+    state.bms.version_h, state.bms.bms_status, state.bms.SOC = 1, 1, 80
+    state.bms.current, state.bms.cycle = -3000, 50
+    state.bms.BQ_NTC[:], state.bms.MCU_NTC[:] = 30, 32
+    state.bms.cell_vol[:6] = 3850
+    return state
+
+
+def measured_power(state: LowState) -> float:
+    """Return the sum of |tauEst dq| over the motors [W]: the power that PowerProtect looks at."""
+    motors = state.raw.view(LOW_STATE)[0]["motorState"][:MOTOR_COUNT]
+    return float(np.abs(motors["tauEst"] * motors["dq"]).sum())

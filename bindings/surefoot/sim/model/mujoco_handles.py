@@ -1,0 +1,87 @@
+"""Where the robot's parts are in MuJoCo's arrays, looked up by name once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import Robot
+from surefoot.geometry.rotations import Array, matrix_from_wxyz
+from surefoot.sim.model.backlash import rotor_name
+from surefoot.sim.model.moving_ground import BLOCK
+from surefoot.sim.model.mujoco_model import IMU_SITE
+from surefoot.sim.model.scene import GROUND
+
+Indices = npt.NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Handles:
+    """Indices into a model's arrays. Twelve run in SDK motor order, four FR FL RR RL.
+
+    Attributes:
+        root: Body of the base.
+        motor_q: (12,) in qpos: the rotor's side of the gear, where torque and encoder are.
+        motor_v: (12,) in qvel.
+        joint_q: (12,) in qpos: the link's side; the motor's own entry if the gear has no play.
+        joint_v: (12,) in qvel.
+        foot_bodies: (4,) bodies.
+        foot_geoms: (4,) spheres.
+        ground_geom: The plane.
+        ground_geoms: It, and the block that rises under a foot where there is one.
+        gyro: (3,) in sensordata, IMU axes.
+        accelerometer: (3,) in sensordata, IMU axes.
+        quaternion: (4,) in sensordata, IMU to world.
+        foot_forces: (4, 3) in sensordata: ground on foot, world axes.
+        ground_normal: (3,) unit vector, world axes.
+    """
+
+    root: int
+    motor_q: Indices
+    motor_v: Indices
+    joint_q: Indices
+    joint_v: Indices
+    foot_bodies: Indices
+    foot_geoms: Indices
+    ground_geom: int
+    ground_geoms: tuple[int, ...]
+    gyro: slice
+    accelerometer: slice
+    quaternion: slice
+    foot_forces: Indices
+    ground_normal: Array
+
+
+def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
+    """Look every part up by its name."""
+    joints, feet = robot.config.joint_names, robot.config.foot_frames
+    rotors = [rotor_name(name) for name in joints]
+    has_rotors = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, rotors[0]) >= 0
+    motors = rotors if has_rotors else joints
+
+    def geom(name: str) -> int:
+        return int(mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_GEOM, name))
+
+    def sensor(name: str) -> slice:
+        start, size = model.sensor(name).adr[0], model.sensor(name).dim[0]
+        return slice(int(start), int(start + size))
+
+    return Handles(
+        root=int(model.site(IMU_SITE).bodyid[0]),
+        motor_q=np.array([model.joint(name).qposadr[0] for name in motors]),
+        motor_v=np.array([model.joint(name).dofadr[0] for name in motors]),
+        joint_q=np.array([model.joint(name).qposadr[0] for name in joints]),
+        joint_v=np.array([model.joint(name).dofadr[0] for name in joints]),
+        foot_bodies=np.array([model.body(name).id for name in feet]),
+        foot_geoms=np.array([model.geom(name).id for name in feet]),
+        ground_geom=geom(GROUND),
+        ground_geoms=tuple(id for id in map(geom, (GROUND, BLOCK)) if id >= 0),
+        gyro=sensor("gyro"),
+        accelerometer=sensor("accelerometer"),
+        quaternion=sensor("quaternion"),
+        foot_forces=np.array([np.arange(sensor(name).start, sensor(name).stop) for name in feet]),
+        ground_normal=matrix_from_wxyz(model.geom(GROUND).quat)[:, 2],
+    )

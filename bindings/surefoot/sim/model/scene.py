@@ -1,0 +1,84 @@
+"""The world around the robot: ground, light, sky, and how physics is stepped."""
+
+from __future__ import annotations
+
+import mujoco
+
+from surefoot.geometry.rotations import slope_quaternion
+from surefoot.sim.model.moving_ground import add_platform
+from surefoot.sim.settings import PlantSettings
+
+GROUND = "ground"
+BODY_FRICTION = 0.6  # of everything that is not a foot
+IMPRATIO = 100.0  # how much stiffer friction is than the normal force
+
+# A foot on the ground: critically damped with a time constant of 5 ms, ten default physics
+# steps, so the step does not show; with an impedance this near 1 a standing robot's feet sink
+# by 10 .. 20 um and creep by 20 .. 35 um in ten seconds.
+FOOT_SOLREF = [0.005, 1.0]
+FOOT_SOLIMP = [0.995, 0.999, 0.001, 0.5, 2.0]
+
+
+def set_physics(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
+    """Choose integrator, solver and friction cone.
+
+    Euler treats joint damping implicitly, which is all the implicit treatment a model without
+    actuators can use; the motors' velocity feedback is slow against the step. The elliptic cone
+    has no preferred direction, and a large impratio makes its friction much stiffer than its
+    normal force, so that feet do not creep.
+    """
+    spec.option.timestep = settings.physics_dt
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_EULER
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    spec.option.impratio = IMPRATIO
+    spec.option.gravity = [0.0, 0.0, -9.81]
+
+
+def add_ground(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
+    """Add an endless checkered plane through the origin, tilted by the slope; or a platform."""
+    spec.add_texture(
+        name=GROUND,
+        type=mujoco.mjtTexture.mjTEXTURE_2D,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
+        rgb1=[0.82, 0.84, 0.86],
+        rgb2=[0.66, 0.69, 0.72],
+        width=512,
+        height=512,
+    )
+    material = spec.add_material(name=GROUND, texrepeat=[2.0, 2.0], texuniform=True)
+    material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = GROUND
+    body, shape = spec.worldbody, mujoco.mjtGeom.mjGEOM_PLANE
+    size, position = [0.0, 0.0, 0.5], [0.0, 0.0, 0.0]
+    if settings.platform_heading_deg is not None:
+        body, shape, size, position = add_platform(spec, settings.platform_heading_deg)
+    body.add_geom(
+        name=GROUND,
+        type=shape,
+        size=size,
+        pos=position,
+        quat=slope_quaternion(settings.slope_deg, settings.slope_heading_deg),
+        material=GROUND,
+        friction=[BODY_FRICTION, 0.005, 0.0001],
+        condim=3,
+    )
+
+
+def add_light_and_sky(spec: mujoco.MjSpec) -> None:
+    """Add a pale sky and a sun that stays above the robot, for its shadow to be sharp."""
+    spec.add_texture(
+        name="sky",
+        type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+        rgb1=[0.75, 0.84, 0.93],
+        rgb2=[0.97, 0.98, 1.0],
+        width=256,
+        height=1536,
+    )
+    spec.worldbody.first_body().add_light(
+        name="sun",
+        type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
+        mode=mujoco.mjtCamLight.mjCAMLIGHT_TRACKCOM,
+        pos=[0.6, -0.8, 2.0],
+        dir=[-0.3, 0.4, -1.0],
+        castshadow=True,
+    )

@@ -1,0 +1,130 @@
+"""The URDF's visual meshes in a MuJoCo model, for pictures only."""
+
+from __future__ import annotations
+
+import functools
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from surefoot._core import Error
+from surefoot.geometry.rotations import Array
+from surefoot.robot.loading import RobotDescription
+from surefoot.sim.model.collada import Faces, read_collada
+from surefoot.sim.model.urdf import find_mesh
+
+VISUAL_GROUP = 2  # of geoms; MuJoCo shows groups 0 .. 2
+HIDDEN_GROUP = 3
+MERGE_CELLS = 250  # cells along a mesh's diagonal when its vertices are merged
+_LINK_COLOURS = {  # by what a link's name contains
+    "hip": (0.20, 0.21, 0.23, 1.0),
+    "thigh": (0.55, 0.58, 0.62, 1.0),
+    "calf": (0.16, 0.17, 0.19, 1.0),
+    "foot": (0.10, 0.10, 0.11, 1.0),
+    "camera": (0.08, 0.08, 0.09, 1.0),
+    "ultraSound": (0.08, 0.08, 0.09, 1.0),
+}
+_TRUNK_COLOUR = (0.72, 0.74, 0.77, 1.0)
+
+
+def add_visuals(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    """Add every visual mesh of the URDF and hide the collision geometry of legs and trunk.
+
+    A mesh that is missing is left out; if all are, the collision geometry stays in sight.
+    """
+    spec.compiler.discardvisual = False
+    added = 0
+    for link in ET.parse(description.urdf).getroot().iter("link"):
+        for visual in link.findall("visual"):
+            added += _add_visual(spec, link.get("name", ""), visual, description.mesh_root)
+    if added:
+        _hide_collisions(spec)
+
+
+def _add_visual(spec: mujoco.MjSpec, link: str, visual: ET.Element, mesh_root: Path) -> bool:
+    mesh = visual.find("geometry/mesh")
+    body = spec.body(link)
+    if mesh is None or body is None:
+        return False
+    try:
+        path = find_mesh(mesh.get("filename", ""), mesh_root)
+    except Error:
+        return False
+    scale = mesh.get("scale", "1 1 1")
+    name = f"visual {path} {scale}"
+    if name not in {mesh_spec.name for mesh_spec in spec.meshes}:
+        _add_mesh(spec, name, path, _numbers(scale))
+    origin = visual.find("origin")
+    pose = {"xyz": "0 0 0", "rpy": "0 0 0"} if origin is None else origin.attrib
+    body.add_geom(
+        type=mujoco.mjtGeom.mjGEOM_MESH,
+        meshname=name,
+        pos=_numbers(pose.get("xyz", "0 0 0")),
+        quat=_quaternion(_numbers(pose.get("rpy", "0 0 0"))),
+        contype=0,
+        conaffinity=0,
+        group=VISUAL_GROUP,
+        density=0.0,
+        rgba=_link_colour(link),
+    )
+    return True
+
+
+def _add_mesh(spec: mujoco.MjSpec, name: str, path: Path, scale: list[float]) -> None:
+    mesh = spec.add_mesh(name=name, scale=scale)
+    # A visual mesh need not be closed, so it may have no volume.
+    mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+    if path.suffix.lower() != ".dae":
+        mesh.file = str(path)
+        return
+    vertices, faces = load_mesh(path)
+    mesh.uservert, mesh.userface = vertices.ravel(), faces.ravel()
+
+
+@functools.cache
+def load_mesh(path: Path) -> tuple[Array, Faces]:
+    """Read a .dae once: vertices (n, 3), those that nearly coincide merged, and faces (k, 3)."""
+    return merge_vertices(*read_collada(path))
+
+
+def merge_vertices(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
+    """Replace all vertices in a cell of a fine grid by their mean, and drop flattened faces."""
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    cell = max(float(np.linalg.norm(high - low)) / MERGE_CELLS, 1e-9)
+    keys = np.round((vertices - low) / cell).astype(np.int64)
+    _, new_index, count = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
+    new_index = new_index.ravel()
+    merged = np.zeros((len(count), 3))
+    np.add.at(merged, new_index, vertices)
+    merged /= count[:, None]
+    faces = new_index[faces]
+    a, b, c = faces.T
+    faces = faces[(a != b) & (b != c) & (a != c)]
+    # The same triangle twice flickers; its two sides are not the same, thin walls need both.
+    corners = (np.argmin(faces, axis=1)[:, None] + np.arange(3)) % 3
+    rotated = np.take_along_axis(faces, corners, axis=1)
+    return merged, np.unique(rotated, axis=0)
+
+
+def _hide_collisions(spec: mujoco.MjSpec) -> None:
+    for geom in spec.geoms:
+        if "_collision_" in geom.name:
+            geom.group = HIDDEN_GROUP
+        elif geom.priority == 1:  # feet: the sphere that touches the ground is worth seeing
+            geom.rgba = _LINK_COLOURS["foot"]
+
+
+def _link_colour(link: str) -> tuple[float, float, float, float]:
+    return next((colour for part, colour in _LINK_COLOURS.items() if part in link), _TRUNK_COLOUR)
+
+
+def _numbers(text: str) -> list[float]:
+    return [float(word) for word in text.split()]
+
+
+def _quaternion(rpy: list[float]) -> Array:
+    quaternion = np.zeros(4)
+    mujoco.mju_euler2Quat(quaternion, np.array(rpy), "XYZ")  # URDF: fixed axes x, y, z
+    return quaternion

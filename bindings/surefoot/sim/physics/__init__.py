@@ -1,0 +1,1 @@
+"""What acts on the simulated robot: time steps, pushes, lifts, initial poses."""

@@ -1,0 +1,35 @@
+"""MuJoCo's half steps by address: whatever version the wheel has, C++ calls them in a loop."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+from pathlib import Path
+
+import mujoco
+
+from surefoot import _plant
+from surefoot._core import Error
+from surefoot.sim.hardware.sensors import mujoco_state
+from surefoot.sim.model.mujoco_handles import Handles
+
+
+def make_physics(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> _plant.Physics:
+    """Return what advances a model's state, with motors and sensors in between."""
+    return _plant.Physics(*_load_half_steps(), model, data, mujoco_state(data, handles))
+
+
+@functools.cache
+def _load_half_steps() -> tuple[int, int]:
+    folder = Path(mujoco.__file__).parent
+    names = [
+        path for path in folder.glob("libmujoco*") if ".so" in path.name or ".dylib" in path.name
+    ]
+    if len(names) != 1:
+        raise Error(f"mujoco: got {len(names)} libraries libmujoco* in {folder}, expected one")
+    library = ctypes.CDLL(str(names[0]))  # the one that the mujoco module itself has loaded
+    step1, step2 = (
+        ctypes.cast(f, ctypes.c_void_p).value for f in (library.mj_step1, library.mj_step2)
+    )
+    assert step1 is not None and step2 is not None
+    return step1, step2

@@ -1,0 +1,113 @@
+"""What happens to a robot while physics goes on: commands on their way, pushes, hands."""
+
+from __future__ import annotations
+
+from collections import deque
+
+import mujoco
+import numpy as np
+
+from surefoot import _plant
+from surefoot._core import Robot
+from surefoot.geometry.rotations import Array
+from surefoot.sim.hardware.motors import MotorLaw, Motors
+from surefoot.sim.hardware.sensors import Sensors
+from surefoot.sim.model.mujoco_handles import Handles
+from surefoot.sim.physics.external_lift import ExternalLift, Lift
+from surefoot.sim.physics.pushes import PushSchedule
+from surefoot.sim.settings import Push
+
+
+class PhysicsLoop:
+    """Takes physics steps, as many at once as nothing outside the robot happens in.
+
+    Args:
+        model: MuJoCo's model.
+        data: Its state, which is advanced.
+        handles: Indices into both.
+        robot: For its mass.
+        physics: What takes the steps.
+        dt: One of them [s].
+
+    Attributes:
+        motors: Of the run that start() began.
+        sensors: The same.
+    """
+
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        handles: Handles,
+        robot: Robot,
+        physics: _plant.Physics,
+        dt: float,
+    ) -> None:
+        self._model, self._data, self._handles = model, data, handles
+        self._robot, self._physics, self._dt = robot, physics, dt
+
+    def start(self, motors: Motors, sensors: Sensors) -> None:
+        """Be another run, to which nothing is to happen."""
+        self.motors, self.sensors = motors, sensors
+        self._scheduled_laws: deque[tuple[int, MotorLaw]] = deque()
+        self._physics.external_torque = np.zeros(12)
+        self.restart_time()
+
+    def restart_time(self) -> None:
+        """Count time from now on; what was to come but commands is not."""
+        self._push_schedule = PushSchedule(self._handles.root, self._dt, ())
+        self._lifts: list[ExternalLift] = []
+        self._step = 0
+
+    @property
+    def time(self) -> float:
+        """Time since start() or restart_time() [s]."""
+        return self._step * self._dt
+
+    @property
+    def push_force(self) -> tuple[Array, Array]:
+        """Force of the pushes (3,) [N] in the last physics step, and its point (3,), world."""
+        return self._push_schedule.force, self._push_schedule.point
+
+    def add_push(self, push: Push) -> None:
+        """Add a push that is to come."""
+        self._push_schedule.add(push)
+
+    def add_lift(self, lift: Lift) -> None:
+        """Add a lift that is to come."""
+        self._lifts.append(ExternalLift(self._model, self._handles, self._robot, lift))
+
+    def schedule_law(self, law: MotorLaw, steps: int) -> None:
+        """Put a law of the motors in force so many physics steps from now."""
+        self._scheduled_laws.append((self._step + steps, law))
+
+    def apply_joint_torque(self, torque: Array) -> None:
+        """Let hands turn the joints with torques (12,) [N.m] from now on."""
+        # Hands hold the link; with play in the gears it is not where the motor's torque goes.
+        if np.array_equal(self._handles.joint_v, self._handles.motor_v):
+            self._physics.external_torque = torque
+        else:
+            self._data.qfrc_applied[self._handles.joint_v] = torque
+
+    def advance(self, steps: int) -> None:
+        """Take physics steps."""
+        end = self._step + steps
+        while self._step < end:
+            while self._scheduled_laws and self._scheduled_laws[0][0] <= self._step:
+                self.motors.law = self._scheduled_laws.popleft()[1]
+            if self._lifts:
+                self._apply_lifts()
+            count = min(end - self._step, self._push_schedule.idle_steps(self.time))
+            if count == 0:
+                self._push_schedule.apply(self._data, self.time)
+            if self._scheduled_laws:
+                count = min(count, self._scheduled_laws[0][0] - self._step)
+            count = 1 if self._lifts else max(1, count)
+            self._physics.advance(count, self.motors, self.sensors)
+            self._step += count
+
+    def _apply_lifts(self) -> None:
+        # Forces hold until they are taken back; pushes, while they act, write the trunk's anew.
+        self._data.xfrc_applied[:] = 0.0
+        for lift in self._lifts:
+            lift.apply(self._data, self.time)

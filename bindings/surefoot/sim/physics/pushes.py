@@ -1,0 +1,80 @@
+"""Pushes in force: each a rectangular pulse that gives its impulse to the last digit."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterable
+
+import mujoco
+import numpy as np
+
+from surefoot.geometry.rotations import Array
+from surefoot.sim.settings import Push
+
+
+def heading_vector(R_world_base: Array, degrees: float) -> Array:
+    """Return the horizontal unit vector (3,) at an angle from the base's heading.
+
+    Args:
+        R_world_base: (3, 3) attitude; its x axis, laid flat, is forward.
+        degrees: From forward towards left [deg].
+    """
+    angle = math.atan2(R_world_base[1, 0], R_world_base[0, 0]) + math.radians(degrees)
+    return np.array([math.cos(angle), math.sin(angle), 0.0])
+
+
+class PushSchedule:
+    """Applies pushes to a body so that they act through the whole robot's centre of mass.
+
+    Args:
+        body: The base, whose subtree is the robot.
+        dt: Physics step [s].
+        pushes: The pushes; more may be added later.
+
+    Attributes:
+        force: (3,) total force in the step just applied, world axes [N].
+        point: (3,) where the last of them acts, world [m].
+    """
+
+    def __init__(self, body: int, dt: float, pushes: Iterable[Push]) -> None:
+        self._body, self._dt = body, dt
+        self._pushes: list[Push] = []
+        self._direction: dict[int, Array] = {}
+        self.force, self.point = np.zeros(3), np.zeros(3)
+        for push in pushes:
+            self.add(push)
+
+    def add(self, push: Push) -> None:
+        """Add a push."""
+        self._pushes.append(push)
+
+    def idle_steps(self, time: float) -> int:
+        """Return for how many steps from `time` [s] on apply() need not be called."""
+        wait = math.inf
+        for push in self._pushes:
+            # A step on both sides: the force is taken back after the last.
+            if time <= push.time + push.duration + self._dt:
+                wait = min(wait, push.time - self._dt - time)
+        return sys.maxsize if wait == math.inf else max(0, math.floor(wait / self._dt))
+
+    def apply(self, data: mujoco.MjData, time: float) -> None:
+        """Write xfrc_applied for the step from `time` to `time` + dt [s]."""
+        force, moment = np.zeros(3), np.zeros(3)
+        for k, push in enumerate(self._pushes):
+            overlap = min(time + self._dt, push.time + push.duration) - max(time, push.time)
+            # Rounding of the clock leaves slivers of a step at both ends.
+            if overlap <= 1e-9 * self._dt:
+                continue
+            if k not in self._direction:
+                attitude = data.xmat[self._body].reshape(3, 3)
+                self._direction[k] = heading_vector(attitude, push.degrees)
+            magnitude = push.impulse / push.duration * overlap / self._dt
+            push_force = magnitude * self._direction[k]
+            self.point = data.subtree_com[self._body] + [0.0, 0.0, push.height]
+            force += push_force
+            # MuJoCo applies the force at the body's own centre of mass.
+            moment += np.cross(self.point - data.xipos[self._body], push_force)
+        self.force = force
+        data.xfrc_applied[self._body, :3] = force
+        data.xfrc_applied[self._body, 3:] = moment

@@ -1,0 +1,47 @@
+"""How a run begins: in the standing pose, on the ground or hung up, held in position mode."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from surefoot._core import Robot
+from surefoot.sim.hardware.motors import MotorLaw, hold_law
+from surefoot.sim.model.mujoco_handles import Handles
+from surefoot.sim.physics.hanging import hanging_height
+from surefoot.sim.settings import PlantSettings
+
+SETTLE_TIME = 0.8  # [s] in position mode before the first LowState
+HOLD_KP = 25.0  # [N.m/rad] per kilogram of robot: calves sag by a degree or so
+HOLD_KD = 0.8  # [N.m.s/rad] per kilogram of robot
+
+
+def place_standing(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    handles: Handles,
+    robot: Robot,
+    settings: PlantSettings,
+) -> None:
+    """Reset to the standing pose: hung up, or level with the ground.
+
+    On soft ground the lowest foot is as deep in it as settings.soft_ground_sink says.
+    """
+    mujoco.mj_resetData(model, data)
+    data.qpos[3:7] = model.geom_quat[handles.ground_geom]
+    if settings.hung:
+        data.qpos[2] = hanging_height(model, data, handles, robot)
+    data.qpos[handles.joint_q] = robot.config.q_standing
+    data.qpos[handles.motor_q] = robot.config.q_standing  # amid the play, if there is any
+    if settings.hung:
+        return
+    mujoco.mj_kinematics(model, data)
+    heights = data.xpos[handles.foot_bodies] @ handles.ground_normal
+    gap = heights.min() - robot.config.foot_radius + settings.soft_ground_sink
+    data.qpos[:3] -= gap * handles.ground_normal
+
+
+def standing_law(robot: Robot) -> MotorLaw:
+    """Return the law that holds the standing pose in position mode."""
+    q = np.array(robot.config.q_standing)
+    return hold_law(q, HOLD_KP * robot.mass, HOLD_KD * robot.mass)

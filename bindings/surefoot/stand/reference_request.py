@@ -1,0 +1,117 @@
+"""References as people write them: roll=10@4.0, or roll=10,height=-0.02@4.0."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from surefoot._core import BodyReference, Error
+from surefoot.robot.robot_toml import suggest
+from surefoot.robot.setting_checks import check_number
+
+REFERENCE_FORMAT = "NAME=VALUE[,NAME=VALUE ...]@TIME"
+REFERENCE_EXAMPLE = "roll=10,height=-0.02@4.0"
+AXES = {"x": "m", "y": "m", "height": "m", "roll": "deg", "pitch": "deg", "yaw": "deg"}
+"""What can be asked for and its unit; the names and the order are BodyReference's."""
+
+_MAX_OFFSET = {"m": 10.0, "deg": 180.0}
+_TIME_ROUNDING = 1e-9  # [s] of rounding in the time of a tick
+
+
+@dataclass(frozen=True)
+class ReferenceRequest:
+    """Some axes of the body's pose, as asked for; the others stay where they were asked to be.
+
+    Attributes:
+        offsets: From the pose that the robot stands in, by axis: m and deg.
+        time: When it is asked for [s].
+    """
+
+    offsets: dict[str, float]
+    time: float
+
+    def __post_init__(self) -> None:
+        for axis, value in self.offsets.items():
+            if axis not in AXES:
+                raise Error(
+                    f"reference: got axis '{axis}'{suggest(axis, AXES)}; "
+                    f"valid names: {', '.join(AXES)}"
+                )
+            max_offset = _MAX_OFFSET[AXES[axis]]
+            check_number(f"reference: {axis} [{AXES[axis]}]", value, -max_offset, max_offset)
+        check_number("reference: time [s]", self.time, 0.0, 1e9)
+
+    def __str__(self) -> str:
+        """Write the request in the form that parse_reference() reads."""
+        words = ",".join(f"{axis}={value}" for axis, value in self.offsets.items())
+        return f"{words}@{self.time}"
+
+
+def parse_reference(text: str) -> ReferenceRequest:
+    """Read NAME=VALUE[,NAME=VALUE ...]@TIME.
+
+    Args:
+        text: Names x, y, height with a value in m, roll, pitch, yaw in deg: offsets from the pose
+            that the robot stands in; time [s].
+
+    Raises:
+        Error: Another form, an unknown axis or one named twice, a number that is none.
+    """
+    words, at, time = text.strip().partition("@")
+    pairs = [word.partition("=") for word in words.split(",")]
+    if not at or any(not name.strip() or not equals for name, equals, _ in pairs):
+        raise Error(
+            f"reference: got '{text}', expected {REFERENCE_FORMAT}, such as {REFERENCE_EXAMPLE}"
+        )
+    names = [name.strip() for name, _, _ in pairs]
+    duplicates = [name for name in names if names.count(name) > 1]
+    if duplicates:
+        raise Error(f"reference '{text}': got '{duplicates[0]}' twice, expected every name once")
+    offsets = {name.strip(): _parse_number(value, name.strip(), text) for name, _, value in pairs}
+    return ReferenceRequest(offsets, _parse_number(time, "time", text))
+
+
+def reference_schedule(
+    requests: Sequence[ReferenceRequest],
+) -> list[tuple[float, dict[str, float]]]:
+    """Return when each request comes [s] and all that is then asked for: every axis, m and deg.
+
+    A later request of one axis keeps what earlier ones asked of the others.
+    """
+    requested = dict.fromkeys(AXES, 0.0)
+    steps = []
+    for request in sorted(requests, key=lambda request: request.time):
+        requested = {**requested, **request.offsets}
+        steps.append((request.time, requested))
+    return steps
+
+
+def first_tick(time: float, rate: float) -> int:
+    """Return the first tick at or after a time [s] of a run with a rate [Hz]."""
+    return math.ceil((time - _TIME_ROUNDING) * rate)
+
+
+def body_references(requests: Sequence[ReferenceRequest], rate: float) -> dict[int, BodyReference]:
+    """Return what to ask of the controller, by the tick before which to ask for it."""
+    return {
+        first_tick(time, rate): BodyReference(
+            **{axis: to_si(axis, v) for axis, v in requested.items()}
+        )
+        for time, requested in reference_schedule(requests)
+    }
+
+
+def to_si(axis: str, value: float) -> float:
+    """Return an axis' value in m or rad."""
+    return math.radians(value) if AXES[axis] == "deg" else value
+
+
+def _parse_number(number_text: str, what: str, text: str) -> float:
+    try:
+        value = float(number_text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise Error(f"reference '{text}': {what}: got '{number_text}', expected a number")
+    return value

@@ -1,0 +1,46 @@
+"""What the whole-body program gives of the acceleration that it is asked for."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from surefoot._core import Gains, Robot, RobotState, WholeBodyController
+
+Array = npt.NDArray[np.float64]
+
+GRAVITY = 9.81  # [m/s^2]
+# Asked of the program to see what it gives, in g and in g / height.
+_LINEAR_LEVELS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0)
+_ANGULAR_LEVELS = (0.5, 1.0, 1.5, 2.0, 4.0, 8.0, 16.0)
+
+
+def qp_limits(robot: Robot, height: float, gains: Gains) -> list[Array]:
+    """Return for each direction what the whole-body program gives of what it is asked for."""
+    controller = WholeBodyController(robot, gains)
+    state = RobotState(robot.nq, robot.nv)
+    state.q = robot.q_standing()
+    reference = controller.hold(state)
+    out = []
+    for k in range(6):
+        levels = (
+            GRAVITY * np.array(_LINEAR_LEVELS)
+            if k < 3
+            else GRAVITY / height * np.array(_ANGULAR_LEVELS)
+        )
+        sides = []
+        for sign in (-1.0, 1.0):
+            given = []
+            for level in levels:
+                asked = np.zeros(6)
+                asked[k] = sign * level
+                reference.a_com, reference.alpha_world_base = asked[:3], asked[3:]
+                controller.reset()
+                solution = controller.update(state, reference)
+                forces = np.asarray(solution.forces)
+                pull = forces[k].sum() / robot.mass - GRAVITY * (k == 2) if k < 3 else 0.0
+                given.append(sign * (pull if k < 3 else solution.accelerations[k]))
+            # What is given never falls when more is asked: it would only slide along a limit.
+            sides.append(np.column_stack([levels, np.maximum.accumulate(given)]))
+        out.append(np.vstack([-sides[0][::-1], np.zeros((1, 2)), sides[1]]))
+    return out

@@ -1,0 +1,55 @@
+"""The ground that the robot stands on, and the load that it carries."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from surefoot.geometry.rotations import Array
+from surefoot.tune.live.scene_state import SceneState
+
+_ORANGE = (217, 140, 51)
+_DENSITY = 1000.0  # [kg/m^3], as the simulated payload
+
+
+class GroundAndPayload:
+    """Draws ground and payload.
+
+    Args:
+        server: The server.
+        base: Name of the node that the payload moves with.
+        size: Of the robot [m].
+    """
+
+    def __init__(self, server: viser.ViserServer, base: str, size: float) -> None:
+        self._server, self._base = server, base
+        self._ground: Array = np.array([1.0, 0.0, 0.0, 0.0])
+        self._payload_kg = 0.0
+        self._grid = server.scene.add_grid(
+            "/ground",
+            infinite_grid=True,
+            cell_size=0.1,
+            section_size=0.5,
+            fade_distance=12.0 * size,
+            cell_color=(214, 218, 223),
+            section_color=(176, 182, 190),
+            shadow_opacity=0.25,
+        )
+        self._payload_box = self._box(0.0)
+
+    def show(self, scene_state: SceneState) -> None:
+        """Draw what has changed."""
+        if not np.array_equal(scene_state.ground, self._ground):
+            self._ground = self._grid.wxyz = scene_state.ground.copy()
+        if scene_state.payload_kg != self._payload_kg:
+            self._payload_kg = scene_state.payload_kg
+            self._payload_box = self._box(scene_state.payload_kg)
+
+    def _box(self, mass: float) -> viser.BoxHandle:
+        side = max(mass / _DENSITY, 1e-6) ** (1.0 / 3.0)
+        return self._server.scene.add_box(
+            f"{self._base}/payload",
+            color=_ORANGE,
+            dimensions=(side, side, side),
+            visible=mass > 0.0,
+        )

@@ -1,0 +1,79 @@
+"""Gains on runs that no trial has seen: who is best, and how good that is."""
+
+from __future__ import annotations
+
+from optuna.trial import FrozenTrial
+
+from surefoot._core import Error, Gains
+from surefoot.robot.gain_files import gain_values
+from surefoot.tune.search.episodes import Episode
+from surefoot.tune.search.rollout import Outcome, TrialJob
+from surefoot.tune.search.sampling import rank_trials, relative_cost
+from surefoot.tune.search.settings import SearchSettings
+from surefoot.tune.search.space import apply_parameters
+from surefoot.tune.search.trial_queue import TrialQueue
+from surefoot.tune.search.worker_pool import WorkerPool
+
+FINALIST_COUNT = 5
+
+
+def select_best_trial(
+    settings: SearchSettings,
+    worker_pool: WorkerPool,
+    trials: list[FrozenTrial],
+    start: tuple[float, ...],
+) -> FrozenTrial:
+    """Return the best of the best trials, by their own runs and as many that they have not seen.
+
+    The cheapest of hundreds owes some of it to luck with the runs that it was searched with.
+
+    Raises:
+        Error: No trial could be run at all.
+    """
+    runnable = [trial for trial in trials if not trial.user_attrs.get("broken")]
+    if not runnable:
+        raise Error(f"search: none of {len(trials)} trials could be run; give other ranges")
+    cheapest = rank_trials(runnable, start)[:FINALIST_COUNT]
+    if len(cheapest) < 2:
+        return cheapest[0]
+    chosen = [apply_parameters(trial.params, settings.start) for trial in cheapest]
+    evaluate_exclusively = evaluate_gains(settings, worker_pool, chosen, settings.final_episodes)
+    costs = [
+        relative_cost(trial.values, start) + relative_cost(outcome.costs, start)
+        for trial, outcome in zip(cheapest, evaluate_exclusively, strict=True)
+    ]
+    return cheapest[costs.index(min(costs))]
+
+
+def evaluate_gains(
+    settings: SearchSettings,
+    worker_pool: WorkerPool,
+    chosen: list[Gains],
+    episodes: tuple[Episode, ...],
+) -> list[Outcome]:
+    """Run gains on episodes, each on its own for the workers to share them."""
+    jobs = [
+        TrialJob(gain_values(gains), (episode,), settings.objectives)
+        for gains in chosen
+        for episode in episodes
+    ]
+    queue, outcomes, next_job = TrialQueue(worker_pool), dict[int, Outcome](), 0
+    while len(outcomes) < len(jobs):
+        while next_job < len(jobs) and len(queue) < worker_pool.count:
+            queue.put(next_job, jobs[next_job])
+            next_job += 1
+        outcomes.update(queue.take())
+    return [
+        _mean_outcome([outcomes[k * len(episodes) + j] for j in range(len(episodes))])
+        for k in range(len(chosen))
+    ]
+
+
+def _mean_outcome(outcomes: list[Outcome]) -> Outcome:
+    count, first = len(outcomes), outcomes[0]
+    return Outcome(
+        costs=tuple(sum(o.costs[k] for o in outcomes) / count for k in range(len(first.costs))),
+        terms={n: sum(o.terms.get(n, 0.0) for o in outcomes) / count for n in first.terms},
+        episodes=count,
+        falls=sum(o.falls for o in outcomes),
+    )

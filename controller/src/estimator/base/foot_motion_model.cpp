@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/base/foot_motion_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+constexpr double kFilterTime = 0.01;     // [s] keeps the encoders' noise out of speeds
+constexpr double kNoisePeriod = 0.002;   // [s] the sampling that the noise gains are quoted at
+constexpr double kSwingSpeed = 3.0;      // [m/s] how fast a foot off the ground may move
+constexpr double kSwingShare = 3.0;      // of its speed relative to the base, besides
+constexpr double kSwingTime = 0.1;       // [s] for which it goes on like that
+constexpr double kUnloadedShare = 0.03;  // share of the weight that keeps a foot where it is
+constexpr double kUnloadedSpeed = 0.5;   // [m/s] at which one without may slide
+}  // namespace
+
+void FootMotionModel::update_velocity(const Dynamics& dynamics, double dt) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    v_.col(leg) += dt / (dt + kFilterTime) * (dynamics.legs()[leg].v_world_contact - v_.col(leg));
+  }
+}
+
+FeetMatrix FootMotionModel::rolling_displacement(const Dynamics& dynamics, const Vector12& q,
+                                                 const Eigen::Vector4d& contact,
+                                                 const Vector3& lever, double dt) noexcept {
+  const Vector12 joint_change = q - last_q_;
+  last_q_ = q;
+  if (!has_last_q_) {
+    has_last_q_ = true;
+    return FeetMatrix::Zero();
+  }
+  const Vector3 base_rotation = dt * dynamics.w_world_base();
+  FeetMatrix displacement;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 turn =
+        base_rotation + dynamics.legs()[leg].joint_axes_world * joint_change.segment<3>(3 * leg);
+    displacement.col(leg) = contact[leg] * turn.cross(lever);
+  }
+  return displacement;
+}
+
+Eigen::Vector4d FootMotionModel::process_variance(const Gains& gains, const FootContactState& feet,
+                                                  double dt) const noexcept {
+  Eigen::Vector4d out;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double off_ground = feet.rejected[leg] ? 1.0 : 1.0 - feet.contact[leg];
+    const double unloaded = std::exp(-std::max(feet.load[leg], 0.0) / kUnloadedShare);
+    const double speed = v_.col(leg).norm();
+    const double slip_speed = gains.noise_foot_slip + gains.noise_foot_motion * speed +
+                              unloaded * kUnloadedSpeed + feet.slip[leg];
+    const double swing_speed = off_ground * off_ground * (kSwingSpeed + kSwingShare * speed);
+    out[leg] =
+        (slip_speed * slip_speed * kNoisePeriod + swing_speed * swing_speed * kSwingTime) * dt;
+  }
+  return out;
+}
+
+}  // namespace surefoot

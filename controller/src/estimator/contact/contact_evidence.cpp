@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/contact/contact_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace surefoot {
+
+namespace {
+constexpr double kStuckTime = 0.1;      // [s] before a value that stands still is suspicious
+constexpr double kMinLoadChange = 0.1;  // share of the weight by which others have moved meanwhile
+constexpr int kSaturation = 32000;      // of an int16
+}  // namespace
+
+double load_vote(const Gains& gains, double load, double load_sigma, bool loaded) noexcept {
+  const double threshold = loaded ? gains.contact_force_off : gains.contact_force_on;
+  return std::tanh((load - threshold) / std::max(gains.contact_force_width, load_sigma));
+}
+
+SensorVerdict StuckDetector::update(int value, double load, double dt) noexcept {
+  if (!started_ || value != last_) {
+    unchanged_time_ = 0.0;
+    min_load_ = max_load_ = load;
+  } else {
+    unchanged_time_ += dt;
+    min_load_ = std::fmin(min_load_, load);
+    max_load_ = std::fmax(max_load_, load);
+  }
+  started_ = true;
+  last_ = value;
+  ever_nonzero_ = ever_nonzero_ || value != 0;
+  if (std::abs(value) >= kSaturation) return SensorVerdict::kSaturated;
+  if (!ever_nonzero_) return SensorVerdict::kZero;
+  if (unchanged_time_ < kStuckTime || !(max_load_ - min_load_ > kMinLoadChange))
+    return SensorVerdict::kGood;
+  return value == 0 ? SensorVerdict::kZero : SensorVerdict::kConstant;
+}
+
+}  // namespace surefoot

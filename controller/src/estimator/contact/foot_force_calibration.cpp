@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/contact/foot_force_calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+constexpr double kFilterTime = 0.02;  // [s] keeps noise from passing for a change of load
+constexpr double kOffsetTime = 5.0;   // [s] in which the offset follows a drift
+constexpr double kNoiseSamples = 500.0;
+constexpr double kScaleTime = 2.0;       // [s] of changing load in which the scale follows
+constexpr double kMinLoadChange = 0.04;  // share of the weight by which a load has changed
+constexpr double kMinFitTime = 0.1;      // [s] of changing load before the line is believed
+constexpr double kMinExplained = 0.5;    // least share of the counts' spread that the load explains
+constexpr double kMaxUncorrelated = 0.2;
+constexpr double kRangeTime = 10.0;      // [s] in which the range that was seen is forgotten
+constexpr double kRangeNoise = 8.0;      // times the noise that a range must span ...
+constexpr double kMinRange = 5.0;        // [counts] ... and at least this
+constexpr double kLoadAtMaxCount = 0.4;  // share of the weight at the top of a range
+}  // namespace
+
+ContactEvidence FootForceCalibration::update(const Gains& gains, int count, double load,
+                                             bool load_reliable, bool loaded, double dt) noexcept {
+  const double c = count;
+  if (!started_) {
+    last_count_ = smooth_count_ = mean_count_ = min_count_ = max_count_ = c;
+    smooth_load_ = mean_load_ = std::isnan(load) ? 0.0 : load;
+    started_ = true;
+  }
+  measure_noise(c);
+  ContactEvidence out;
+  out.verdict = stuck_.update(count, load, dt);
+  const double by_range = load_by_range(c, dt);
+  if (out.verdict != SensorVerdict::kGood) return out;
+  if (std::isnan(load)) {
+    if (std::isnan(by_range)) return {0.0, SensorVerdict::kUnjudged};
+    return range_evidence(gains, by_range, loaded);
+  }
+  if (load_reliable) update_fit(c, load, dt);
+  out.verdict = fit_verdict();
+  if (out.verdict == SensorVerdict::kUnjudged && !std::isnan(by_range))
+    return range_evidence(gains, by_range, loaded);
+  if (out.verdict != SensorVerdict::kGood) return out;
+  const double load_sigma = std::sqrt(noise_) / scale_;
+  out.vote = load_vote(gains, (c - offset()) / scale_, 2.0 * load_sigma, loaded);
+  return out;
+}
+
+// By differences of new samples: a sensor slower than the reports repeats its last.
+void FootForceCalibration::measure_noise(double count) noexcept {
+  if (count == last_count_) return;
+  samples_ = std::min(samples_ + 1.0, kNoiseSamples);
+  noise_ += (0.5 * (count - last_count_) * (count - last_count_) - noise_) / samples_;
+  last_count_ = count;
+}
+
+ContactEvidence FootForceCalibration::range_evidence(const Gains& gains, double load,
+                                                     bool loaded) const noexcept {
+  const double load_sigma = kLoadAtMaxCount * std::sqrt(noise_) / (max_count_ - min_count_);
+  return {load_vote(gains, load, 2.0 * load_sigma, loaded), SensorVerdict::kGood};
+}
+
+void FootForceCalibration::update_fit(double count, double load, double dt) noexcept {
+  const double quick = dt / (dt + kFilterTime), blend = dt / (dt + kOffsetTime);
+  smooth_count_ += quick * (count - smooth_count_);
+  smooth_load_ += quick * (load - smooth_load_);
+  mean_count_ += blend * (smooth_count_ - mean_count_);
+  mean_load_ += blend * (smooth_load_ - mean_load_);
+  const double dc = smooth_count_ - mean_count_, df = smooth_load_ - mean_load_;
+  if (std::abs(df) < kMinLoadChange) return;
+  const double keep = 1.0 - dt / (dt + kScaleTime);
+  fit_time_ = keep * fit_time_ + dt;
+  spread_load_ = keep * spread_load_ + dt * df * df;
+  spread_count_ = keep * spread_count_ + dt * dc * dc;
+  covariance_ = keep * covariance_ + dt * dc * df;
+  scale_ = std::max(covariance_ / spread_load_, 0.0);
+}
+
+SensorVerdict FootForceCalibration::fit_verdict() const noexcept {
+  if (fit_time_ < kMinFitTime) return SensorVerdict::kUnjudged;
+  const double explained = covariance_ * covariance_ / (spread_load_ * spread_count_ + 1e-12);
+  if (scale_ > 0.0 && explained > kMinExplained) return SensorVerdict::kGood;
+  if (explained > kMaxUncorrelated && scale_ > 0.0) return SensorVerdict::kUnjudged;
+  return spread_count_ < 4.0 * fit_time_ * (noise_ + 1.0) ? SensorVerdict::kConstant
+                                                          : SensorVerdict::kDisagrees;
+}
+
+// Both ends of the range creep to the present count, so that a drift does not widen it for ever.
+double FootForceCalibration::load_by_range(double count, double dt) noexcept {
+  const double blend = dt / (dt + kRangeTime);
+  min_count_ = std::min(count, min_count_ + blend * (count - min_count_));
+  max_count_ = std::max(count, max_count_ + blend * (count - max_count_));
+  const double range = max_count_ - min_count_;
+  if (range < std::max(kMinRange, kRangeNoise * std::sqrt(noise_))) return NAN;
+  return kLoadAtMaxCount * (count - min_count_) / range;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/contact/torque_check.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kStuckTime = 0.1;  // [s]
+}
+
+// No robot with twelve torques of exactly zero stands: the field is not filled.
+void TorqueCheck::update(const Vector12& tau_est, bool others_changed, double dt) noexcept {
+  const bool unchanged = tau_est == last_tau_;
+  unchanged_time_ = unchanged ? unchanged_time_ + (others_changed ? dt : 0.0) : 0.0;
+  last_tau_ = tau_est;
+  if (tau_est.isZero(0.0)) {
+    verdict_ = SensorVerdict::kZero;
+  } else {
+    verdict_ = unchanged_time_ > kStuckTime ? SensorVerdict::kConstant : SensorVerdict::kGood;
+  }
+}
+
+}  // namespace surefoot

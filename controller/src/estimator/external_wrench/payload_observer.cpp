@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/external_wrench/payload_observer.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kRestSpeed = 0.1;  // [m/s] of the centre of mass
+constexpr double kMaxLever = 0.1;   // [m] at which the greatest force may act: bounds the moment
+
+Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
+  const double size = value.norm();
+  return size > max_force ? Vector3(max_force / size * value) : value;
+}
+
+}  // namespace
+
+void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& forces,
+                             bool supported, double dt) noexcept {
+  const Vector3 linear = mass_ * dynamics.v_world_com();
+  const Vector3& angular = dynamics.L_world_com();
+  if (!supported) {
+    freeze_estimate(gains, linear, angular);
+    return;
+  }
+  Vector3 moment = Vector3::Zero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const Vector3 arm = dynamics.legs()[leg].p_world_contact - dynamics.p_world_com();
+    moment += arm.cross(forces.col(leg));
+  }
+  const Vector3 weight = -mass_ * kGravity * Vector3::UnitZ();
+  const double max_force = gains.payload_max * mass_ * kGravity;
+  if (!started_) {
+    // If the robot stands still when this begins, what the feet bear is what there is.
+    if (dynamics.v_world_com().norm() < kRestSpeed) {
+      force_ = limit_norm(-forces.rowwise().sum() - weight, max_force);
+      moment_ = limit_norm(-moment, kMaxLever * max_force);
+    }
+    freeze_estimate(gains, linear, angular);
+    started_ = true;
+    return;
+  }
+  linear_momentum_ += dt * (forces.rowwise().sum() + weight + force_);
+  angular_momentum_ += dt * (moment + moment_);
+  force_ = limit_norm((linear - linear_momentum_) / gains.payload_time, max_force);
+  moment_ = limit_norm((angular - angular_momentum_) / gains.payload_time, kMaxLever * max_force);
+  freeze_estimate(gains, linear, angular);
+}
+
+// What is explained follows what is, so that nothing is made up for afterwards.
+void PayloadObserver::freeze_estimate(const Gains& gains, const Vector3& linear,
+                                      const Vector3& angular) noexcept {
+  linear_momentum_ = linear - gains.payload_time * force_;
+  angular_momentum_ = angular - gains.payload_time * moment_;
+}
+
+// N = r x (-m_p g z) for a mass m_p at r; m_p r / (m + m_p) is what it moves the centre by.
+Vector3 PayloadObserver::com_shift() const noexcept {
+  const double total = std::max(mass_ + mass(), 0.1 * mass_);
+  return Vector3(moment_.y(), -moment_.x(), 0.0) / (kGravity * total);
+}
+
+}  // namespace surefoot

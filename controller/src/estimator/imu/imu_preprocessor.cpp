@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimator/imu/imu_preprocessor.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kHeldRateDrift = 50.0;    // [rad/s^2] by which a held rate grows wrong
+constexpr double kHeldForceDrift = 500.0;  // [m/s^3] the same of a held specific force
+constexpr double kNoiseOnlyChange =
+    18.0;  // sigma^2: three times what noise alone changes three axes
+constexpr double kMeanUncertainty = 0.25;  // of a change over a tick that its mean may be off by
+constexpr double kQuaternionRateNoise = 0.05;  // [rad/s] noise of the vendor's quaternion's turn
+constexpr double kLegRateNoise = 0.2;          // [rad/s] noise of a rate from the legs
+constexpr double kMaxQuaternionRate = 35.0;  // [rad/s] faster a quaternion does not turn: it jumps
+constexpr double kMinContradiction =
+    1.0;  // [rad/s] by which two others must contradict a gyroscope ...
+constexpr double kAgreementRatio = 0.5;        // ... of which they may differ
+constexpr double kUnmeasuredRateNoise = 1.0;   // [rad/s] doubt where nothing tells
+constexpr double kUnmeasuredForceNoise = 3.0;  // [m/s^2]
+
+double square(double x) noexcept { return x * x; }
+
+// Of one held sample in a row: the noise of n alike adds up to n times itself, not its root.
+double held_variance(double sigma, int age, double change, double dt) noexcept {
+  return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
+}
+
+// Of a mean over a tick that is known at both ends: what the signal has changed by, beyond its
+// noise, may have come early in the tick or late.
+double mean_variance(const Vector3& change, double sigma) noexcept {
+  return square(kMeanUncertainty) *
+         std::max(change.squaredNorm() - kNoiseOnlyChange * square(sigma), 0.0);
+}
+
+}  // namespace
+
+ImuInput ImuPreprocessor::update(const Gains& gains, const ImuReading& imu,
+                                 const InvariantFilter& filter, const Dynamics& dynamics,
+                                 const Eigen::Vector4d& contact, double dt) noexcept {
+  ImuInput out;
+  out.dt = dt;
+  if (!started_) {
+    last_w_ = imu.w_base;
+    last_f_ = imu.f_base;
+    w_noise_.reset(gains.noise_gyroscope);
+    f_noise_.reset(gains.noise_accelerometer);
+    started_ = true;
+  }
+  const bool quaternion_changed = imu.has_quaternion && has_last_quaternion_ &&
+                                  imu.R_world_base.coeffs() != last_quaternion_.coeffs();
+  quaternion_age_ += dt;
+  gyroscope_rejected_ = imu.gyroscope == SensorVerdict::kGood &&
+                        contradicts_gyroscope(imu, filter, dynamics, contact, quaternion_changed);
+  if (imu.w_age == 1 && !gyroscope_rejected_) w_noise_.update(imu.w_base, dt);
+  if (imu.f_age == 1) f_noise_.update(imu.f_base, dt);
+  out.w_base = 0.5 * (imu.w_base + last_w_);
+  out.f_base = 0.5 * (imu.f_base + last_f_);
+  out.w_variance = held_variance(w_noise_.sigma(), imu.w_age, kHeldRateDrift, dt) +
+                   mean_variance(imu.w_base - last_w_, w_noise_.sigma());
+  out.f_variance = held_variance(f_noise_.sigma(), imu.f_age, kHeldForceDrift, dt) +
+                   mean_variance(imu.f_base - last_f_, f_noise_.sigma());
+  if (imu.gyroscope != SensorVerdict::kGood || gyroscope_rejected_) {
+    replace_rate(imu, filter, dynamics, contact, quaternion_changed, out);
+  }
+  if (imu.accelerometer != SensorVerdict::kGood) {
+    out.f_base = filter.R_world_base().transpose() * (kGravity * Vector3::UnitZ()) +
+                 filter.accelerometer_bias();
+    out.f_variance = square(kUnmeasuredForceNoise);
+  }
+  last_w_ = gyroscope_rejected_ ? out.w_base : imu.w_base;
+  last_f_ = imu.f_base;
+  if (quaternion_changed || !has_last_quaternion_) quaternion_age_ = 0.0;
+  rotation_since_last_ =
+      quaternion_changed
+          ? Quaternion::Identity()
+          : rotation_since_last_ * exp_so3(dt * (out.w_base - filter.gyroscope_bias()));
+  last_quaternion_ = imu.R_world_base;
+  has_last_quaternion_ = imu.has_quaternion;
+  return out;
+}
+
+// Two that agree with each other and not with it. A body that slips or is struck turns as gyroscope
+// and quaternion say, whatever the legs make of it.
+bool ImuPreprocessor::contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
+                                            const Dynamics& dynamics,
+                                            const Eigen::Vector4d& contact,
+                                            bool quaternion_changed) const noexcept {
+  if (!quaternion_changed && !gyroscope_rejected_) return false;  // nobody seconds the legs
+  // No body turns so much faster from one tick to the next: what it did will do for the legs.
+  Vector3 w_legs = last_w_ - filter.gyroscope_bias();
+  rate_from_legs(dynamics, contact, w_legs);
+  const double deviation = (imu.w_base - filter.gyroscope_bias() - w_legs).norm();
+  if (!(deviation > kMinContradiction)) return false;
+  if (!quaternion_changed) return true;  // a quaternion slower than the reports: as it was
+  const Vector3 w_quaternion =
+      log_so3(last_quaternion_.conjugate() * imu.R_world_base) / quaternion_age_;
+  return (w_quaternion - w_legs).norm() < kAgreementRatio * deviation;
+}
+
+void ImuPreprocessor::replace_rate(const ImuReading& imu, const InvariantFilter& filter,
+                                   const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                                   bool quaternion_changed, ImuInput& out) const noexcept {
+  Vector3 w = Vector3::Zero();
+  double sigma = kUnmeasuredRateNoise;
+  // A quaternion slower than the reports: what was taken for its turn meanwhile is not taken twice.
+  if (quaternion_changed)
+    w = log_so3(rotation_since_last_.conjugate() * last_quaternion_.conjugate() *
+                imu.R_world_base) /
+        out.dt;
+  if (quaternion_changed && w.norm() < kMaxQuaternionRate) {
+    sigma = kQuaternionRateNoise;
+  } else if (w.setZero(); rate_from_legs(dynamics, contact, w)) {
+    sigma = kLegRateNoise;
+  }
+  out.w_base = w + filter.gyroscope_bias();
+  out.w_variance = square(sigma);
+}
+
+// Contact points at rest do not turn about each other: a rate that is too high by b makes of them
+// v_i - mean = b x (p_i - mean).
+bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
+                    Vector3& w_base) noexcept {
+  Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();
+  int feet = 0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contact[leg] < 0.5) continue;
+    p_mean += dynamics.legs()[leg].p_world_contact;
+    v_mean += dynamics.legs()[leg].v_world_contact;
+    ++feet;
+  }
+  if (feet < 3) return false;
+  p_mean /= feet;
+  v_mean /= feet;
+  Matrix3 normal_matrix = Matrix3::Zero();
+  Vector3 moment = Vector3::Zero();
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (contact[leg] < 0.5) continue;
+    const Vector3 arm = dynamics.legs()[leg].p_world_contact - p_mean;
+    normal_matrix += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
+    moment += arm.cross(dynamics.legs()[leg].v_world_contact - v_mean);
+  }
+  const Vector3 excess = normal_matrix.inverse() * moment;
+  if (!excess.allFinite()) return false;
+  w_base = dynamics.R_world_base().transpose() * (dynamics.w_world_base() - excess);
+  return true;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "low_level/low_state_check.hpp"
+
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kUnitNormTolerance = 0.05;  // off unit length that is still renormalised
+constexpr double kMaxMagnitude = 1e4;        // in any unit
+constexpr double kMaxAngularRate = 40.0;     // [rad/s] gyroscopes clip at 35
+constexpr double kMaxAcceleration = 200.0;   // [m/s^2] accelerometers clip at 157
+constexpr double kJointMargin = 1.0;         // [rad] a folded calf rests beyond its limit
+constexpr double kSpeedFactor = 2.0;         // of the motor's no-load speed
+constexpr double kTorqueFactor = 3.0;        // of the motor's greatest torque
+
+// Keeps the worst that was seen; comparisons are written so that NaN fails them.
+struct FieldCheck {
+  Status status = Status::kOk;
+  void operator()(double value, double lower, double upper) noexcept {
+    if (!(std::abs(value) <= kMaxMagnitude)) {
+      status = Status::kNonFinite;
+    } else if (!(value >= lower && value <= upper) && status == Status::kOk) {
+      status = Status::kImplausible;
+    }
+  }
+  void operator()(double value, double size) noexcept { (*this)(value, -size, size); }
+};
+
+}  // namespace
+
+Status check_low_state(const LowState& state, const RobotConfig& config) noexcept {
+  // Packed fields are not aligned: copy them before indexing.
+  const std::array<float, 4> quaternion = state.imu.quaternion;
+  const std::array<float, 3> gyroscope = state.imu.gyroscope;
+  const std::array<float, 3> accelerometer = state.imu.accelerometer;
+  FieldCheck check;
+  for (const float value : quaternion) check(value, kMaxMagnitude);
+  for (const float value : gyroscope) check(value, kMaxAngularRate);
+  for (const float value : accelerometer) check(value, kMaxAcceleration);
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorState& motor = state.motorState[i];
+    check(motor.q, config.q_lower[i] - kJointMargin, config.q_upper[i] + kJointMargin);
+    check(motor.dq, kSpeedFactor * config.no_load_speed[i]);
+    check(motor.tauEst, kTorqueFactor * config.tau_max[i]);
+  }
+  return check.status;
+}
+
+bool has_unit_quaternion(const IMU& imu) noexcept {
+  const std::array<float, 4> q = imu.quaternion;  // packed: copied
+  return std::abs(std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) - 1.0) <=
+         kUnitNormTolerance;
+}
+
+}  // namespace surefoot

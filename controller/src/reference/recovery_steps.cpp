@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference/recovery_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/capture_margin.hpp"
+#include "reference/foot_to_lift.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kNearEdge = 0.65;  // share of edge_margin inside the edge from which on feet step
+constexpr double kMovingDistance =
+    0.1;  // [h] that the capture point is ahead of a body to step for
+constexpr double kOffGroundConfidence = 0.3;  // belief under which a foot has left the ground
+constexpr double kContactConfidence = 0.5;    // and over which it is back
+constexpr double kSwingTime = 0.6;    // [sqrt(h / g)] until it is pressed down; h: of the body
+constexpr double kLiftHeight = 0.08;  // [h] that it is lifted by
+constexpr double kPressDepth = 0.1;   // [h] under the ground that it is pressed to
+constexpr double kMinMarginGain =
+    0.01;                           // [h] that a step must bring the capture point further inside
+constexpr double kFootSpeed = 2.0;  // [sqrt(g h)] of a foot's goal
+constexpr double kNominalFootTime =
+    0.05;                            // [s] how slowly a place comes to a foot that has stepped
+constexpr double kReturnTime = 0.2;  // [s] how slowly feet come back that are not to step
+
+double height_over(const FeetMatrix& p_world_feet, const Dynamics& dynamics) noexcept {
+  return std::max(dynamics.p_world_com().z() - p_world_feet.row(2).mean(), 0.05);
+}
+
+// Its share in the plane of the feet.
+Vector3 project_to_plane(const Vector3& vector, const Vector3& normal) noexcept {
+  return vector - normal.dot(vector) * normal;
+}
+
+}  // namespace
+
+void RecoverySteps::update(const Gains& gains, const Dynamics& dynamics,
+                           const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact,
+                           SupportFrame& support, double dt) noexcept {
+  if (gains.foot_step <= 0.0) return stop(dt);
+  const FeetMatrix nominal_feet = support.p_world_nominal_feet();
+  const FeetMatrix from_nominal = p_world_feet - nominal_feet;
+  const double height = height_over(p_world_feet, dynamics);
+  const Eigen::Vector2d capture = capture_point(dynamics);
+  moving_ = (capture - dynamics.p_world_com().head<2>()).norm() > kMovingDistance * height;
+  update_stride(gains, support, nominal_feet, capture);
+  select_foot_to_lift(p_world_feet, nominal_feet, contact, capture, kMinMarginGain * height);
+  const double phase_step = dt / std::sqrt(height / kGravity);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    phase_time_[leg] += phase_step;
+    update_phase(leg, contact[leg], project_to_plane(from_nominal.col(leg), support.normal()));
+    if (phase_[leg] != FootPhase::kStance) {
+      update_swing(leg, from_nominal.col(leg), support.normal(), height, dt);
+    } else {
+      const Vector3 nominal_change = dt / (dt + kNominalFootTime) * foot_offsets_.col(leg);
+      support.move_nominal_foot(leg, nominal_change);
+      foot_offsets_.col(leg) -= nominal_change;
+    }
+  }
+}
+
+void RecoverySteps::stop(double dt) noexcept {
+  phase_.fill(FootPhase::kStance);
+  foot_offsets_ *= 1.0 - dt / (dt + kReturnTime);
+}
+
+void RecoverySteps::mask_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,
+                                    Eigen::Vector4d& contact) const noexcept {
+  const FeetMatrix nominal_feet = support.p_world_nominal_feet();
+  p_world_feet -= foot_offsets_;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (phase_[leg] == FootPhase::kStance) continue;
+    p_world_feet.col(leg) = nominal_feet.col(leg);
+    contact[leg] = 0.0;
+  }
+}
+
+// How near the capture point is to the edge of the places, and the stride that this asks for.
+void RecoverySteps::update_stride(const Gains& gains, const SupportFrame& support,
+                                  const FeetMatrix& p_world_nominal_feet,
+                                  const Eigen::Vector2d& capture) noexcept {
+  const SupportPolygon polygon(p_world_nominal_feet, {true, true, true, true});
+  edge_proximity_ = 1.0 - std::clamp(polygon.margin(capture) / gains.edge_margin, 0.0, 1.0);
+  Vector3 capture_offset = Vector3::Zero();
+  capture_offset.head<2>() = capture - support.origin().head<2>();
+  stride_ = edge_proximity_ * project_to_plane(capture_offset, support.normal());
+  stride_ *= std::min(1.0, gains.foot_step / std::max(stride_.norm(), 1e-6));
+}
+
+// A foot that bears steps too if that helps, with the capture point outside; one is unloaded at a
+// time.
+void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
+                                        const FeetMatrix& p_world_nominal_feet,
+                                        const Eigen::Vector4d& contact,
+                                        const Eigen::Vector2d& capture, double gain) noexcept {
+  if (edge_proximity_ < 1.0) {
+    lift_failed_.fill(false);
+    return;
+  }
+  std::array<bool, kLegs> loaded;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (phase_[leg] == FootPhase::kLiftingOff) return;
+    loaded[leg] = phase_[leg] == FootPhase::kStance && contact[leg] > kContactConfidence;
+  }
+  const FeetMatrix goals = p_world_nominal_feet.colwise() + stride_;
+  const int leg = foot_to_lift(p_world_feet, goals, loaded, capture, kSwingTime, gain);
+  if (leg < 0 || lift_failed_[leg]) return;
+  phase_[leg] = FootPhase::kLiftingOff;
+  phase_time_[leg] = 0.0;
+}
+
+// Has it left the ground, or landed? Where it landed it stays.
+void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_nominal) noexcept {
+  FootPhase& phase = phase_[leg];
+  if (phase == FootPhase::kStance && moving_ && contact < kOffGroundConfidence &&
+      edge_proximity_ > 1.0 - kNearEdge) {
+    phase = FootPhase::kSwinging;
+    phase_time_[leg] = 0.0;
+  } else if (phase == FootPhase::kLiftingOff && contact < kOffGroundConfidence) {
+    phase = FootPhase::kSwinging;
+  } else if ((phase == FootPhase::kSwinging && contact > kContactConfidence) ||
+             (phase == FootPhase::kLiftingOff && phase_time_[leg] > kSwingTime)) {
+    lift_failed_[leg] = phase == FootPhase::kLiftingOff;
+    phase = FootPhase::kStance;
+    foot_offsets_.col(leg) = from_nominal;
+  }
+}
+
+void RecoverySteps::update_swing(int leg, const Vector3& from_nominal, const Vector3& normal,
+                                 double height, double dt) noexcept {
+  Vector3 along = project_to_plane(foot_offsets_.col(leg), normal);
+  double up = -kPressDepth * height;
+  if (phase_time_[leg] < kSwingTime) {
+    const Vector3 remaining = stride_ - along;
+    const double most = kFootSpeed * std::sqrt(kGravity * height) * dt;
+    along += remaining * std::min(1.0, most / std::max(remaining.norm(), most));
+    // Lower as it comes to where it is to land; one that still stands goes up.
+    const double lift = kLiftHeight * height;
+    up = is_lifting_off(leg)
+             ? lift
+             : std::min(lift, project_to_plane(stride_ - from_nominal, normal).norm() + up);
+  }
+  foot_offsets_.col(leg) = along + up * normal;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What others ask of a loop, from other threads and by the sticks.
+#include <cmath>
+
+#include "run/remote_reference.hpp"
+#include "run/stand_loop.hpp"
+
+namespace surefoot {
+
+namespace {
+
+bool is_finite(const BodyReference& r) {
+  return std::isfinite(r.x + r.y + r.height + r.roll + r.pitch + r.yaw);
+}
+
+}  // namespace
+
+void StandLoop::rearm() noexcept {
+  const RequestStatus status = supervisor_.arm();
+  refused_rearms_ += status == RequestStatus::kNoState || status == RequestStatus::kNotReady;
+}
+
+void StandLoop::damp() noexcept {
+  damp_requested_.store(true);
+  supervisor_.stop();
+}
+
+void StandLoop::set_gains(const Gains& gains) {
+  gains.validate();
+  gains_mailbox_.put(gains);
+}
+
+void StandLoop::apply_requests() noexcept {
+  if (gains_mailbox_.take(gains_)) {
+    supervisor_.set_gains(gains_);  // valid: see set_gains()
+    damping_ = damping_low_cmd(gains_.damping_kd);
+  }
+  BodyReference requested_pose;
+  if (!reference_mailbox_.take(requested_pose)) return;
+  supervisor_.set_body_reference(requested_pose);  // which refuses what is not finite ...
+  if (is_finite(requested_pose))
+    requested_pose_ = requested_pose;  // ... and would what the sticks add to it
+}
+
+void StandLoop::apply_remote_sticks() noexcept {
+  const WirelessRemote remote = decode_wireless_remote(link_.state().wirelessRemote);
+  const BodyReference sticks = remote_reference(remote);
+  supervisor_.set_body_reference(
+      {requested_pose_.x + sticks.x, requested_pose_.y + sticks.y,
+       requested_pose_.height + sticks.height, requested_pose_.roll + sticks.roll,
+       requested_pose_.pitch + sticks.pitch, requested_pose_.yaw + sticks.yaw});
+}
+
+}  // namespace surefoot

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a loop says of itself.
+#include <algorithm>
+
+#include "run/robot_snapshot.hpp"
+#include "run/stand_loop.hpp"
+
+namespace surefoot {
+
+// A robot that brakes until somebody comes must not push out of the log why it does.
+void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
+  const Mode mode = supervisor_.mode();
+  const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s]
+  if (mode != Mode::kPassive && mode != Mode::kDamping) last_driven_time_ = snapshot_.time;
+  if (!link_.has_state() ||
+      (last_driven_time_ >= 0.0 && snapshot_.time - last_driven_time_ > log_tail))
+    return;
+  log_.add(
+      {snapshot_.time, has_new_state, mode, supervisor_.damping_fault(), link_.state(), command});
+}
+
+// What has become of it in this tick?
+void StandLoop::update_phase() noexcept {
+  const Mode before = snapshot_.mode;
+  snapshot_.mode = supervisor_.mode();
+  const RunPhase phase = this->phase();
+  update_stood_as_requested(before);
+  if (phase == RunPhase::kDamping && snapshot_.phase != RunPhase::kDamping) {
+    snapshot_.reason = damping_reason();
+    snapshot_.power_at_damping = supervisor_.measured_power();
+    ++snapshot_.dampings;
+  }
+  snapshot_.rearms += before == Mode::kDamping && snapshot_.mode != Mode::kDamping;
+  if (snapshot_.mode == Mode::kStand && before != Mode::kStand) requested_pose_ = {};
+  snapshot_.stood = snapshot_.stood || snapshot_.mode == Mode::kStand;
+  const bool duration_started = snapshot_.stood || options_.start == Start::kStanding;
+  if (duration_started && duration_start_ < 0.0) duration_start_ = snapshot_.time;
+  phase_changed_ = phase_changed_ || phase != snapshot_.phase;
+  snapshot_.phase = phase;
+}
+
+// Who lies already may well be damped.
+void StandLoop::update_stood_as_requested(Mode before) noexcept {
+  if (snapshot_.mode == before) return;
+  const bool damped_while_driven = snapshot_.mode == Mode::kDamping && before != Mode::kPassive;
+  const bool sat_down_by_fault =
+      snapshot_.mode == Mode::kSit &&
+      supervisor_.faults().first_active(FaultReaction::kSit) != FaultId::kNone;
+  if (damped_while_driven || sat_down_by_fault || snapshot_.mode == Mode::kRise)
+    stood_as_requested_ = false;
+  if (snapshot_.mode == Mode::kStand) stood_as_requested_ = true;
+}
+
+RunPhase StandLoop::phase() const noexcept {
+  if (robot_silent_) return RunPhase::kDamping;
+  switch (snapshot_.mode) {
+    case Mode::kPassive:
+      return RunPhase::kPassive;
+    case Mode::kRise:
+      return RunPhase::kRising;
+    case Mode::kStand:
+      return RunPhase::kStanding;
+    case Mode::kSit:
+      return RunPhase::kSitting;
+    case Mode::kDamping:
+      return RunPhase::kDamping;
+  }
+  return RunPhase::kDamping;
+}
+
+RunReason StandLoop::damping_reason() const noexcept {
+  if (robot_silent_) return RunReason::kStale;
+  switch (supervisor_.damping_fault()) {
+    case FaultId::kLink:
+      return link_loss_reason_;
+    case FaultId::kStop:
+      return RunReason::kRequested;
+    case FaultId::kButton:
+      return RunReason::kButton;
+    case FaultId::kPower:
+      return RunReason::kPowerProtect;
+    case FaultId::kController:
+      return RunReason::kController;
+    default:
+      return RunReason::kFault;
+  }
+}
+
+const RunSnapshot& StandLoop::snapshot() noexcept {
+  snapshot_.link = link_.counts();
+  snapshot_.last_reject = link_.last_reject();
+  snapshot_.state_age = link_.state_age();
+  snapshot_.damping_fault = supervisor_.damping_fault();
+  snapshot_.arming = supervisor_.arming();
+  snapshot_.faults = supervisor_.faults();
+  snapshot_.armed = supervisor_.armed();
+  snapshot_.rise_failed = supervisor_.rise_failed();
+  snapshot_.rise_progress = supervisor_.rise_progress();
+  snapshot_.rise_stage = supervisor_.rise_stage();
+  snapshot_.refused_rearms = refused_rearms_.load();
+  write_robot_snapshot(supervisor_.stand_controller(), link_.state(), tau_max_, snapshot_);
+  return snapshot_;
+}
+
+bool StandLoop::take_phase_change() noexcept {
+  const bool news = phase_changed_;
+  phase_changed_ = false;
+  return news;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stand/delay_predictor.hpp"
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+constexpr int kCapacity = 64;  // commands that may be on their way: 50 ms at 1 kHz, and some
+constexpr double kDefaultDelayPeriods = 2.0;  // periods on the way where no delay was told of
+constexpr double kTimeTolerance = 1e-6;       // [s] periods are whole milliseconds
+}  // namespace
+
+DelayPredictor::DelayPredictor(int nv, double delay)
+    : delay_(delay),
+      sent_(kCapacity, SentCommand{Eigen::VectorXd::Zero(nv)}),
+      dv_(Eigen::VectorXd::Zero(nv)),
+      dq_(Eigen::VectorXd::Zero(nv)),
+      predicted_(nv + 1, nv) {}
+
+void DelayPredictor::advance(double dt) noexcept {
+  if (count_ > 0) sent_[(next_ - 1 + kCapacity) % kCapacity].dt += dt;
+}
+
+void DelayPredictor::record(const Eigen::VectorXd& accelerations, double scale, const Vector12& tau,
+                            const Vector3& f_push) noexcept {
+  sent_[next_].accelerations = scale * accelerations;
+  sent_[next_].tau = tau;
+  sent_[next_].f_push = scale * f_push;
+  sent_[next_].dt = 0.0;
+  next_ = (next_ + 1) % kCapacity;
+  count_ = std::min(count_ + 1, kCapacity);
+}
+
+const SentCommand* DelayPredictor::acting_command(double period) const noexcept {
+  const double delay = active() ? delay_ : kDefaultDelayPeriods * period;
+  double age = 0.0;
+  for (int k = 1; k <= count_; ++k) {
+    const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];
+    age += sent.dt;
+    if (age > delay + kTimeTolerance) return &sent;
+  }
+  return nullptr;
+}
+
+RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
+  dv_.setZero();
+  dq_ = delay_ * state.v;
+  // Backwards from the command that stops acting when the next one starts.
+  double end = delay_;
+  for (int k = 1; k <= count_ && end > 0.0; ++k) {
+    const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];
+    const double duration = std::min(sent.dt, end);
+    dv_ += duration * sent.accelerations;
+    dq_ += duration * (delay_ - end + 0.5 * duration) * sent.accelerations;
+    end -= duration;
+  }
+  // dq is in base axes for the base, as v is.
+  const Quaternion R(state.q[6], state.q[3], state.q[4], state.q[5]);
+  const Quaternion turned = (R * exp_so3(dq_.segment<3>(3))).normalized();
+  predicted_.q = state.q;
+  predicted_.q.head<3>() += R * Vector3(dq_.head<3>());
+  predicted_.q.segment<4>(3) = turned.coeffs();
+  predicted_.q.tail(dq_.size() - 6) += dq_.tail(dq_.size() - 6);
+  predicted_.v = state.v + dv_;
+  predicted_.contact = state.contact;
+  predicted_.f_external = state.f_external;
+  predicted_.f_sustained = state.f_sustained;
+  predicted_.moment_external = state.moment_external;
+  predicted_.friction = state.friction;
+  return predicted_;
+}
+
+}  // namespace surefoot

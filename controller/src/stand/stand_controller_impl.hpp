@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "reference/stand_reference.hpp"
+#include "reference/usable_friction.hpp"
+#include "safety/command_hold.hpp"
+#include "safety/fallback_chain.hpp"
+#include "safety/gain_ramp.hpp"
+#include "safety/tick_clock.hpp"
+#include "safety/torque_command.hpp"
+#include "stand/delay_predictor.hpp"
+#include "surefoot/stand_controller.hpp"
+#include "surefoot/state_estimator.hpp"
+#include "surefoot/whole_body_controller.hpp"
+
+namespace surefoot {
+
+/// The whole tick, from a report to a command.
+struct StandController::Impl {
+  Impl(const Robot& r, const Gains& g, const StandOptions& o);
+
+  const LowCmd& tick(const LowState& low_state) noexcept;
+  void apply_gains(const Gains& gains) noexcept;
+
+  Robot robot;
+  StandOptions options;
+  TickClock clock;
+  StateEstimator estimator;
+  StandReference reference;
+  UsableFriction friction;
+  DelayPredictor predictor;
+  Dynamics predicted_dynamics;  // at the state when the command acts
+  RobotState state;             // as estimated, but for the friction: what may be used of it
+  WholeBodyController controller;
+  FallbackChain fallback_chain;
+  TorqueCommand torque_command;
+  CommandHold command_hold;
+  GainRamp gain_ramp;
+  double time_since_estimate = 0.0;  // [s]
+  int pose_latches = 0;
+  Status status = Status::kWaiting;
+  Status fault = Status::kOk;
+  FallbackLevel fallback_level = FallbackLevel::kDamping;
+  std::array<std::uint64_t, kFallbackLevels> fallback_counts{};
+
+ private:
+  Status estimate_and_solve(const LowState& low_state, double dt) noexcept;
+  Status solve_predicted(const Reference& desired, double dt) noexcept;
+  Status solve(const Dynamics& dynamics, const RobotState& used_state,
+               const Reference& desired) noexcept;
+  void compute_fallback(const Dynamics& dynamics, const RobotState& used_state,
+                        const Reference& desired) noexcept;
+  const LowCmd& select_command(Status tick, double elapsed) noexcept;
+};
+
+}  // namespace surefoot

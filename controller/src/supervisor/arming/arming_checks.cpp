@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/arming/arming_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "supervisor/common/tilt.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kMaxLoss = 0.01;  // share of reports that may be missing
+constexpr double kWindow = 1.0;    // [s] over which that is counted
+constexpr double kQuaternionTolerance =
+    1e-3;                              // that a quaternion may be off unit length: float's rounding
+constexpr double kMaxTurnRate = 0.05;  // [rad/s]
+constexpr double kGravityTolerance = 0.05;  // that |a| may be off g
+constexpr double kSmoothing = 0.1;          // [s] over which the IMU's noise is averaged
+// [rad] 10 degrees between attitude and accelerometer: vendors' filters lean by 5 of them.
+constexpr double kMaxAttitudeError = 0.1745;
+constexpr double kMaxTilt = 0.44;  // [rad] 25 degrees: what a robot gets up from, and a little
+
+}  // namespace
+
+ArmingChecks::ArmingChecks(const Robot& robot, const ArmingLimits& limits)
+    : robot_(robot), limits_(limits) {
+  check_below(at(ArmingCheckId::kProgram), limits.torque_share, 1.0);
+  set_blocking_fault(FaultId::kNone);
+}
+
+void ArmingChecks::set_blocking_fault(FaultId why) noexcept {
+  ArmingCheck& check = at(ArmingCheckId::kFault);
+  check.value = static_cast<int>(why);
+  check.passed = why == FaultId::kNone;
+}
+
+void ArmingChecks::update(const LowState& state, double step) noexcept {
+  count_link(step);
+  check_motors(state);
+  check_imu(state, step);
+  check_joints(state);
+  check_order(state);
+  check_feet(state);
+  update_ready(step);
+}
+
+void ArmingChecks::count_missed() noexcept {
+  missing_ += 1.0;
+  ArmingCheck& link = at(ArmingCheckId::kLink);
+  check_below(link, missing_ / (received_ + missing_), kMaxLoss);
+  link.passed = false;  // fresh is what comes now
+  clear_ready();
+}
+
+void ArmingChecks::add_link_counts(double received, double missing) noexcept {
+  has_link_counts_ = true;
+  received_ += received;
+  missing_ = std::max(missing_ + missing, 0.0);  // what was given up may come after all
+}
+
+void ArmingChecks::count_link(double step) noexcept {
+  const double fade = std::exp(-step / kWindow);
+  received_ *= fade;
+  missing_ *= fade;
+  if (!has_link_counts_) {
+    // The shortest step of late is a period: it follows a faster link at once, a slower one in
+    // time.
+    if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
+    received_ += 1.0;
+    if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);
+  }
+  check_below(at(ArmingCheckId::kLink), missing_ / (received_ + missing_), kMaxLoss);
+}
+
+void ArmingChecks::check_motors(const LowState& state) noexcept {
+  ArmingCheck &mode = at(ArmingCheckId::kMotorMode), &heat = at(ArmingCheckId::kTemperature);
+  mode = {};
+  mode.passed = true;
+  mode.limit = kModeServo;
+  heat = {};
+  heat.value = -300.0;
+  for (int i = 0; i < kMotors; ++i) {
+    const MotorState& motor = state.motorState[i];
+    if (motor.mode != kModeServo && mode.passed) {
+      mode.passed = false;
+      mode.value = motor.mode;
+      mode.motor = i;
+    }
+    if (motor.temperature > heat.value) {
+      heat.motor = i;
+      heat.value = motor.temperature;
+    }
+  }
+  check_below(heat, heat.value, limits_.temperature);
+}
+
+void ArmingChecks::check_imu(const LowState& state, double step) noexcept {
+  const std::array<float, 4> q = state.imu.quaternion;  // packed: copied
+  const std::array<float, 3> w = state.imu.gyroscope, a = state.imu.accelerometer;
+  const double share = started_ ? -std::expm1(-step / kSmoothing) : 1.0;
+  started_ = true;
+  const Vector3 gyro(w[0], w[1], w[2]), accelerometer(a[0], a[1], a[2]);
+  // What is no number must not stay in the average for ever.
+  const bool finite = gyro.allFinite() && accelerometer.allFinite();
+  gyro_ = finite && gyro_.allFinite() ? Vector3(gyro_ + share * (gyro - gyro_)) : gyro;
+  accelerometer_ = finite && accelerometer_.allFinite()
+                       ? Vector3(accelerometer_ + share * (accelerometer - accelerometer_))
+                       : accelerometer;
+  const Eigen::Vector4d quaternion(q[0], q[1], q[2], q[3]);
+  check_below(at(ArmingCheckId::kQuaternion), std::abs(quaternion.norm() - 1.0),
+              kQuaternionTolerance);
+  const Vector3 up_by_quaternion = quaternion_wxyz(quaternion).conjugate() * Vector3::UnitZ();
+  check_below(at(ArmingCheckId::kAttitude), angle_between(up_by_quaternion, accelerometer_),
+              kMaxAttitudeError);
+  check_below(at(ArmingCheckId::kGyroscope), gyro_.norm(), kMaxTurnRate);
+  check_below(at(ArmingCheckId::kAccelerometer), std::abs(accelerometer_.norm() / kGravity - 1.0),
+              kGravityTolerance);
+  const Vector3 up = quaternion_wxyz(robot_.config().quat_base_imu) * accelerometer_;
+  check_below(at(ArmingCheckId::kTilt), tilt_angle(up.normalized()), kMaxTilt);
+}
+
+void ArmingChecks::update_ready(double step) noexcept {
+  bool all = true;
+  for (const ArmingCheck& check : report_.checks) all = all && (check.passed || !check.applies);
+  report_.passed_for = all ? report_.passed_for + step : 0.0;
+  report_.ready = all && report_.passed_for >= limits_.time;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstdio>
+
+#include "surefoot/arming.hpp"
+#include "surefoot/fault.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr std::array<const char*, kMotors> kMotorNames = {
+    "FR_0", "FR_1", "FR_2", "FL_0", "FL_1", "FL_2", "RR_0", "RR_1", "RR_2", "RL_0", "RL_1", "RL_2"};
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[200];
+  std::snprintf(text, sizeof(text), pattern, values...);
+  return text;
+}
+
+std::string describe_order(const ArmingCheck& check, const RobotConfig& config) {
+  if (check.motor < 0) return "every angle fits its motor";
+  const char* motor = kMotorNames[check.motor];
+  if (check.swapped_with >= 0) {
+    return format("%s and %s seem swapped", kMotorNames[std::min(check.motor, check.swapped_with)],
+                  kMotorNames[std::max(check.motor, check.swapped_with)]);
+  }
+  return format(
+      "%s is %.2f rad outside the range of a %s: another robot, or another order of motors", motor,
+      check.value, config.name.c_str());
+}
+
+std::string describe_value(ArmingCheckId id, const ArmingCheck& c, const RobotConfig& config) {
+  const char* motor = c.motor >= 0 ? kMotorNames[c.motor] : "";
+  switch (id) {
+    case ArmingCheckId::kLink:
+      return format("%.2g %% of the reports missing, expected below %.2g %% and a fresh one",
+                    100.0 * c.value, 100.0 * c.limit);
+    case ArmingCheckId::kMotorMode:
+      if (c.passed) return "all motors in servo mode";
+      return format("%s in mode 0x%02X, expected servo mode 0x0A", motor, int(c.value));
+    case ArmingCheckId::kTemperature:
+      return format("%s at %.0f deg C, expected below %.0f", motor, c.value, c.limit);
+    case ArmingCheckId::kQuaternion:
+      return format("%.2g off unit length, expected below %.2g", c.value, c.limit);
+    case ArmingCheckId::kGyroscope:
+      return format("%.3f rad/s, expected below %.2f", c.value, c.limit);
+    case ArmingCheckId::kAccelerometer:
+      return format("%.1f %% off g, expected below %.0f %%", 100.0 * c.value, 100.0 * c.limit);
+    case ArmingCheckId::kAttitude:
+      return format(
+          "the quaternion leans %.1f deg off the vertical that the accelerometer feels, expected "
+          "below %.0f: it is w x y z, from IMU to world, or one of the two sensors is wrong",
+          57.29578 * c.value, 57.29578 * c.limit);
+    case ArmingCheckId::kTilt:
+      return format("%.1f deg off level, expected below %.0f", 57.29578 * c.value,
+                    57.29578 * c.limit);
+    case ArmingCheckId::kJoints:
+      return format("%s %.3f rad outside its limits, expected below %.3f", motor, c.value, c.limit);
+    case ArmingCheckId::kMotorOrder:
+      return describe_order(c, config);
+    case ArmingCheckId::kFootForce:
+      return format("sum of foot forces %.0f %% off the weight, expected below %.0f %%",
+                    100.0 * c.value, 100.0 * c.limit);
+    case ArmingCheckId::kFault:
+      if (c.passed) return "nothing keeps the robot down";
+      return format("%s keeps the robot down, expected no fault that does",
+                    to_string(static_cast<FaultId>(static_cast<int>(c.value))));
+    case ArmingCheckId::kProgram:
+      return format("getting up takes %.0f %% of the torque there is, expected below %.0f %%",
+                    100.0 * c.value, 100.0 * c.limit);
+  }
+  return "";
+}
+
+}  // namespace
+
+const char* to_string(ArmingCheckId id) noexcept {
+  constexpr std::array<const char*, kArmingChecks> names = {
+      "link", "motor_mode", "temperature", "quaternion", "gyroscope", "accelerometer", "attitude",
+      "tilt", "joints",     "motor_order", "foot_force", "program",   "fault"};
+  return names[static_cast<int>(id)];
+}
+
+std::string describe(ArmingCheckId id, const ArmingCheck& check, const RobotConfig& config) {
+  return std::string(to_string(id)) + ": " +
+         (check.applies ? describe_value(id, check, config) : "nothing to judge");
+}
+
+std::string describe_failures(const ArmingReport& report, const RobotConfig& config) {
+  const ArmingCheck& link = report.checks[static_cast<int>(ArmingCheckId::kLink)];
+  if (!link.passed && link.limit == 0.0) return "link: no LowState yet";
+  std::string text;
+  for (int i = 0; i < kArmingChecks; ++i) {
+    const ArmingCheck& check = report.checks[i];
+    if (check.passed || !check.applies) continue;
+    text += (text.empty() ? "" : "\n") + describe(static_cast<ArmingCheckId>(i), check, config);
+  }
+  return text;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/low_level.hpp"
+#include "surefoot/math.hpp"
+
+namespace surefoot {
+
+/// Torques that the motors say they make, SDK order [N.m]. Real-time: yes.
+inline Vector12 measured_torques(const LowState& state) noexcept {
+  Vector12 tau;
+  for (int i = 0; i < kMotors; ++i) tau[i] = state.motorState[i].tauEst;
+  return tau;
+}
+
+/// Joint velocities, SDK order [rad/s]. Real-time: yes.
+inline Vector12 measured_velocities(const LowState& state) noexcept {
+  Vector12 dq;
+  for (int i = 0; i < kMotors; ++i) dq[i] = state.motorState[i].dq;
+  return dq;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "surefoot/fault.hpp"
+
+namespace surefoot {
+
+/// Keeps the FaultReport: what begins, what ends. Real-time: yes.
+class FaultLog {
+ public:
+  FaultLog() { report_.motor.fill(-1); }
+
+  /// Say of a fault whether it is there. @param motor SDK number, where it is one motor's
+  void set(FaultId id, bool present, int motor = -1) noexcept {
+    const int k = static_cast<int>(id);
+    if (present && !report_.active[k]) {
+      ++report_.count[k];
+      report_.last = id;
+    }
+    if (present) report_.motor[k] = motor;
+    report_.active[k] = present;
+  }
+
+  const FaultReport& report() const noexcept { return report_; }
+
+ private:
+  FaultReport report_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/getting_up/checks/rear_press_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kRate = 0.5;          // [1/s] of the way
+constexpr double kMinRate = 0.01;      // [1/s] of the last bit of it
+constexpr double kAcceleration = 4.0;  // [1/s^2]
+constexpr double kWaitTime = 0.3;      // [s] at the end of the way, for the body to follow
+constexpr double kSettleTime = 0.1;    // [s] before, for it to lie still
+
+}  // namespace
+
+void RearPressCheck::start(const Vector12& reference) noexcept {
+  q_start_ = reference;
+  reference_.q = reference;
+  reference_.dq.setZero();
+  pressing_ = nose_went_down_ = false;
+  tries_ = 0;
+  s_ = ds_ = wait_time_ = 0.0;
+}
+
+const JointReference& RearPressCheck::step(const Quaternion& R_world_base, double load,
+                                           double dt) noexcept {
+  evaluate(R_world_base, load, dt);
+  step_path(dt);
+  return reference_;
+}
+
+// The heading does not count: a body that lies on few points is turned by any press.
+void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, double dt) noexcept {
+  const bool at_end = s_ == (pressing_ ? kMaxExtension : 0.0);
+  wait_time_ = at_end ? wait_time_ + dt : 0.0;
+  if (!pressing_) {
+    if (wait_time_ < kSettleTime || passed() || failed()) return;
+    R_before_ = R_world_base;
+    pressing_ = true;
+    return;
+  }
+  const Eigen::AngleAxisd turned(R_before_.conjugate() * R_world_base);
+  const Vector3 turn = turned.angle() * turned.axis();
+  nose_went_down_ = turn.y() > kMinNoseDown;
+  const bool diagonal_pair = std::abs(turn.x()) > kMaxRoll && load > kDiagonalLoad;
+  const bool wrong_motion = diagonal_pair || turn.y() < -kMaxNoseUp;
+  if (wrong_motion) nose_went_down_ = false;
+  if (!nose_went_down_ && !wrong_motion && wait_time_ < kWaitTime) return;
+  if (!nose_went_down_ && !wrong_motion && load < kMinLoad) nose_went_down_ = true;
+  pressing_ = false;
+  ++tries_;
+}
+
+void RearPressCheck::step_path(double dt) noexcept {
+  const double goal = pressing_ ? kMaxExtension : 0.0, left = goal - s_;
+  const double brake = std::sqrt(kAcceleration * std::abs(left));
+  const double wanted = std::copysign(std::min(kRate, brake), left);
+  ds_ += std::clamp(wanted - ds_, -kAcceleration * dt, kAcceleration * dt);
+  const Vector12 before = plan_.joints_at(s_);
+  s_ += ds_ * dt;
+  if (std::abs(left) <= std::max(std::abs(ds_), kMinRate) * dt && ds_ * left >= 0.0) {
+    s_ = goal;
+    ds_ = 0.0;
+  }
+  const Vector12 now = plan_.joints_at(s_);
+  for (int i = kLegJoints * kFirstLeg; i < kMotors; ++i) {
+    reference_.q[i] = q_start_[i] + now[i] - plan_.folded[i];
+    reference_.dq[i] = (now[i] - before[i]) / dt;
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What legs that do not fold as they should say of the robot.
+#include <algorithm>
+#include <cmath>
+
+#include "supervisor/common/tilt.hpp"
+#include "supervisor/getting_up/folding/leg_folding.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kBodyMoved = 0.1;  // [rad] of the body ...
+constexpr double kHipMoved = 0.45;  // [rad] ... and of a hip: that is no room, but a way
+}  // namespace
+
+int LegFolding::most_catches() const noexcept {
+  int most = 0;
+  for (const Leg& leg : legs_) most = std::max(most, leg.catches);
+  return most;
+}
+
+std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const noexcept {
+  std::array<bool, kLegs> side = {};
+  if (rollover_.releases_legs() || most_catches() < next_weighing_) return side;
+  const int min_tries = rollover_.rolls() > 0 ? 0 : kMinCatches;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const int caught =
+        std::max(legs_[lateral_neighbor(leg)].catches, legs_[diagonal_leg(leg)].catches);
+    side[leg] = caught >= min_tries && folded(leg, measured) &&
+                folded(longitudinal_neighbor(leg), measured);
+  }
+  return side;
+}
+
+// Calves and thighs of a lying robot may have some room where nothing else moves.
+bool LegFolding::pinned(const Vector12& measured, const Vector3& up) const noexcept {
+  bool all = rollover_.rolls() == 0 && std::abs(tilt_angle(up) - tilt_start_) < kBodyMoved;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const int hip = kLegJoints * leg;
+    const bool caught = legs_[leg].catches > 0 && !folded(leg, measured);
+    all = all && caught && std::abs(measured[hip] - q_start_[hip]) < kHipMoved;
+  }
+  return all;
+}
+
+}  // namespace surefoot

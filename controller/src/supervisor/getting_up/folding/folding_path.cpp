@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/getting_up/folding/folding_path.hpp"
+
+#include <cmath>
+
+#include "supervisor/common/smoothstep.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kHipInward = 0.5;        // [rad] hip turned inward: the leg is under the body ...
+constexpr double kThighAhead = -0.3;      // [rad] thigh: ... and points ahead
+constexpr double kHipInwardRolled = 0.4;  // [rad] the same where the body has rolled ...
+constexpr double kStretchAheadLimit =
+    0.8;  // [rad] thigh: ... up to here the leg is stretched ahead ...
+constexpr double kMinStretchReach =
+    -0.8;  // [rad] ... if it can go so far, else not; further back, behind
+constexpr double kStretchTolerance = 0.3;   // [rad] thigh and calf: as near, the hip may open
+constexpr double kKneeOutwardStart = -0.8;  // [rad] thigh: from here the hip is turned outward ...
+constexpr double kKneeOutwardFull = 0.2;    // ... until it is wholly here ...
+constexpr double kKneeOutwardEnd = 1.3;     // ... up to here ...
+constexpr double kKneeUp = 2.2;             // ... and from here on it is straight
+constexpr double kKneeBack = 1.9;           // [rad] thigh: along the body, behind ...
+constexpr double kHipTolerance = 0.2;  // [rad] where a knee that leans stays until its hip is near
+
+// An angle of the thigh, positive the way that it folds.
+double folding_angle(const RisePlan& plan, int thigh, double x) noexcept {
+  return std::copysign(1.0, plan.folded[thigh]) * x;
+}
+
+double forward_limit(const RisePlan& plan, int thigh) noexcept {
+  return plan.folded[thigh] > 0.0 ? plan.lower[thigh] : plan.upper[thigh];
+}
+
+bool must_stretch(const RisePlan& plan, int leg, const Vector3& q, bool rolled) noexcept {
+  const int hip = kLegJoints * leg, thigh = hip + 1;
+  const double inward = -std::copysign(1.0, plan.hip_outward_max[hip]) * q[0];
+  const double thigh_angle = folding_angle(plan, thigh, q[1]);
+  const bool can_reach = folding_angle(plan, thigh, forward_limit(plan, thigh)) < kMinStretchReach;
+  if (thigh_angle < kThighAhead && inward > kHipInward) return can_reach;
+  return rolled && inward > kHipInwardRolled && (thigh_angle >= kStretchAheadLimit || can_reach);
+}
+
+Vector3 stretch_target(const RisePlan& plan, int leg, const Vector3& q) noexcept {
+  const int hip = kLegJoints * leg, thigh = hip + 1;
+  const bool ahead = folding_angle(plan, thigh, q[1]) < kStretchAheadLimit;
+  Vector3 target = plan.folded.segment<kLegJoints>(hip);
+  target[1] = ahead ? forward_limit(plan, thigh) : std::copysign(kKneeBack, target[1]);
+  target[2] = std::copysign(kStretchedCalf, target[2]);
+  const bool is_stretched = (target - q).tail<2>().cwiseAbs().maxCoeff() < kStretchTolerance;
+  target[0] = is_stretched ? plan.hip_outward[hip] : q[0];
+  return target;
+}
+
+}  // namespace
+
+Vector3 folding_target(const RisePlan& plan, int leg, const Vector3& q, double thigh_reference,
+                       FoldingMode mode) noexcept {
+  if (mode.allow_detours && must_stretch(plan, leg, q, mode.rolled))
+    return stretch_target(plan, leg, q);
+  const int hip = kLegJoints * leg, thigh = hip + 1;
+  Vector3 target = plan.folded.segment<kLegJoints>(hip);
+  const double thigh_angle = folding_angle(plan, thigh, q[1]);
+  const double thigh_goal = std::abs(folding_angle(plan, thigh, thigh_reference));
+  const double below =
+      smoothstep((thigh_angle - kKneeOutwardStart) / (kKneeOutwardFull - kKneeOutwardStart));
+  const double beside =
+      1.0 - smoothstep((thigh_goal - kKneeOutwardEnd) / (kKneeUp - kKneeOutwardEnd));
+  target[0] += plan.hip_outward[hip] * below * beside;
+  const bool leans = thigh_goal > kKneeOutwardEnd && std::abs(target[0] - q[0]) > kHipTolerance;
+  if (leans && mode.allow_detours) target[1] = std::copysign(kKneeBack, target[1]);
+  return target;
+}
+
+}  // namespace surefoot

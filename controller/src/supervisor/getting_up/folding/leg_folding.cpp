@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/getting_up/folding/leg_folding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "supervisor/common/tilt.hpp"
+#include "supervisor/getting_up/folding/folding_path.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kSpeed = 1.2;                 // [rad/s]
+constexpr double kAcceleration = 15.0;         // [rad/s^2]
+constexpr double kSettlingRate = 4.0;          // [1/s] how the reference ends
+constexpr double kMaxLead = 0.4;               // [rad] that it may run ahead of its joint
+constexpr double kInterferenceLead = 0.3;      // [rad] of legs that hold each other: none is to fly
+constexpr double kDetourTime = 4.0;            // [s] that ways round are taken
+constexpr double kReleaseTime = 0.03;          // [s] not at once: no step of torque
+constexpr double kReferenceTolerance = 0.005;  // [rad] of the reference
+constexpr double kJointTolerance = 0.25;  // [rad] of the joints: friction and the ground hold them
+constexpr double kMinMovement = 0.1;      // [rad] by which a leg that has not caught moves ...
+constexpr double kCatchTime = 1.0;        // [s] ... in this time
+constexpr double kBackOutTime = 1.5;      // [s] that a leg backs out for
+constexpr double kBackOutStep = 0.6;      // [rad] thigh: how far, on the first try
+
+}  // namespace
+
+void LegFolding::start(const Vector12& measured, const Vector3& up) noexcept {
+  reference_.q = measured;
+  reference_.dq.setZero();
+  tilt_start_ = tilt_angle(up);
+  rollover_.start(up);
+  q_start_ = measured;
+  next_weighing_ = 0;
+  restart(measured, up);
+}
+
+FoldingOrder::Leg LegFolding::order_input(int leg, const Vector12& measured) const noexcept {
+  const int hip = kLegJoints * leg, thigh = hip + 1;
+  return {-std::copysign(1.0, plan_.hip_outward_max[hip]) * measured[hip],
+          std::copysign(1.0, plan_.folded[thigh]) * measured[thigh]};
+}
+
+void LegFolding::restart(const Vector12& measured, const Vector3& up) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    legs_[leg] = {};
+    legs_[leg].q = measured.segment<kLegJoints>(kLegJoints * leg);
+  }
+  time_ = 0.0;
+  done_ = false;
+  order_.start(up,
+               {order_input(FR_, measured), order_input(FL_, measured), order_input(RR_, measured),
+                order_input(RL_, measured)},
+               rollover_.rolls() > 0, wait_);
+}
+
+// Springs that follow their joints: what they trail by damps as the motors do, and that lays the
+// body down.
+void LegFolding::release_legs(const Vector12& measured, const Vector3& up, double dt) noexcept {
+  reference_.q += dt / (dt + kReleaseTime) * (measured - reference_.q);
+  reference_.dq.setZero();
+  restart(measured, up);
+}
+
+bool LegFolding::detect_rollover(const JointReference& held, const Vector3& up,
+                                 double dt) noexcept {
+  rollover_.update(up, dt);
+  if (!rollover_.releases_legs() && !rollover_.rolled_over()) return false;
+  reference_ = held;
+  return true;
+}
+
+bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
+  const int hip = kLegJoints * leg;
+  const auto wanted = plan_.folded.segment<kLegJoints>(hip);
+  const auto off = [&](const Vector12& q) {
+    return (wanted - q.segment<kLegJoints>(hip)).cwiseAbs().maxCoeff();
+  };
+  return off(reference_.q) < kReferenceTolerance && off(measured) < kJointTolerance;
+}
+
+// A leg has caught that neither moves nor is where it is to be.
+void LegFolding::detect_catch(int leg, const Vector12& measured, double dt) noexcept {
+  Leg& own = legs_[leg];
+  if (own.back_out_time > 0.0 || own.rest_time > 0.0) {
+    own.back_out_time -= dt;
+    own.rest_time -= dt;
+    return;
+  }
+  const int hip = kLegJoints * leg;
+  const Vector3 q = measured.segment<kLegJoints>(hip);
+  const Vector3 left = plan_.folded.segment<kLegJoints>(hip) - q;
+  const bool there = left.cwiseAbs().maxCoeff() < kJointTolerance;
+  if (there || (q - own.q).cwiseAbs().maxCoeff() > kMinMovement) {
+    own.q = q;
+    own.still_time = 0.0;
+  }
+  own.still_time += dt;
+  if (own.still_time < kCatchTime) return;
+  own.still_time = 0.0;
+  ++own.catches;
+  // Every other time the leg beside it makes room, which may hold it: both at once only wrestle.
+  Leg& neighbour = legs_[longitudinal_neighbor(leg)];
+  if (own.catches % 2 == 1 || neighbour.back_out_time > 0.0 || neighbour.rest_time > 0.0) {
+    own.back_out_time = kBackOutTime;
+    return;
+  }
+  own.interfered = neighbour.interfered = true;
+  own.rest_time = kBackOutTime;
+  neighbour.q = measured.segment<kLegJoints>(kLegJoints * (longitudinal_neighbor(leg)));
+  neighbour.back_out_time = kBackOutTime;
+  neighbour.catches = std::max(neighbour.catches, 1);
+}
+
+Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
+  const int hip = kLegJoints * leg, thigh = hip + 1;
+  const Leg& own = legs_[leg];
+  if (own.rest_time > 0.0) return measured.segment<kLegJoints>(hip);
+  if (own.back_out_time > 0.0) {
+    Vector3 target = plan_.folded.segment<kLegJoints>(hip);
+    const double left = target[1] - own.q[1];
+    // Who is there already backs out the way it came.
+    const double way = std::abs(left) < kJointTolerance ? target[1] : left;
+    const double step = std::copysign(own.catches * kBackOutStep, way);
+    target[0] = plan_.hip_outward_max[hip];
+    target[1] = std::clamp(own.q[1] - step, plan_.lower[thigh], plan_.upper[thigh]);
+    target[2] = std::copysign(kStretchedCalf, target[2]);
+    return target;
+  }
+  return folding_target(plan_, leg, measured.segment<kLegJoints>(hip), reference_.q[thigh],
+                        {own.time < kDetourTime, rollover_.rolls() > 0});
+}
+
+void LegFolding::step_joint(int joint, double wanted, double measured, double dt) noexcept {
+  double &q = reference_.q[joint], &dq = reference_.dq[joint];
+  const double left = wanted - q;
+  const double lead = legs_[joint / kLegJoints].interfered ? kInterferenceLead : kMaxLead;
+  const double ahead = std::copysign(1.0, left) * (q - measured) / lead;
+  const double most = kSpeed * std::clamp(2.0 * (1.0 - ahead), 0.0, 1.0);
+  const double speed = std::clamp(kSettlingRate * left, -most, most);
+  dq += std::clamp(speed - dq, -kAcceleration * dt, kAcceleration * dt);
+  q += dq * dt;
+}
+
+const JointReference& LegFolding::step(const Vector12& measured, const Vector3& up,
+                                       double dt) noexcept {
+  rollover_.update(up, dt);
+  if (rollover_.releases_legs()) {
+    release_legs(measured, up, dt);
+    return reference_;
+  }
+  time_ += dt;
+  bool others_folded = true;
+  done_ = true;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!order_.waits(leg)) step_leg(leg, measured, dt);
+    const bool folded = this->folded(leg, measured);
+    others_folded = others_folded && (folded || order_.waits(leg));
+    done_ = done_ && folded;
+  }
+  order_.update(others_folded, dt);
+  return reference_;
+}
+
+void LegFolding::step_leg(int leg, const Vector12& measured, double dt) noexcept {
+  legs_[leg].time += dt;
+  detect_catch(leg, measured, dt);
+  const Vector3 wanted = target(leg, measured);
+  for (int i = 0; i < kLegJoints; ++i) {
+    const int joint = kLegJoints * leg + i;
+    step_joint(joint, wanted[i], measured[joint], dt);
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/getting_up/joint_impedance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "safety/holding_torques.hpp"
+#include "safety/motor_limits.hpp"
+#include "safety/power_limiter.hpp"
+#include "supervisor/common/motor_measurements.hpp"
+#include "supervisor/common/smoothstep.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kMaxDeflection = 0.45;  // [rad] beyond which a spring pulls no harder
+constexpr double kTorqueShare = 0.9;     // of what the motor can do
+constexpr double kLiftShare = 0.75;      // of it for holding, where there is to be some for lifting
+constexpr double kReleaseSpeed = 2.0;  // [rad/s] faster than its reference: a joint lets go of ...
+constexpr double kReleaseSpeedRange = 2.0;  // ... its spring within this much more
+constexpr double kFallRateStart =
+    0.6;                              // [rad/s] faster: the body may fall, and legs brake less ...
+constexpr double kFallRateEnd = 1.6;  // [rad/s] ... until here ...
+constexpr double kMinDampingShare = 0.25;  // ... they brake this much of what they would
+constexpr double kSmoothing = 0.02;        // [s] of that: no step of torque
+constexpr double kLoadedShare = 0.1;  // of the body's weight: legs that bear so much are not caught
+}  // namespace
+
+JointImpedance::JointImpedance(const Robot& robot, const RisePlan& plan, double watts)
+    : robot_(robot),
+      dynamics_(robot),
+      state_(robot.nq(), robot.nv()),
+      stiffness_(plan.stiffness),
+      full_damping_(plan.damping),
+      damping_(plan.damping),
+      power_limit_(watts) {
+  R_base_imu_ = quaternion_wxyz(robot.config().quat_base_imu);
+}
+
+void JointImpedance::read(const LowState& state) noexcept {
+  dq_ = measured_velocities(state);
+  for (int i = 0; i < kMotors; ++i) {
+    q_[i] = state.motorState[i].q;
+    state_.q[robot_.motor_to_q()[i]] = q_[i];
+  }
+  const std::array<float, 4> imu = state.imu.quaternion;  // packed: copied
+  const Quaternion R_world_imu(imu[0], imu[1], imu[2], imu[3]);
+  R_world_base_ = (R_world_imu * R_base_imu_.conjugate()).normalized();
+  state_.q.segment<4>(3) = R_world_base_.coeffs();
+}
+
+void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
+  const double falling =
+      std::clamp((turn_rate - kFallRateStart) / (kFallRateEnd - kFallRateStart), 0.0, 1.0);
+  const double wanted = (1.0 - (1.0 - kMinDampingShare) * falling) * full_damping_;
+  damping_ += dt / (dt + kSmoothing) * (wanted - damping_);
+}
+
+// A spring that pulls with tau and comes free takes (tau - D dq) dq, which is most at
+// dq = tau / (2 D): tau^2 / (4 D).
+Vector12 JointImpedance::limit_released_power(const Vector12& pull) const noexcept {
+  const double released = (stiffness_ * pull).squaredNorm() / (4.0 * damping_);
+  return pull * std::sqrt(std::min(1.0, power_limit_ / std::max(released, 1e-9)));
+}
+
+// At the pose that dynamics_ was last updated for.
+Vector12 JointImpedance::gravity_torques(double load) noexcept {
+  state_.f_sustained = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
+  return holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
+}
+
+bool JointImpedance::can_hold() noexcept {
+  dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
+  const Vector12 most = kLiftShare * torque_share_.cwiseProduct(robot_.config().tau_max);
+  return (gravity_torques(1.0).cwiseAbs() - most).maxCoeff() < 0.0;
+}
+
+Vector12 JointImpedance::leg_gravity_torques() noexcept {
+  dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
+  return gravity_torques(0.0);
+}
+
+double JointImpedance::load_share(const Vector12& measured) noexcept {
+  const Vector12 leg_gravity_torques = this->leg_gravity_torques(),
+                 direction = gravity_torques(1.0) - leg_gravity_torques;
+  return direction.dot(measured - leg_gravity_torques) / std::max(direction.squaredNorm(), 1e-9);
+}
+
+Vector12 JointImpedance::torques(const JointReference& reference, double load) noexcept {
+  dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
+  Vector12 hold = gravity_torques(load);
+  Vector12 pull = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
+  // Legs of a body that lies may be caught, also where the rear ones press and hold part of it up.
+  const Vector12 freed = limit_released_power(pull);
+  pull = freed + smoothstep(load / kLoadedShare) * (pull - freed);
+  // What slips off an obstacle must not be flung: that alone takes more power than the rise.
+  for (int i = 0; i < kMotors; ++i) {
+    const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
+    pull[i] *= std::clamp(1.0 - (ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
+  }
+  Vector12 tau = hold + stiffness_ * pull + damping_ * reference.dq;
+  const RobotConfig& config = robot_.config();
+  for (int i = 0; i < kMotors; ++i) {
+    const double share = kTorqueShare * torque_share_[i], most = share * config.tau_max[i];
+    tau[i] = within_motor_limits(config, i, tau[i], dq_[i], share);
+    // Less power is nearer to it. Not by speed: a report that lies about that lets go of nothing.
+    hold[i] = std::clamp(hold[i], -most, most);
+  }
+  const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
+  if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;
+  const double braking = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
+  // Against what the motors add by themselves: what they make is nearer to holding.
+  const Vector12 counter_torque = hold + (1.0 - braking) * damping_ * dq_;
+  return counter_torque.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);
+}
+
+}  // namespace surefoot

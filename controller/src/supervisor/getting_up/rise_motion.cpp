@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/getting_up/rise_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "supervisor/common/smoothstep.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kAcceleration = 2.0;   // [1/s^2]: a body's 2 m/s^2 at most, far inside friction
+constexpr double kMinRate = 0.01;       // [1/s] of the last bit of the way
+constexpr double kLoadingRange = 0.25;  // of the way, in which the legs take over the weight
+constexpr double kFadeTime = 1.0;       // [s] in which what joints were off fades out
+constexpr double kMaxLag = 0.35;        // [rad] that a joint may be behind before the motion waits
+
+}  // namespace
+
+void RiseMotion::start(double s, const Vector12& joints) noexcept {
+  s_ = goal_ = s;
+  ds_ = stalled_time_ = time_ = 0.0;
+  offset_ = joints - plan_.joints_at(s);
+  reference_.q = joints;
+  reference_.dq.setZero();
+}
+
+double RiseMotion::load() const noexcept { return smoothstep(s_ / kLoadingRange); }
+
+bool RiseMotion::arrived() const noexcept { return s_ == goal_ && time_ >= kFadeTime; }
+
+const JointReference& RiseMotion::step(const Vector12& measured, double dt) noexcept {
+  const double remaining = goal_ - s_;
+  const bool lagging = (reference_.q - measured).cwiseAbs().maxCoeff() > kMaxLag;
+  stalled_time_ = lagging && remaining != 0.0 ? stalled_time_ + dt : 0.0;
+  // Fast enough to be there soon, slow enough for the power and to stop at the end.
+  const double braking_rate = std::sqrt(kAcceleration * std::abs(remaining));
+  double max_rate = std::max(std::min(plan_.rate_at(s_), braking_rate), kMinRate);
+  if (lagging && remaining > 0.0)
+    max_rate = 0.0;  // on the way down it goes on: there is no better place
+  ds_ +=
+      std::clamp(std::copysign(max_rate, remaining) - ds_, -kAcceleration * dt, kAcceleration * dt);
+  time_ += dt;
+  s_ = std::clamp(s_ + ds_ * dt, 0.0, 1.0);
+  if (std::abs(remaining) <= std::abs(ds_) * dt && ds_ * remaining >= 0.0) {
+    s_ = goal_;
+    ds_ = 0.0;
+  }
+  const double offset_share = 1.0 - smoothstep(time_ / kFadeTime);
+  const Vector12 q = plan_.joints_at(s_) + offset_share * offset_;
+  reference_.dq = (q - reference_.q) / dt;
+  reference_.q = q;
+  return reference_;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "supervisor/getting_up/rise_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/dynamics.hpp"
+#include "safety/holding_torques.hpp"
+#include "surefoot/error.hpp"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kStopMargin = 0.1;  // [rad] kept from the joints' ends
+constexpr double kFoldedDepth =
+    0.14;  // of the standing depth: soles just above the ground of a lying robot
+constexpr double kHipOutwardShare = 0.6;  // of the hips' range; beyond it thighs touch trunks
+constexpr double kMaxHipOutward = 0.7;    // [rad]
+constexpr double kSpeedShare = 0.3;       // of the joints' greatest speed
+constexpr double kMaxRate = 0.8;          // [1/s] nobody is in a hurry
+constexpr double kStiffness =
+    1.05;  // of m g times standing depth, per rad: a leg sags by 3 degrees
+constexpr double kDampingTime =
+    0.03;  // [s] damping over stiffness: what delay and lag leave stable
+
+/// Dynamics of the robot lying level at the origin, at rest, in joint angles in motor order.
+class LyingPose {
+ public:
+  explicit LyingPose(const Robot& robot)
+      : robot_(robot), dynamics_(robot), state_(robot.nq(), robot.nv()) {}
+  const Dynamics& at(const Vector12& joints) {
+    for (int i = 0; i < kMotors; ++i) state_.q[robot_.motor_to_q()[i]] = joints[i];
+    dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
+    return dynamics_;
+  }
+  Vector12 hold(const Vector12& joints) {
+    return holding_torques(at(joints), robot_.mass(), state_, Eigen::Vector4d::Ones());
+  }
+
+ private:
+  Robot robot_;
+  Dynamics dynamics_;
+  RobotState state_;
+};
+
+double foot_depth(LyingPose& pose, const Vector12& joints, int leg) {
+  return -pose.at(joints).legs()[leg].p_world_contact.z();
+}
+
+// The calf as it is folded, the foot straight below the hip.
+void crouch_leg(int leg, const RisePlan& plan, Vector12& joints) {
+  joints[3 * leg + 2] = plan.folded[3 * leg + 2];
+  joints[3 * leg + 1] = -0.5 * joints[3 * leg + 2];
+}
+
+// The calf near its stop on the side that it bends to; the thigh turned back until the foot is up.
+void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth, Vector12& joints) {
+  const int thigh = 3 * leg + 1, calf = 3 * leg + 2;
+  const bool negative = config.q_standing[calf] < 0.0;
+  joints[calf] = negative ? config.q_lower[calf] + kStopMargin : config.q_upper[calf] - kStopMargin;
+  double low = -0.5 * joints[calf];  // the foot straight below the hip
+  double high =
+      negative ? config.q_upper[thigh] - kStopMargin : config.q_lower[thigh] + kStopMargin;
+  for (int k = 0; k < 40; ++k) {
+    joints[thigh] = 0.5 * (low + high);
+    (foot_depth(pose, joints, leg) > depth ? low : high) = joints[thigh];
+  }
+}
+
+void plan_rates(const RobotConfig& config, LyingPose& pose, double watts, RisePlan& plan) {
+  for (int k = 0; k < RisePlan::kSamples; ++k) {
+    const double s = double(k) / (RisePlan::kSamples - 1);
+    const Vector12 direction = plan.direction_at(s), tau = pose.hold(plan.joints_at(s));
+    double rate = kMaxRate;
+    for (int i = 0; i < kMotors; ++i) {
+      rate =
+          std::min(rate, kSpeedShare * config.dq_max[i] / std::max(std::abs(direction[i]), 1e-9));
+      plan.torque_share = std::max(plan.torque_share, std::abs(tau[i]) / config.tau_max[i]);
+    }
+    const double work = tau.cwiseProduct(direction).cwiseAbs().sum();  // [J] per unit of s
+    plan.rate[k] = std::min(rate, watts / work);
+    plan.time += 1.0 / (plan.rate[k] * RisePlan::kSamples);
+  }
+}
+
+}  // namespace
+
+double RisePlan::rate_at(double s) const noexcept {
+  const double x = std::clamp(s, 0.0, 1.0) * (kSamples - 1);
+  const int k = std::min(static_cast<int>(x), kSamples - 2);
+  return rate[k] + (x - k) * (rate[k + 1] - rate[k]);
+}
+
+double RisePlan::nearest(const Vector12& joints) const noexcept {
+  double best = 0.0;
+  for (int k = 1; k < kSamples; ++k) {
+    const double s = double(k) / (kSamples - 1);
+    if ((joints_at(s) - joints).norm() < (joints_at(best) - joints).norm()) best = s;
+  }
+  return best;
+}
+
+RisePlan plan_rise(const Robot& robot, double watts) {
+  const RobotConfig& config = robot.config();
+  if (robot.nv() != 6 + kMotors) {
+    throw Error("robot '" + config.name + "': got nv = " + std::to_string(robot.nv()) +
+                ", expected 18 to plan a rise");
+  }
+  LyingPose pose(robot);
+  RisePlan plan;
+  plan.standing = plan.folded = plan.crouched = config.q_standing;
+  plan.lower = config.q_lower.array() + kStopMargin;
+  plan.upper = config.q_upper.array() - kStopMargin;
+  double depth = 0.0;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    const double standing = foot_depth(pose, plan.standing, leg);
+    const double outward =
+        pose.at(plan.standing).legs()[leg].p_world_contact.y() < 0.0 ? -1.0 : 1.0;
+    const int hip = 3 * leg;
+    plan.hip_outward_max[hip] = outward < 0.0 ? plan.lower[hip] : plan.upper[hip];
+    const double range = outward < 0.0 ? -config.q_lower[hip] : config.q_upper[hip];
+    plan.hip_outward[hip] = outward * std::min(kMaxHipOutward, kHipOutwardShare * range);
+    fold_leg(pose, config, leg, kFoldedDepth * standing, plan.folded);
+    crouch_leg(leg, plan, plan.crouched);
+    depth += standing / kLegs;
+  }
+  plan.stiffness = kStiffness * robot.mass() * kGravity * depth;
+  plan.damping = kDampingTime * plan.stiffness;
+  plan_rates(config, pose, watts, plan);
+  return plan;
+}
+
+}  // namespace surefoot

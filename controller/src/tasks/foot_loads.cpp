@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tasks/foot_loads.hpp"
+
+namespace surefoot {
+
+namespace {
+
+// From `lost` at no belief to `held` at full belief; nothing for a swing foot.
+double scaled_by_contact(double lost, double held, double contact,
+                         const FootReference& foot) noexcept {
+  const double share = lost + std::clamp(contact, 0.0, 1.0) * (held - lost);
+  return planned_load(foot) * share;
+}
+
+}  // namespace
+
+Eigen::Vector4d normal_force_limits(const Gains& gains, double weight,
+                                    const Eigen::Vector4d& contact,
+                                    const Reference& reference) noexcept {
+  Eigen::Vector4d limits;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    limits[leg] = weight * scaled_by_contact(gains.force_lost_contact, gains.force_max_contact,
+                                             contact[leg], reference.feet[leg]);
+  }
+  return limits;
+}
+
+Eigen::Vector4d load_shares(const Gains& gains, const Eigen::Vector4d& contact,
+                            const Reference& reference) noexcept {
+  Eigen::Vector4d shares;
+  for (int leg = 0; leg < kLegs; ++leg) {
+    shares[leg] =
+        scaled_by_contact(gains.share_lost_contact, 1.0, contact[leg], reference.feet[leg]);
+  }
+  return shares;
+}
+
+}  // namespace surefoot

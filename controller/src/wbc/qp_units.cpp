@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/dynamics.hpp"
+#include "surefoot/error.hpp"
+#include "wbc/condensation.hpp"
+#include "wbc/qp_layout.hpp"
+
+namespace surefoot {
+
+namespace {
+
+// A leg's Jacobian may shrink to this share of what it is in the standing pose: less is a knee
+// nearly straight or a foot near hip height, where accelerations run away.
+constexpr double kSmallestShare = 0.1;
+
+// Angular acceleration of the base per force on the feet, per axis: with the feet in place, as the
+// program has it, or for robots that the condensed form does not know, of the locked robot.
+Vector3 angular_row_lengths(const Dynamics& dynamics) {
+  Eigen::Matrix<double, 3, 12> rows;
+  Condensed condensed;
+  if (dynamics.condensable() &&
+      condense(dynamics, FeetMatrix::Zero(), Vector6::Zero(), 0.0, condensed)) {
+    rows = condensed.B.bottomRows<3>();
+  } else {
+    const Matrix3 inverse = dynamics.I_world_com().inverse();
+    for (int leg = 0; leg < kLegs; ++leg) {
+      const Vector3 arm = dynamics.legs()[leg].p_world_contact - dynamics.p_world_com();
+      rows.middleCols<3>(3 * leg) = inverse * skew(arm);
+    }
+  }
+  return rows.rowwise().norm();
+}
+
+}  // namespace
+
+QpUnits::QpUnits(const Robot& robot) {
+  Dynamics dynamics(robot);
+  dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
+  double determinant = std::numeric_limits<double>::infinity();
+  double depth = 0.0, arm_squared = 0.0;
+  for (const LegDynamics& leg : dynamics.legs()) {
+    determinant = std::min(determinant, std::abs(leg.J_leg.determinant()));
+    depth += leg.depth / kLegs;
+    arm_squared += (leg.p_world_contact - dynamics.p_world_com()).squaredNorm() / kLegs;
+  }
+  if (!(determinant > 1e-9 && depth > 0.0)) {
+    throw Error("robot '" + robot.config().name +
+                "': a leg is singular in the standing pose; expected every foot well below its hip "
+                "and no straight knee");
+  }
+  force = robot.mass() * kGravity / kLegs;
+  length = depth;
+  linear = kGravity;
+  angular = kGravity / length;
+  scale_com = robot.mass() / std::sqrt(double(kLegs)) / force;
+  scale_base = scale_com;
+  scale_angular = std::sqrt(3.0) / angular_row_lengths(dynamics).norm() / force;
+  scale_momentum = 1.0 / std::sqrt(2.0 * kLegs * arm_squared / 3.0) / force;
+  smallest_determinant = kSmallestShare * determinant;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/released_legs.hpp"
+
+#include <algorithm>
+
+#include "tasks/foot_loads.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kReleasedRange = 1e4;  // [rad/s^2] that no body asks of a leg
+constexpr int kSweeps = 20;             // from which on it changes next to nothing
+constexpr double kMinLever = 1e-9;      // [m^2] of a joint that does not move the foot
+
+// [rad/s^2] of a leg's joints.
+struct Bounds {
+  Vector3 lower, upper;
+  bool hold(const Vector3& a) const noexcept {
+    return (a.array() >= lower.array()).all() && (a.array() <= upper.array()).all();
+  }
+};
+
+bool is_released(const JointLimits& limits, int leg) noexcept {
+  return limits.a_released.segment<3>(3 * leg).maxCoeff() > 0.0;
+}
+
+// What a leg may do, and no further from what is asked than it was let go by: what a limit that all
+// must keep gave way by is not its own.
+Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& asked) noexcept {
+  Bounds bounds;
+  for (int j = 0; j < 3; ++j) {
+    const int k = 3 * leg + j;
+    bounds.lower[j] = std::min(limits.a_lower[k], asked[j] + limits.a_released[k]);
+    bounds.upper[j] = std::max(limits.a_upper[k], asked[j] - limits.a_released[k]);
+  }
+  return bounds;
+}
+
+// Accelerations of a leg's joints within bounds with which its foot does most nearly what it was
+// asked: least squares, one joint after the other (projected Gauss-Seidel).
+Vector3 nearest_within(const Matrix3& J, const Vector3& asked, const Bounds& bounds) noexcept {
+  Vector3 a = asked.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  Vector3 missing = J * (asked - a);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int j = 0; j < 3; ++j) {
+      const Vector3 column = J.col(j);
+      const double step = column.dot(missing) / std::max(column.squaredNorm(), kMinLever);
+      const double next = std::clamp(a[j] + step, bounds.lower[j], bounds.upper[j]);
+      missing -= (next - a[j]) * column;
+      a[j] = next;
+    }
+  }
+  return a;
+}
+
+// What a leg does otherwise than it was asked, so as to keep its own limits.
+Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
+                        const Vector3& asked) noexcept {
+  const Bounds bounds = released_bounds(limits, leg, asked);
+  if (bounds.hold(asked)) return Vector3::Zero();
+  return nearest_within(J, asked, bounds) - asked;
+}
+
+}  // namespace
+
+void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
+                           const Reference& reference, JointLimits& limits) noexcept {
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const int leg = joints[k].group;
+    double load = 1.0;
+    if (leg < kLegs) {
+      load = planned_load(reference.feet[leg]) * std::clamp(contact[leg], 0.0, 1.0);
+    }
+    limits.a_released[k] = kReleasedRange * (1.0 - fade) * (1.0 - load);
+  }
+}
+
+void limit_foot_accelerations(const Dynamics& dynamics, const JointLimits& limits,
+                              double smallest_determinant, FeetMatrix& feet_acceleration) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!is_released(limits, leg)) continue;
+    const LegDynamics& L = dynamics.legs()[leg];
+    Matrix3 inverse;
+    bool invertible = false;
+    L.J_leg.computeInverseWithCheck(inverse, invertible, smallest_determinant);
+    if (!invertible) continue;
+    const Vector3 asked = inverse * (feet_acceleration.col(leg) - L.drift);
+    feet_acceleration.col(leg) += L.J_leg * clamping_change(limits, leg, L.J_leg, asked);
+  }
+}
+
+void clamp_released_legs(const JointTable& joints, const Dynamics& dynamics,
+                         const JointLimits& limits, Eigen::VectorXd& accelerations,
+                         Eigen::VectorXd& torques) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!is_released(limits, leg)) continue;
+    const LegDynamics& L = dynamics.legs()[leg];
+    const int first = 3 * leg;
+    Vector3 asked;
+    for (int j = 0; j < 3; ++j) asked[j] = accelerations[joints[first + j].v];
+    const Vector3 change = clamping_change(limits, leg, L.J_leg, asked);
+    for (int j = 0; j < 3; ++j) accelerations[joints[first + j].v] += change[j];
+    torques.segment<3>(first) += L.M_leg * change;
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/support_edge.hpp"
+
+#include <algorithm>
+
+#include "reference/capture_margin.hpp"
+
+namespace surefoot {
+
+namespace {
+constexpr double kInsideFallShare =
+    0.35;  // [g] more that may be asked downwards away from the edge
+constexpr double kInsideTurnFactor =
+    30.0;                          // [g / length] more of tilting back, growing with its square
+constexpr double kRiseFade = 1.6;  // from 3/8 of edge_rise on it turns back less
+}  // namespace
+
+double edge_fade(const Gains& gains, const Dynamics& dynamics,
+                 const Reference& reference) noexcept {
+  const double margin = capture_margin(dynamics, reference) / gains.edge_margin;
+  return std::clamp(margin, 0.0, 1.0);
+}
+
+void bound_at_edge(const Gains& gains, double fade, double length, double v_up,
+                   BodyAcceleration& desired) noexcept {
+  const double least_lift = (gains.edge_load - 1.0 - kInsideFallShare * fade) * kGravity;
+  desired.a.z() = std::max(desired.a.z(), least_lift);
+  const double slow = std::clamp(kRiseFade * (1.0 - v_up / gains.edge_rise), 0.0, 1.0);
+  const double most_turning = slow * (1.0 + kInsideTurnFactor * fade * fade) * kGravity / length;
+  const double asked = desired.alpha.head<2>().norm();
+  if (asked > most_turning) desired.alpha.head<2>() *= most_turning / asked;
+}
+
+}  // namespace surefoot

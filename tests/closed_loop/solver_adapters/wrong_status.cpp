@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Warm: says solved of an answer that is off. Cold: says nothing, or that it failed where it has
+// not, by turns of the program's first entry. Has nothing against the heap.
+#include "exact_solver.hpp"
+
+namespace {
+
+class WrongStatusSolver : public ExactSolver {
+ public:
+  explicit WrongStatusSolver(const bench::Setup& setup) : ExactSolver(setup), warm_(setup.warm) {}
+  bench::SolveStatus solve() override {
+    std::vector<double>(100).swap(discarded_);
+    ExactSolver::solve();
+    if (warm_) x_[0] += 1e-4;
+    if (warm_) return bench::SolveStatus::kSolved;
+    return problem_.g[0] > 0.0 ? bench::SolveStatus::kFailed : bench::SolveStatus::kUnknown;
+  }
+
+ private:
+  bool warm_;
+  std::vector<double> discarded_;
+};
+
+}  // namespace
+
+std::unique_ptr<bench::Adapter> bench::make_adapter(const Setup& setup) {
+  return std::make_unique<WrongStatusSolver>(setup);
+}

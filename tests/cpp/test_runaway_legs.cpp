@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Legs whose foot slides off, or has lost the ground, and that their own torques fling.
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "robot_states.hpp"
+#include "safety/runaway_legs.hpp"
+#include "surefoot/stand_controller.hpp"
+
+using namespace surefoot;
+
+BOOST_AUTO_TEST_SUITE(runaway_legs)
+
+constexpr double kTick = 0.002;  // [s]
+
+// FR's thigh gathers ddq [rad/s^2] from dq [rad/s] on for 10 ticks: by how much its power rises.
+double rise(double ddq, double tau, double dq = 0.0) {
+  RunawayLegs legs;
+  Vector12 speeds = Vector12::Constant(0.1), torques = Vector12::Constant(5.0);
+  torques[1] = tau;
+  for (int k = 0; k < 10; ++k) {
+    speeds[1] = dq + k * kTick * ddq;
+    legs.update(speeds, kTick);
+  }
+  BOOST_TEST(legs.power_rise(torques, 1) == 0.0);
+  return legs.power_rise(torques, 0);
+}
+
+BOOST_AUTO_TEST_CASE(power_rise_counts_only_torques_that_drive_the_joint) {
+  const auto percent = boost::test_tools::tolerance(0.01);
+  BOOST_TEST(rise(0.0, 10.0) == 0.0);
+  BOOST_TEST(rise(200.0, 10.0) == 10.0 * 200.0 * 0.015, percent);
+  BOOST_TEST(rise(-200.0, -10.0) == 10.0 * 200.0 * 0.015, percent);
+  BOOST_TEST(rise(200.0, -10.0) == 0.0);        // they brake it
+  BOOST_TEST(rise(200.0, 10.0, -10.0) == 0.0);  // they still do in 15 ms
+  // -2.4 rad/s by now, 3.6 in 15 ms: they drive it from rest on.
+  BOOST_TEST(rise(400.0, 10.0, -9.6) == 10.0 * 3.6, percent);
+}
+
+BOOST_AUTO_TEST_CASE(gaps_nan_and_speed_jumps_detect_no_runaway_leg) {
+  const Vector12 torques = Vector12::Constant(10.0);
+  RunawayLegs legs;
+  const auto after = [&](double dq, double dt) {
+    legs.update(Vector12::Constant(dq), dt);
+    return legs.power_rise(torques, 2);
+  };
+  BOOST_TEST(after(3.0, kTick) == 0.0);  // the first
+  BOOST_TEST(after(3.5, kTick) > 10.0);
+  BOOST_TEST(after(4.0, 0.010) == 0.0);  // a gap, as long as a gap is ever told
+  BOOST_TEST(after(4.5, kTick) > 10.0);
+  BOOST_TEST(after(std::nan(""), kTick) == 0.0);
+  BOOST_TEST(after(4.5, kTick) == 0.0);
+  BOOST_TEST(after(5.0, kTick) > 10.0);
+  BOOST_TEST(after(17.0, kTick) == 0.0);  // a lie, and the truth after it
+  BOOST_TEST(after(5.1, kTick) == 0.0);
+  BOOST_TEST(after(5.6, kTick) > 10.0);
+  legs.reset();
+  BOOST_TEST(after(6.0, kTick) == 0.0);
+}
+
+// Noise of an encoder's speed, 0.05 rad/s, at the torques of a stand: far below a leg's share of
+// the least power there is, 90 W / 4.
+BOOST_AUTO_TEST_CASE(encoder_noise_detects_no_runaway_leg) {
+  std::mt19937 generator(1);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  double most = 0.0;
+  for (const double dt : {0.001, kTick}) {
+    RunawayLegs legs;
+    for (int k = 0; k < 100000; ++k) {
+      Vector12 dq;
+      for (double& speed : dq) speed = noise(generator);
+      legs.update(dq, dt);
+      most = std::max(most, legs.power_rise(Vector12::Constant(8.0), 0));
+    }
+  }
+  BOOST_TEST(most < 0.9 * 90.0 / 4.0);
+}
+
+/// Two controllers, one of them with a limit [W], on a robot whose right fore calf gathers speed.
+struct RunawayScene {
+  explicit RunawayScene(double watts)
+      : free(robot), limited(robot, robot.config().gains, options_with_limit(watts)) {
+    for (int k = 0; k < 20; ++k) step(0.0);
+    along = command.motorCmd[FR_2].tau > 0.0F ? 1.0F : -1.0F;
+  }
+  static StandOptions options_with_limit(double watts) {
+    StandOptions options;
+    options.power_limit = watts;
+    return options;
+  }
+  void step(float dq) {
+    report.tick += 2;
+    report.motorState[FR_2].dq = along * dq;
+    unlimited_command = free.update(report);
+    command = limited.update(report);
+    Vector12 speeds = Vector12::Zero(), torques;
+    speeds[FR_2] = report.motorState[FR_2].dq;
+    for (int i = 0; i < kMotors; ++i) torques[i] = unlimited_command.motorCmd[i].tau;
+    legs.update(speeds, kTick);
+    rise = legs.power_rise(torques, 0);
+  }
+  void accelerate_leg() {
+    for (int k = 1; k <= 3; ++k) step(0.6F * static_cast<float>(k));
+  }
+  /// What a leg is left of its torques.
+  double torque_ratio(int leg) const {
+    const int calf = kLegJoints * leg + 2;
+    return command.motorCmd[calf].tau / unlimited_command.motorCmd[calf].tau;
+  }
+  bool same(int motor) const {
+    return command.motorCmd[motor].tau == unlimited_command.motorCmd[motor].tau;
+  }
+
+  Robot robot = quadruped();
+  StandController free, limited;
+  RunawayLegs legs;
+  LowState report = resting_sample(robot, 0);
+  LowCmd unlimited_command, command;
+  double rise = 0.0;  // [W] of that leg, by the torques without a limit
+  float along = 1.0F;
+};
+
+BOOST_AUTO_TEST_CASE(only_a_runaway_leg_is_limited_to_its_power_share) {
+  RunawayScene robot(40.0);
+  robot.accelerate_leg();
+  BOOST_TEST(robot.rise > 1.2 * 10.0);
+  BOOST_TEST(std::abs(robot.torque_ratio(0) * robot.rise - 10.0) < 0.3);
+  BOOST_TEST((robot.limited.status() == Status::kSaturated));
+  BOOST_TEST(robot.limited.power_scale() == 1.0);
+  BOOST_TEST(robot.limited.command_power() < robot.free.command_power());
+  for (int leg = 1; leg < kLegs; ++leg) BOOST_TEST(std::abs(robot.torque_ratio(leg) - 1.0) < 0.02);
+  for (int k = 0; k < 10; ++k) robot.step(1.8F);
+  BOOST_TEST(std::abs(robot.torque_ratio(0) - 1.0) < 0.02);
+  BOOST_TEST((robot.limited.status() == Status::kOk));
+}
+
+BOOST_AUTO_TEST_CASE(power_limit_above_the_rise_leaves_torques_identical) {
+  RunawayScene probe(1e6);
+  probe.accelerate_leg();
+  RunawayScene above(1.02 * kLegs * probe.rise), below(0.98 * kLegs * probe.rise);
+  above.accelerate_leg();
+  below.accelerate_leg();
+  for (int i = 0; i < kMotors; ++i) BOOST_TEST((probe.same(i) && above.same(i)));
+  BOOST_TEST(!below.same(FR_2));
+}
+
+BOOST_AUTO_TEST_CASE(lost_leg_is_not_checked_for_runaway) {
+  RunawayScene robot(2.0);  // its torques are small, and not sent at all
+  for (StandController* c : {&robot.free, &robot.limited}) c->give_up_leg(0);
+  for (int k = 0; k < 5; ++k) robot.step(0.0F);
+  const int calf = robot.robot.motor_to_v()[FR_2] - 6;
+  robot.along = robot.free.solution().torques[calf] > 0.0 ? 1.0F : -1.0F;
+  for (int k = 1; k <= 3; ++k) {
+    robot.step(0.6F * static_cast<float>(k));
+    BOOST_TEST((robot.limited.status() == robot.free.status()));
+    BOOST_TEST(robot.limited.command_power() == robot.free.command_power());
+  }
+}
+
+// A leg that takes the body's weight from a fall brakes; by the time it drives, the body is slow.
+BOOST_AUTO_TEST_CASE(landing_leg_is_not_a_runaway_leg) {
+  RunawayLegs legs;
+  double most = 0.0;
+  for (int k = 0; k < 200; ++k) {  // critically damped, from 5 rad/s, 10 N.m a motor
+    const double t = k * kTick, w = 20.0;
+    legs.update(Vector12::Constant(5.0 * (w * t - 1.0) * std::exp(-w * t)), kTick);
+    most = std::max(most, legs.power_rise(Vector12::Constant(10.0), 0));
+  }
+  BOOST_TEST(most < 90.0 / 4.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

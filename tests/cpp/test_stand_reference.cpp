@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <boost/test/unit_test.hpp>
+
+#include "capture_point_robot.hpp"
+#include "reference/stand_reference.hpp"
+#include "robot_states.hpp"
+
+using namespace surefoot;
+
+namespace {
+
+struct StandReferenceFixture {
+  Robot robot = quadruped();
+  Gains gains;
+  Dynamics dynamics{robot};
+  RobotState state = random_state(robot, 2, 0.0);
+  StandReference stand{robot};
+  StandReferenceFixture() {
+    dynamics.update(state.q, state.v, Vector3::UnitZ());
+    stand.latch(dynamics, state.q);
+  }
+  // The whole scene, robot and ground, moved in the world: what drift looks like.
+  Dynamics drifted(const Vector3& p, const Quaternion& R) const {
+    Eigen::VectorXd q = state.q;
+    q.head<3>() = p + R * Vector3(q.head<3>());
+    q.segment<4>(3) = (R * Quaternion(q[6], q[3], q[4], q[5])).coeffs();
+    Dynamics d(robot);
+    d.update(q, state.v, Vector3::UnitZ());
+    return d;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(reference)
+
+BOOST_AUTO_TEST_CASE(so3_exponential_and_logarithm_are_inverse) {
+  for (int seed = 0; seed < 50; ++seed) {
+    std::srand(static_cast<unsigned>(seed));
+    const Vector3 w = 1.7 * Vector3::Random();
+    BOOST_TEST((log_so3(exp_so3(w)) - w).norm() < 1e-12);
+    Quaternion q = exp_so3(w);
+    q.coeffs() *= -1.0;  // the same rotation
+    BOOST_TEST((log_so3(q) - w).norm() < 1e-12);
+  }
+  BOOST_TEST(log_so3(exp_so3(Vector3(1e-12, 0, 0))).x() == 1e-12);
+}
+
+BOOST_FIXTURE_TEST_CASE(reference_equals_the_state_at_the_latched_pose, StandReferenceFixture) {
+  const Reference& desired = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002);
+  BOOST_TEST((desired.p_com - dynamics.p_world_com()).norm() < 1e-9);
+  BOOST_TEST(desired.R_world_base.angularDistance(Quaternion(dynamics.R_world_base())) < 1e-6);
+  BOOST_TEST(desired.a_com.norm() < 1e-9);
+}
+
+BOOST_FIXTURE_TEST_CASE(reference_follows_drift_of_position_and_yaw, StandReferenceFixture) {
+  const Quaternion yaw(Eigen::AngleAxisd(1.3, Vector3::UnitZ()));
+  const Dynamics moved = drifted(Vector3(3.0, -2.0, 0.5), yaw);
+  // The ground's normal turns too, slowly: give it the time.
+  for (int tick = 0; tick < 5000; ++tick) {
+    stand.update(gains, moved, Eigen::Vector4d::Ones(), 0.002);
+  }
+  const Reference& desired = stand.reference();
+  BOOST_TEST((desired.p_com - moved.p_world_com()).norm() < 1e-6);
+  BOOST_TEST(desired.R_world_base.angularDistance(Quaternion(moved.R_world_base())) < 1e-5);
+}
+
+BOOST_FIXTURE_TEST_CASE(reference_follows_an_imu_attitude_error_within_5_s, StandReferenceFixture) {
+  const Dynamics moved =
+      drifted(Vector3::Zero(), Quaternion(Eigen::AngleAxisd(0.02, Vector3::UnitX())));
+  for (int tick = 0; tick < 2500; ++tick) {
+    stand.update(gains, moved, Eigen::Vector4d::Ones(), 0.002);
+  }
+  const Reference& desired = stand.reference();
+  BOOST_TEST(desired.R_world_base.angularDistance(Quaternion(moved.R_world_base())) < 2e-3);
+}
+
+BOOST_FIXTURE_TEST_CASE(lifted_foot_does_not_tilt_the_ground_normal, StandReferenceFixture) {
+  const Vector3 before = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.3).ground_normal;
+  Eigen::VectorXd q = state.q;
+  q[robot.motor_to_q()[FR_2]] -= 0.4;
+  Dynamics lifted(robot);
+  lifted.update(q, state.v, Vector3::UnitZ());
+  for (int tick = 0; tick < 500; ++tick) {
+    stand.update(gains, lifted, Eigen::Vector4d(0, 1, 1, 1), 0.002);
+  }
+  // All that a foot without contact weighs is 1e-6.
+  BOOST_TEST((stand.reference().ground_normal - before).norm() < 1e-6);
+}
+
+BOOST_FIXTURE_TEST_CASE(feet_of_a_lifted_robot_follow_the_body_and_extend_downward,
+                        StandReferenceFixture) {
+  const double before =
+      stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002).feet[FR_].p_world.z();
+  // Feet that hang 0.1 m further below the body than they stood.
+  const Dynamics lifted = drifted(Vector3(0, 0, 0.1), Quaternion::Identity());
+  double height = 0.0;
+  for (int tick = 0; tick < 1000; ++tick) {
+    height = stand.update(gains, lifted, Eigen::Vector4d::Zero(), 0.002).feet[FR_].p_world.z();
+  }
+  const double stood = dynamics.p_world_base().z() - before;
+  const double hangs = lifted.p_world_base().z() - height;
+  BOOST_TEST(hangs > 1.05 * stood);
+  BOOST_TEST(hangs < 1.25 * stood);
+  // Back on the ground the feet count at once, where they are.
+  const double there =
+      stand.update(gains, lifted, Eigen::Vector4d::Ones(), 0.002).feet[FR_].p_world.z();
+  BOOST_TEST(std::abs(there - lifted.legs()[FR_].p_world_contact.z()) < 1e-6);
+}
+
+BOOST_FIXTURE_TEST_CASE(lost_leg_has_zero_load_and_no_stance_reference, StandReferenceFixture) {
+  stand.give_up_leg(RL_);
+  const Reference& desired = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002);
+  BOOST_TEST(!desired.feet[RL_].stance);
+  BOOST_TEST(desired.feet[RL_].load == 0.0);
+  BOOST_TEST((desired.feet[RL_].p_world - dynamics.legs()[RL_].p_world_contact).norm() < 1e-12);
+  BOOST_TEST(desired.feet[FR_].stance);
+  stand.reset();
+  stand.latch(dynamics, state.q);
+  BOOST_TEST(stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002).feet[RL_].stance);
+}
+
+BOOST_FIXTURE_TEST_CASE(foot_that_is_to_step_has_no_stance_reference, CapturePointRobot) {
+  gains.foot_step = 0.3;
+  StandReference stand(robot);
+  for (const double beyond : {-0.01, 0.01}) {
+    move_capture_point_right(beyond);
+    stand.reset();
+    stand.latch(dynamics, state.q);
+    const Reference& desired = stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002);
+    for (int leg = 0; leg < kLegs; ++leg) {
+      BOOST_TEST(desired.feet[leg].stance == (beyond < 0.0 || leg != RR_));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
