@@ -15,7 +15,7 @@ SOURCES := CMakeLists.txt bindings/CMakeLists.txt README.md LICENSE \
 BUILD_NEEDS := "libpinocchio[build]==4.1.0" "proxsuite[build]==0.8.0" "scikit-build-core>=0.11,<2" \
   "nanobind>=2.9,<4" "casadi==3.8.2" "cmake>=3.22" "ninja>=1.11"
 
-.PHONY: install stand test generate lint sanitize fuzz clean
+.PHONY: install stand test tests-cpp check generate lint sanitize fuzz clean
 
 .venv/.tools: pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -48,10 +48,12 @@ stand: install
 STALL_TOLERANT = rm -f build/stall_tolerant_clock; STALL_TOLERANT_CLOCK=$(CURDIR)/build/stall_tolerant_clock \
   LD_PRELOAD=$(CURDIR)/$(BUILD)/tests/cpp/libstall_tolerant_clock.so
 
-test: install .venv/.browser
+tests-cpp: install
 	$(BIN)/cmake -S . -B $(BUILD) -DSUREFOOT_TESTS=ON > build/configure.log 2>&1 || (cat build/configure.log; false)
 	$(BIN)/cmake --build $(BUILD) --target surefoot_tests surefoot_allocations surefoot_fuzz stall_tolerant_clock
 	cd $(BUILD) && ctest --output-on-failure
+
+test: tests-cpp .venv/.browser
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not real_time"; status=$$?; \
 	  $(STALL_TOLERANT) $(BIN)/python -m pytest -m real_time && exit $$status
 
@@ -61,6 +63,10 @@ generate: install
 	$(BIN)/python -c "from surefoot import _symbolic; print(_symbolic.leg_source(), end='')" \
 	  > build/leg_dynamics.hpp
 	mv build/leg_dynamics.hpp $(GENERATED)
+
+# Before every commit: lint, types, and the tests that take seconds; tests/README.md has the marks.
+check: lint tests-cpp
+	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not (slow or build or real_time)"
 
 lint: install
 	$(BIN)/ruff check . && $(BIN)/ruff format --check .

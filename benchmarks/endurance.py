@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Quiet standing for a day: does anything drift, grow, trip, or mind that the robot's clock wraps?
+"""Endurance: quiet standing for a day, checked for drift, memory growth, faults and tick wrap.
 
     python benchmarks/endurance.py --robot go1 --hours 24 --json FILE
 
-A Supervisor takes a standing robot over, real sensors, and is asked for nothing. LowState.tick
-wraps at 2^32 ms half way. Every tick must be solved by the program itself and no fault may begin;
-every tenth of a second the true pose is held against that after ten seconds, every minute this
-process's memory. LIMITS says by how much they may differ. Heap allocations of a tick are counted by
-the C++ test surefoot_allocations, not here: each command that Python gets is one.
+A Supervisor controls a standing robot with real sensors and receives no requests. LowState.tick
+wraps at 2^32 ms half way. Every tick must have the fallback level SOLVED, and no fault may begin.
+Every 0.1 s the true pose is compared with the pose after 10 s, and every minute the memory of this
+process. LIMITS has the allowed differences. Heap allocations are not counted here, because every
+command allocates in Python; the C++ test surefoot_allocations counts those of a tick.
 """
 
 from __future__ import annotations
@@ -34,18 +34,18 @@ from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
 
 CONTROL_PERIOD = 0.002  # [s]
-SETTLE_TIME = 10.0  # [s] after which the pose and the memory are those to keep
+SETTLE_TIME = 10.0  # [s] time of the pose and memory that later ones are compared with
 DRIFT_TICKS, MEMORY_TICKS, HOUR_TICKS = (
     50,
     30_000,
     1_800_000,
-)  # [ticks] between poses, between memory figures; an hour
+)  # [ticks] between poses, between memory samples, per hour
 TICK_WRAP = 2**32  # [ms]
-# What may differ from after SETTLED: heights over and places relative to the feet's mean.
+# Allowed differences from the pose at SETTLE_TIME; positions are relative to the mean of the feet.
 LIMITS = {
     "height_mm": 1.0,
     "tilt_deg": 0.2,
-    "believed_tilt_deg": 0.7,  # from the true one: 0.41 at the worst bias of the IMU
+    "believed_tilt_deg": 0.7,  # estimated against true tilt: 0.41 at the largest IMU bias
     "yaw_deg": 0.5,
     "foot_travel_mm": 5.0,
     "com_mm": 2.0,
@@ -54,13 +54,13 @@ LIMITS = {
 
 
 def angle_deg(a: np.ndarray, b: np.ndarray) -> float:
-    """Return the angle between two unit vectors (3,) [deg]; NaN stays."""
+    """Return the angle between two unit vectors (3,) [deg]; NaN if either has NaN."""
     return math.degrees(math.acos(float(np.clip(a @ b, -1.0, 1.0))))
 
 
 @dataclass(frozen=True)
 class Pose:
-    """What must stay: feet (3, 4) [m]; base over them [m], its attitude, centre of mass (3,)."""
+    """True pose: feet (3, 4) [m]; attitude; base height, centre of mass (3,) over the feet [m]."""
 
     feet: np.ndarray
     height: float
@@ -69,7 +69,7 @@ class Pose:
 
     @staticmethod
     def of(plant: Plant) -> Pose:
-        """Return the true one."""
+        """Return the true pose of a plant."""
         data, handles = plant.data, plant.handles
         feet = data.xpos[handles.foot_bodies].T.copy()
         feet_mean = feet.mean(axis=1)
@@ -78,7 +78,7 @@ class Pose:
         return Pose(feet, float(data.qpos[2] - feet_mean[2]), R, com)
 
     def drift(self, start: Pose) -> dict[str, float]:
-        """Return by how much it differs from another, by LIMITS' names."""
+        """Return the differences from another pose, under the names of LIMITS."""
         turned = self.R_world_base @ start.R_world_base.T
         return {
             "height_mm": 1e3 * abs(self.height - start.height),
@@ -91,7 +91,7 @@ class Pose:
 
 @dataclass
 class DriftMonitor:
-    """What is kept of a run: worst and last drifts, bad ticks, memory [MB] by the minute."""
+    """Record of a run: worst and last drifts, bad ticks, and memory [MB] per minute."""
 
     worst: dict[str, float] = field(default_factory=lambda: dict.fromkeys(LIMITS, 0.0))
     last: dict[str, float] = field(default_factory=dict)
@@ -103,19 +103,19 @@ class DriftMonitor:
     end_reason: str = ""
 
     def record_drift(self, drift: dict[str, float]) -> None:
-        """Take down a drift."""
+        """Record drifts by name."""
         self.last = {**self.last, **drift}
         for name, value in drift.items():
-            self.worst[name] = float(np.maximum(self.worst[name], value))  # NaN stays
+            self.worst[name] = float(np.maximum(self.worst[name], value))  # propagates NaN
 
     def record_memory(self) -> None:
-        """Take down this process's memory."""
+        """Record the memory of this process."""
         self.memory.append(resident_mb())
         self.record_drift({"memory_mb": self.memory[-1] - self.memory_start})
 
 
 def estimated_tilt_error(plant: Plant, supervisor: surefoot.Supervisor) -> float:
-    """Return how far the estimator's vertical is from the true one [deg]."""
+    """Return the angle between the estimated and the true vertical [deg]."""
     q = supervisor.stand_controller.state.q
     estimated, true = np.roll(q[3:7], 1), plant.data.qpos[3:7]
     return angle_deg(matrix_from_wxyz(estimated)[2], matrix_from_wxyz(true)[2])
@@ -129,13 +129,13 @@ def resident_mb() -> float:
 
 Progress = Callable[
     [float, DriftMonitor], None
-]  # is told the simulated time [s], and what was seen
+]  # called with the simulated time [s] and the record so far
 
 
 def run_endurance(
     robot: str, seconds: float, seed: int = 0, progress: Progress | None = None
 ) -> dict[str, Any]:
-    """Stand for a time, the clock's wrap in its feet_mean, and return what was found as plain JSON."""
+    """Stand for a time [s], with the tick wrap at half of it; return the figures as JSON values."""
     ticks = round(seconds / CONTROL_PERIOD)
     tick0 = (TICK_WRAP - round(500.0 * seconds)) % TICK_WRAP
     plant = Plant(robot, PlantSettings(seed=seed, physics_dt=0.001), tick0=tick0)
@@ -171,7 +171,7 @@ def run_endurance(
 def summary(
     plant: Plant, supervisor: surefoot.Supervisor, monitor: DriftMonitor, cpu: float
 ) -> dict[str, Any]:
-    """Return a run's figures, and in `failures` what is not as it must be."""
+    """Return the figures of a run; `failures` lists the checks that failed."""
     counts = {info.name: supervisor.faults.count(info.id) for info in surefoot.fault_table()}
     faults = {name: count for name, count in counts.items() if count}
     failures = [
@@ -181,10 +181,12 @@ def summary(
     ]
     failures += [f"fault {name} {count} times" for name, count in faults.items()]
     failures += [f"{monitor.failed_ticks} ticks failed"] * bool(monitor.failed_ticks)
-    failures += [f"{monitor.fallback_ticks} ticks needed a lower rung"] * bool(
+    failures += [f"{monitor.fallback_ticks} ticks used a lower fallback level"] * bool(
         monitor.fallback_ticks
     )
-    failures += [f"LowState.tick wrapped {monitor.wraps} times, not once"] * (monitor.wraps != 1)
+    failures += [f"LowState.tick wrapped {monitor.wraps} times, expected once"] * (
+        monitor.wraps != 1
+    )
     failures += [monitor.end_reason] * bool(monitor.end_reason)
     per_hour = HOUR_TICKS // MEMORY_TICKS
     return {
@@ -208,7 +210,7 @@ def summary(
 
 
 def text(result: dict[str, Any]) -> str:
-    """Return the figures as a few lines."""
+    """Return the figures as a few lines of text."""
     memory = result["memory_mb"]
     hour = "" if memory["hour"] is None else f", {memory['hour']:.1f} after an hour"
     drifts = ", ".join(
@@ -216,7 +218,7 @@ def text(result: dict[str, Any]) -> str:
         for name, value in result["worst"].items()
     )
     return (
-        f"{result['robot']}: {result['hours']:.2f} h in {result['cpu_hours']:.2f} h of processor, "
+        f"{result['robot']}: {result['hours']:.2f} h in {result['cpu_hours']:.2f} h of CPU time, "
         f"{result['wraps']} wrap, {result['failed_ticks']} failed ticks, faults "
         f"{result['faults'] or 'none'}\n  worst (limit): {drifts}\n"
         f"  memory {memory['start']:.1f} MB at {SETTLE_TIME:g} s{hour}, "
@@ -226,10 +228,10 @@ def text(result: dict[str, Any]) -> str:
 
 
 def main() -> int:
-    """Run, print, write JSON; 3 if anything is not as it must be."""
+    """Run, print and write JSON; return 3 if any check failed."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--robot", default="go1", choices=ROBOTS)
-    parser.add_argument("--hours", type=float, default=24.0, help="simulated")
+    parser.add_argument("--hours", type=float, default=24.0, help="simulated hours")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--json", type=Path)
     options = parser.parse_args()

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Standing robots are lifted and put down, and dropped: how many stand afterwards.
+"""External lifts: standing robots are lifted and put down, or dropped; how many stand afterwards.
 
     python benchmarks/external_lifts.py --robot go1 --count 500 --jobs 2 --json FILE
 
-A Supervisor at power level 10 is in charge, sensors are real. Every seed draws the floor's
-friction, which force sensors live, and for a lift how high (5 to 30 cm), how fast and for how long
-a hand holds the trunk before it puts it down and lets go. A drop is from 10 cm, let go in 20 ms.
-What fault_table() says of `lifted` is to go on, held softly: a run counts when nothing but feet
-ever touched the ground, nothing damped or sat down, PowerProtect refused nothing, and three seconds
-later the robot stands still at its old height.
+The robot has real sensors and a Supervisor at power level 10. Each seed draws the friction of the
+floor and the working force sensors; for a lift also its height (5 to 30 cm), speeds and duration
+before the trunk is put down and released. A drop is from 10 cm, with a release within 20 ms. The
+reaction to the fault `lifted` is to continue (see fault_table()). A run passes if only feet touch
+the ground, the supervisor neither damps nor sits, the power protection does not trip, and three
+seconds later the robot stands still at its previous height.
 """
 
 from __future__ import annotations
@@ -27,29 +27,29 @@ from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.truth import has_fallen
 
 KINDS = ("lift", "drop")
-POWER_LEVEL = 10  # of the power protection: a landing takes power
-TIME_BEFORE, TIME_AFTER = 1.0, 3.0  # [s] of standing
+POWER_LEVEL = 10  # level of the power protection; a landing takes power
+TIME_BEFORE, TIME_AFTER = 1.0, 3.0  # [s] standing before and after the lift
 PERIOD = 0.002  # [s]
 MAX_STILL_SPEED = 0.05  # [m/s], [rad/s]
-HEIGHT_TOLERANCE = 0.01  # [m] that it may stand lower or higher afterwards
+HEIGHT_TOLERANCE = 0.01  # [m] allowed change of height
 
 
 @dataclass
 class Outcome(RunOutcome):
-    """What became of one seed."""
+    """Result of one seed."""
 
     robot: str
     kind: str
     seed: int
-    height: float  # of the lift [m]
-    watts: float  # greatest average that the power protection judged
-    tilt_deg: float  # greatest after the hand let go
-    step_mm: float  # greatest distance of a foot from where it stood, at the end
+    height: float  # height of the lift [m]
+    watts: float  # largest average power that the power protection computed [W]
+    tilt_deg: float  # largest tilt after the release [deg]
+    step_mm: float  # largest displacement of a foot at the end [mm]
     faults: dict[str, int]
 
 
 class LiftRun:
-    """A robot that stands under its supervisor, and what was seen of it."""
+    """One run: a standing robot with its supervisor, and the measured power and tilt."""
 
     def __init__(self, robot: str, kind: str, seed: int) -> None:
         rng = np.random.default_rng([seed, KINDS.index(kind), 41])
@@ -66,7 +66,7 @@ class LiftRun:
         self.watts = self.tilt_deg = 0.0
 
     def step(self) -> str:
-        """Take one control period; return what ends the run, or ""."""
+        """Run one control period; return the reason to end the run, or ""."""
         command = self.supervisor.update(self._state)
         refused = self._safety.power_protect(command, self._state, POWER_LEVEL) < 0
         self.watts = max(self.watts, self._safety.power)
@@ -74,7 +74,7 @@ class LiftRun:
         upright = float(self.plant.data.xmat[self.plant.handles.root, 8])
         if self.plant.time > self.lift.time + self.lift.duration:
             self.tilt_deg = max(self.tilt_deg, float(np.degrees(np.arccos(min(upright, 1.0)))))
-        when = f"{self.plant.time - self.lift.time:.2f} s after it was taken hold of"
+        when = f"{self.plant.time - self.lift.time:.2f} s after the lift began"
         if self.supervisor.mode != Mode.STAND:
             return f"{self.supervisor.mode.name} for {self.supervisor.damping_fault.name}, {when}"
         if has_fallen(self.plant.data, self.plant.handles):
@@ -82,7 +82,7 @@ class LiftRun:
         return f"power protection, {when}" if refused else ""
 
     def verdict(self) -> str:
-        """Return why it does not stand at the end, or ""."""
+        """Return why the robot does not stand at the end, or ""."""
         truth, status = self.plant.truth, self.supervisor.stand_controller.status
         if status != Status.OK or np.abs(truth.v).max() > MAX_STILL_SPEED:
             return f"does not stand still: {status.name}, {np.abs(truth.v).max():.2f}"
@@ -97,7 +97,7 @@ class LiftRun:
 
 
 def random_lift(kind: str, rng: np.random.Generator) -> Lift:
-    """Draw what the hand does."""
+    """Draw the external lift."""
     if kind == "drop":
         return Lift("trunk", TIME_BEFORE, float(rng.uniform(0.4, 1.5)), 0.1)
     height, up, down = (float(x) for x in rng.uniform([0.05, 0.1, 0.1], [0.3, 0.6, 0.5]))
@@ -106,7 +106,7 @@ def random_lift(kind: str, rng: np.random.Generator) -> Lift:
 
 
 def run(job: Job) -> Outcome:
-    """Lift one robot, or drop it."""
+    """Lift or drop one robot."""
     robot, kind, seed = str(job[0]), str(job[1]), int(job[2])
     lift_run = LiftRun(robot, kind, seed)
     why = ""
@@ -130,7 +130,7 @@ def run(job: Job) -> Outcome:
 
 
 def summarise(outcomes: list[Outcome]) -> dict[str, object]:
-    """Return the figures of one robot and kind."""
+    """Return the figures of one robot and kind of lift."""
     stand = [o for o in outcomes if o.ok]
     return {
         "robot": outcomes[0].robot,
@@ -146,17 +146,17 @@ def summarise(outcomes: list[Outcome]) -> dict[str, object]:
 
 
 def summary_line(summary: dict[str, object]) -> str:
-    """Return one line."""
+    """Return the figures of one robot and kind as a line of text."""
     line = (
         "{robot} {kind}: {stand} of {count} stand, peak {peak_watts:.0f} W, tilt up to "
         "{greatest_tilt_deg} deg, feet up to {greatest_step_mm} mm from where they stood; "
-        "told by so many: {runs_that_told}"
+        "runs by fault: {runs_that_told}"
     )
     return line.format(**summary)
 
 
 def main() -> int:
-    """Run and print; 3 if any robot did not stand afterwards."""
+    """Run and print; return 3 if any robot did not stand afterwards."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("--robot", action="append", choices=ROBOTS, help="default: all")
     parser.add_argument("--kind", action="append", choices=KINDS, help="default: both")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How often the supervisor trips over nothing: hours of healthy running, every fault counted.
+"""False trips: hours of a healthy robot under its supervisor, with every fault counted.
 
     python benchmarks/false_trips.py --robot go1 --hours 10 --jobs 2 --json FILE
 
-Each run gets up from lying, stands for a minute while its body is asked to move and pushed, and
-sits down, on ground, with a payload and with motors drawn from its seed. None of that is a fault:
-a fault that is reacted to (sit or damp) is a false trip, and so is a fall. One that gives its rise
-up, lying down again, has not tripped, and is told apart. tests/closed_loop has a short form.
+In each run the robot gets up, stands for a minute with pushes and changes of its body reference,
+and sits down. Ground, payload and motors are drawn from the seed. None of that is a fault: a
+reaction (sit or damp) to a fault is a false trip, and so is a fall. A robot that gives up its rise
+and lies down again has not tripped and is counted separately. tests/closed_loop has a short form.
 """
 
 from __future__ import annotations
@@ -26,30 +26,30 @@ from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings, Push
 
 STAND_TIME = 60.0  # [s]
-MAX_TRANSITION_TIME = 60.0  # [s] to get up, legs freed first, and to lie down
-CHECK_TICKS = 10  # ticks between looks at what lasts: counts and falls
-DISTURBANCE_PERIOD = 5.0  # [s] between pushes, and between what the body is asked for
-PUSH_SHARE = 0.1, 0.4  # of the pendulum's limit
-MAX_PAYLOAD_SHARE = 0.3  # of the robot's mass, at most
-MAX_SLOPE = 8.0  # [deg] at most
+MAX_TRANSITION_TIME = 60.0  # [s] to get up, with leg interference resolved first, and to lie down
+CHECK_TICKS = 10  # ticks between checks of fault counts and falls
+DISTURBANCE_PERIOD = 5.0  # [s] between pushes and body references
+PUSH_SHARE = 0.1, 0.4  # smallest and largest push, over the LIP push limit
+MAX_PAYLOAD_SHARE = 0.3  # largest payload over the mass of the robot
+MAX_SLOPE = 8.0  # [deg] largest slope
 TRIP_REACTIONS = FaultReaction.SIT, FaultReaction.DAMP
 
 
 @dataclass
 class HealthyRun(RunOutcome):
-    """What came of one run; why: what was reacted to, or why else it did not stand to the end."""
+    """Result of one run; `why` names the fault with a reaction, or why the run did not end well."""
 
     seed: int
-    seconds: float  # simulated
-    ended: bool  # it stood its time and lay down, or tripped
-    faults: dict[str, int]  # how often each began
+    seconds: float  # simulated time [s]
+    ended: bool  # whether it stood its time and lay down, or tripped
+    faults: dict[str, int]  # number of times that each fault began
 
 
 def main() -> int:
-    """Run until the hours are over, print, write JSON; 3 if anything tripped or did not end."""
+    """Run the hours, print and write JSON; return 3 if a run tripped or did not end."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--robot", default="go1", choices=ROBOTS)
-    parser.add_argument("--hours", type=positive_hours, default=10.0, help="simulated (10)")
+    parser.add_argument("--hours", type=positive_hours, default=10.0, help="simulated hours (10)")
     add_seed_options(parser)
     options = parser.parse_args()
     count = math.ceil(3600.0 * options.hours / (STAND_TIME + 10.0))
@@ -61,15 +61,15 @@ def main() -> int:
 
 
 def positive_hours(text: str) -> float:
-    """Return the hours that an option's text is."""
+    """Parse an option as a positive number of hours; raises ArgumentTypeError."""
     value = float(text)
     if not 0.0 < value < 1e5:
-        raise argparse.ArgumentTypeError(f"got {value:g}, expected hours, above 0")
+        raise argparse.ArgumentTypeError(f"got {value:g}, expected a number > 0 and < 1e5")
     return value
 
 
 def run_healthy(job: Job, standing: float = STAND_TIME) -> HealthyRun:
-    """Run one seed: get up, stand for a time [s], be pushed and moved, sit down."""
+    """Run one seed: get up, stand for a time [s] with pushes and body references, sit down."""
     robot, seed = str(job[0]), int(job[1])
     rng = np.random.default_rng([seed, 12])
     plant = Plant(robot, random_settings(robot, seed, rng))
@@ -78,7 +78,7 @@ def run_healthy(job: Job, standing: float = STAND_TIME) -> HealthyRun:
     supervisor = surefoot.Supervisor(plant.robot, options=options)
     why, ended = "", True
     stand_time, last_disturbance, requests = 0.0, 0.0, {Mode.PASSIVE: Mode.RISE}
-    counts_at_arming: dict[str, int] = {}  # it was armed
+    counts_at_arming: dict[str, int] = {}  # fault counts when it was last armed
     for tick in range(round((standing + MAX_TRANSITION_TIME) / 0.002)):
         if not supervisor.armed:
             counts_at_arming = fault_counts(supervisor)
@@ -106,7 +106,7 @@ def run_healthy(job: Job, standing: float = STAND_TIME) -> HealthyRun:
 
 
 def fault_counts(supervisor: surefoot.Supervisor) -> dict[str, int]:
-    """Return how often each fault began."""
+    """Return the number of times that each fault began."""
     faults = supervisor.faults
     return {info.name: faults.count(info.id) for info in surefoot.fault_table()}
 
@@ -117,7 +117,7 @@ def trip_reason(
     counts_at_arming: dict[str, int],
     sitting_requested: bool,
 ) -> str:
-    """Return what the supervisor reacted to since it was armed, or ""."""
+    """Return the fault that the supervisor reacted to since it was armed, a fall, or ""."""
     if supervisor.mode == Mode.DAMPING:
         return f"{plant.time:.1f} s: damping for {supervisor.damping_fault.name}"
     counts = fault_counts(supervisor)
@@ -129,14 +129,14 @@ def trip_reason(
     if names:
         return f"{plant.time:.1f} s: {supervisor.mode.name} after {', '.join(names)}"
     if supervisor.mode == Mode.SIT and not sitting_requested:
-        return f"{plant.time:.1f} s: sits for a leg that is stuck"
+        return f"{plant.time:.1f} s: sits because a leg is blocked"
     if supervisor.mode == Mode.STAND and plant.truth.fell:
         return f"{plant.time:.1f} s: fell"
     return ""
 
 
 def random_settings(robot: str, seed: int, rng: np.random.Generator) -> PlantSettings:
-    """Draw ground, payload and motors."""
+    """Draw the settings of ground, payload and motors."""
     mass = surefoot.load_robot(robot).mass
     x, y = (0.03 * rng.uniform(-1.0, 1.0, 2)).tolist()
     return PlantSettings(
@@ -155,7 +155,7 @@ def random_settings(robot: str, seed: int, rng: np.random.Generator) -> PlantSet
 
 
 def disturb(plant: Plant, supervisor: surefoot.Supervisor, rng: np.random.Generator) -> None:
-    """Push the robot, and ask its body for another pose."""
+    """Push the robot, and set another body reference."""
     degrees = float(rng.uniform(-180.0, 180.0))
     impulse = float(rng.uniform(*PUSH_SHARE)) * plant.lip_push_limit(degrees)
     plant.add_push(Push(degrees, impulse, time=plant.time + 2.0))
@@ -165,7 +165,7 @@ def disturb(plant: Plant, supervisor: surefoot.Supervisor, rng: np.random.Genera
 
 
 def summary(robot: str, runs: list[HealthyRun]) -> dict[str, object]:
-    """Return the numbers of all runs."""
+    """Return the figures of all runs."""
     faults: Counter[str] = sum((Counter(run.faults) for run in runs), Counter())
     failed = {run.seed: run.why for run in runs if not run.ok}
     unfinished = {run.seed: run.why for run in runs if not run.ended}
@@ -181,13 +181,13 @@ def summary(robot: str, runs: list[HealthyRun]) -> dict[str, object]:
 
 
 def text(result: dict[str, object]) -> str:
-    """Return the numbers as a few lines."""
+    """Return the figures as a few lines of text."""
     trips, unfinished, faults = result["trips"], result["unfinished"], result["faults"]
     assert isinstance(trips, dict) and isinstance(unfinished, dict) and isinstance(faults, dict)
     seen = ", ".join(f"{name} {count}" for name, count in faults.items() if count) or "none"
     return (
         f"{result['robot']}: {result['runs']} runs, {result['hours']:.2f} simulated hours, "
-        f"{len(trips)} false trips, {len(unfinished)} did not end\n  faults told: {seen}"
+        f"{len(trips)} false trips, {len(unfinished)} did not end\n  faults that began: {seen}"
     )
 
 

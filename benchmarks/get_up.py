@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Robots that lie anyhow are told to get up: how many stand, at what power, in what time.
+"""Get-up: robots rise from random lying poses; how many stand, at what power, in what time.
 
     python benchmarks/get_up.py --robot go1 --count 1000 --jobs 2 --json FILE
 
-Every seed drops the robot with its legs anyhow (Plant.reset_lying), real sensors, and lets a
-Supervisor at the small robots' lowest power level (b1: the highest) get it up. It counts when it
-stands still 1.5 s later and the power protection never tripped.
+Each seed drops the robot with random leg angles (Plant.reset_lying) and real sensors. A Supervisor
+then lets it rise at power level 1 (b1: 10). A run passes if the robot stands still 1.5 s later and
+the power protection never tripped.
 """
 
 from __future__ import annotations
@@ -25,29 +25,27 @@ from surefoot import Error, Mode, RequestStatus, Status
 from surefoot.cli.environment import write_json
 from surefoot.robot.power_level import power_level
 
-MAX_ARMING_TIME = (
-    20.0  # [s] that may pass until it is ready: some sink for long, and wait till then
-)
-MAX_RISE_TIME = 60.0  # [s] that a rise may take, tries and all
+MAX_ARMING_TIME = 20.0  # [s] until arming is ready; some robots sink slowly before that
+MAX_RISE_TIME = 60.0  # [s] for a rise, with retries
 STAND_TIME = 1.5  # [s]
 MAX_STILL_SPEED = 0.05  # [m/s], [rad/s]
 
 
 @dataclass
 class Outcome(RunOutcome):
-    """What became of one seed."""
+    """Result of one seed."""
 
     robot: str
     seed: int
-    seconds: float  # from the request to standing, or to giving up
-    watts: float  # greatest average that the power protection judged, all the while
-    tilt_deg: float  # greatest on the way
-    mode_step: float  # greatest torque step at a change of mode, share of tau_max
-    refused: int  # ticks that the power protection would have stopped
+    seconds: float  # time from the request to standing, or to giving up [s]
+    watts: float  # largest average power that the power protection computed [W]
+    tilt_deg: float  # largest tilt during the run [deg]
+    mode_step: float  # largest torque step at a change of mode, over tau_max
+    refused: int  # ticks in which the power protection tripped
 
 
 def run(job: Job) -> Outcome:
-    """Drop one robot and let it get up."""
+    """Drop one robot and let it rise."""
     name, seed = str(job[0]), int(job[1])
     try:
         robot = MonitoredRobot(name, seed)
@@ -70,7 +68,7 @@ def run(job: Job) -> Outcome:
 
 
 def get_up(robot: MonitoredRobot) -> tuple[str, float]:
-    """Arm, rise, stand; return why not, and how long it took [s]."""
+    """Arm, rise and stand; return the reason of a failure or "", and the time of the rise [s]."""
     supervisor = robot.supervisor
     if not robot.run(MAX_ARMING_TIME, lambda: supervisor.arming.ready):
         return f"not armed: {robot.failures}", 0.0
@@ -92,7 +90,7 @@ def get_up(robot: MonitoredRobot) -> tuple[str, float]:
 
 
 def contacts_text(robot: MonitoredRobot) -> str:
-    """Return the links that press on each other or, but for feet, on the ground."""
+    """Return the contacts between links, and of links other than feet with the ground, as text."""
     model, data = robot.plant.model, robot.plant.data
     feet = {int(body) for body in robot.plant.handles.foot_bodies}
     found = set()
@@ -107,7 +105,7 @@ def contacts_text(robot: MonitoredRobot) -> str:
 
 
 def summarise(outcomes: list[Outcome]) -> dict[str, object]:
-    """Return one robot's figures."""
+    """Return the figures of one robot."""
     standing = [o for o in outcomes if o.ok]
     seconds = [o.seconds for o in standing] or [0.0]
     return {
@@ -126,7 +124,7 @@ def summarise(outcomes: list[Outcome]) -> dict[str, object]:
 
 
 def summary_line(summary: dict[str, object]) -> str:
-    """Return one robot's line."""
+    """Return the figures of one robot as a line of text."""
     return (
         "{robot}: {stand} of {count} stand, level {level}, trips {trips}, peak {peak_watts:.0f} W, "
         "time {median_seconds:.1f} s median {longest_seconds:.1f} s longest, tilt up to "
@@ -135,7 +133,7 @@ def summary_line(summary: dict[str, object]) -> str:
 
 
 def main() -> int:
-    """Run and print; 3 if any robot did not get up."""
+    """Run and print; return 3 if any robot did not get up."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
     parser.add_argument("--robot", action="append", choices=ROBOTS, help="default: all")
     add_seed_options(parser, 1000)

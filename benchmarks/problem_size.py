@@ -1,7 +1,7 @@
-"""What a tick costs as the problem grows: feet on the ground, an arm on top, a humanoid.
+"""Tick time over problem size: one to four stance feet, an additional arm, a humanoid.
 
-State to torque of WholeBodyController, timed from Python (about a microsecond of each figure) over
-states that wander around standing. Prints a Markdown table.
+Times WholeBodyController.update() from Python, which adds about 1 us, over states that drift around
+the standing pose. Prints a Markdown table.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ G1_STANDING_ANGLES = {"hip_pitch": -0.3, "knee": 0.6, "ankle_pitch": -0.3, "elbo
 
 @dataclass(frozen=True)
 class Case:
-    """A row of the table."""
+    """One row of the table."""
 
     name: str
     robot: surefoot.Robot
@@ -42,7 +42,7 @@ class Case:
 
 
 def cases() -> list[Case]:
-    """Return every row: go1 on one to four feet, b1 with an arm, g1 on two feet."""
+    """Return all rows: go1 on one to four feet, b1 without and with an arm, g1 on two feet."""
     go1, b1 = surefoot.load_robot("go1"), surefoot.load_robot("b1")
     rows = [
         Case("go1", go1, go1.q_standing(), feet, form) for form in FORMS for feet in (4, 3, 2, 1)
@@ -55,7 +55,7 @@ def cases() -> list[Case]:
 
 
 def b1_with_arm(b1: surefoot.Robot) -> tuple[surefoot.Robot, np.ndarray]:
-    """Return a b1 that carries a z1, and where it stands."""
+    """Return a b1 with a z1 arm, and its standing configuration."""
     model = _model("b1_description/urdf/b1-z1.urdf")
     config = b1.config
     config.name = "b1-z1"
@@ -64,7 +64,10 @@ def b1_with_arm(b1: surefoot.Robot) -> tuple[surefoot.Robot, np.ndarray]:
 
 
 def g1() -> tuple[surefoot.Robot, np.ndarray]:
-    """Return a humanoid: its soles are two of the four feet, its hands the others, in the air."""
+    """Return a humanoid and its standing configuration.
+
+    The soles are two of the four feet; the hands are the other two, without contact.
+    """
     model = _model("g1_description/urdf/g1_29dof_rev_1_0.urdf")
     limb_joints = [G1_LEGS["right"], G1_LEGS["left"], G1_ARMS["right"], G1_ARMS["left"]]
     config = RobotConfig()
@@ -95,7 +98,7 @@ def _model(urdf: str) -> pin.Model:
 
 
 def time_case(case: Case, ticks: int) -> tuple[np.ndarray, tuple[int, int, int], float, int]:
-    """Return durations [us], the program's size, iterations on average and failures."""
+    """Return the durations [us], the size of the QP, the mean iterations and the failures."""
     options = surefoot.WholeBodyOptions(form=FORMS[case.form])
     controller = surefoot.WholeBodyController(case.robot, options=options)
     state = surefoot.RobotState(case.robot.nq, case.robot.nv)
@@ -129,7 +132,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--ticks", type=int, default=5000)
     ticks = parser.parse_args().ticks
-    print("| robot | nv | feet | form | variables / equalities / rows | p50 | p99 | iterations |")
+    print(
+        "| robot | nv | feet | form | variables / equalities / inequalities "
+        "| p50 | p99 | iterations |"
+    )
     print("|---|---|---|---|---|---|---|---|")
     for case in cases():
         us, size, iterations, failures = time_case(case, ticks)

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The largest push that is survived with feet that stay: an optimal control, whole dynamics.
+"""Largest push that a robot survives with all feet in place, by optimal control of its dynamics.
 
     python benchmarks/push_bound.py --robot go2 --heading 22.5 157.5 --tilt 5
 
-Pushes of 0.1 s through the centre of mass, as those of surefoot assess. Motors keep the standing
-torques for one knot of 10 ms (sensors, two periods of the link, motors), then give what brings the
-body to rest in 0.8 s with all feet where they are: torques within their limits, forces within the
-friction cone, the trunk within --tilt of level. It knows when the push ends and its motors have no
-lag, which no controller has, and its joints' angles no limits; feet that slide or step, a trunk
-that tilts further and friction in the joints, which brakes beyond the motors' torque, may add to
-it. IPOPT finds a local optimum; where it finds none it is said why, without a figure. A minute
-each; needs CasADi.
+A push lasts 0.1 s and acts through the centre of mass, as in surefoot assess. The motors keep the
+standing torques for one knot of 10 ms, the delay of sensors, link (two periods) and motors. The
+torques then bring the body to rest within 0.8 s, with all feet in place, torques within their
+limits, forces within the friction cone, and the trunk within --tilt of level.
+
+Unlike a real controller, this one knows when the push ends, and has no motor lag and no joint
+limits. On the other hand, a real robot may survive more by sliding feet, steps, more tilt, or joint
+friction, which adds to the motor torques. IPOPT finds a local optimum; if it fails, the figure is
+nan and the status tells why. Takes about a minute per push; needs CasADi.
 """
 
 from __future__ import annotations
@@ -32,10 +33,13 @@ from surefoot.assess.stance_model import stance_model
 
 KNOT_TIME = 0.01  # [s]
 PUSH_TIME = 0.1  # [s]
-KNOTS = 80  # after as many it has to be at rest
-FORCE_UNIT, TORQUE_UNIT = 10.0, 5.0  # [N], [N.m] units of the variables
-IMPULSE_WEIGHT = 0.1  # [1/(N.s)] of the impulse
-REGULARISATION = 1e-5, 1e-6  # of squared velocities and torques, in units: breaks ties
+KNOTS = 80  # number of knots after which the robot must be at rest
+FORCE_UNIT, TORQUE_UNIT = 10.0, 5.0  # [N], [N.m] scales of the variables
+IMPULSE_WEIGHT = 0.1  # [1/(N.s)] weight of the impulse in the cost
+REGULARISATION = (
+    1e-5,
+    1e-6,
+)  # weights of squared velocities and scaled torques: make the optimum unique
 IPOPT = {
     "max_iter": 600,
     "print_level": 0,
@@ -50,15 +54,15 @@ IPOPT = {
 
 @dataclass(frozen=True)
 class Case:
-    """What is asked of one push."""
+    """Direction and conditions of one push."""
 
     heading: float  # [deg] from forward towards left
-    tilt: float  # [deg] most that the trunk may tilt by
-    friction: float
+    tilt: float  # [deg] largest allowed tilt of the trunk
+    friction: float  # friction coefficient of the floor
 
 
 def rotation(quaternion: ca.SX) -> ca.SX:
-    """Return R of a quaternion x y z w."""
+    """Return the rotation matrix of a quaternion x y z w."""
     x, y, z, w = ca.vertsplit(quaternion)
     return ca.vertcat(
         ca.horzcat(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
@@ -68,7 +72,7 @@ def rotation(quaternion: ca.SX) -> ca.SX:
 
 
 def integrator(robot: Robot) -> ca.Function:
-    """Make q a knot later of (q, v); the quaternion by its rate, normalised."""
+    """Make the function (q, v) -> q one knot later; the quaternion is integrated and normalised."""
     q, v = ca.SX.sym("q", robot.nq), ca.SX.sym("v", robot.nv)
     p = q[:3] + KNOT_TIME * rotation(q[3:7]) @ v[:3]
     half = 0.5 * KNOT_TIME * v[3:6]
@@ -79,7 +83,7 @@ def integrator(robot: Robot) -> ca.Function:
 
 
 def contact_jacobian(robot: Robot) -> ca.Function:
-    """Make J(q), shape (12, nv), of contact points under feet that roll: J_c + r [z]x J_w."""
+    """Make J(q), shape (12, nv), of the contact points of rolling feet: J_c + r [z]x J_w."""
     q = ca.SX.sym("q", robot.nq)
     R = rotation(q[3:7])
     radius_cross = robot.config.foot_radius * ca.DM([[0, -1, 0], [1, 0, 0], [0, 0, 0]])
@@ -97,7 +101,7 @@ def contact_jacobian(robot: Robot) -> ca.Function:
 
 
 def dynamics_residual(robot: Robot, contact: ca.Function, heading: float) -> ca.Function:
-    """Make the residual of the equations of motion of (q, v, v after, tau, f, push)."""
+    """Make the residual of the equations of motion, a function of (q, v, v after, tau, f, push)."""
     q, v, after = (ca.SX.sym(n, k) for n, k in (("q", robot.nq), ("v", robot.nv), ("w", robot.nv)))
     tau, f, push = ca.SX.sym("tau", 12), ca.SX.sym("f", 12), ca.SX.sym("push")
     select = np.zeros((robot.nv, 12))
@@ -112,7 +116,7 @@ def dynamics_residual(robot: Robot, contact: ca.Function, heading: float) -> ca.
 
 
 def standing_forces(robot: Robot, contact: ca.Function) -> tuple[np.ndarray, np.ndarray]:
-    """Return the forces (12,) and torques (12,) that hold the standing pose, least squares."""
+    """Return least-squares forces (12,) [N] and torques (12,) [N.m] that hold the standing pose."""
     q = np.array(robot.q_standing())
     J = contact(q).full()
     h = symbolic.bias(robot)(q, np.zeros(robot.nv)).full().ravel()
@@ -121,11 +125,11 @@ def standing_forces(robot: Robot, contact: ca.Function) -> tuple[np.ndarray, np.
 
 
 class PushOcp:
-    """The optimal control of one push.
+    """Optimal control problem of one push.
 
     Args:
-        case: The push.
-        robot: The robot that bears it.
+        case: Push and conditions.
+        robot: Robot that is pushed.
     """
 
     def __init__(self, case: Case, robot: Robot) -> None:
@@ -144,10 +148,10 @@ class PushOcp:
         self.f_rest, self.tau_rest = standing_forces(robot, self.contact)
 
     def largest_impulse(self, guess: float) -> tuple[float, str]:
-        """Return the largest impulse [N.s], NaN if none was found, and what IPOPT says of it.
+        """Return the largest impulse [N.s] (NaN if IPOPT fails), and the status of IPOPT.
 
         Args:
-            guess: Where it begins [N.s].
+            guess: Initial guess of the impulse [N.s].
         """
         opti = self.opti
         opti.subject_to(self.q[:, 0] == self.q_rest)
@@ -166,7 +170,7 @@ class PushOcp:
         opti.solver("ipopt", {"expand": True, "print_time": False}, IPOPT)
         try:
             found = float(opti.solve().value(self.impulse))
-        except RuntimeError:  # an iterate that IPOPT gave up need not obey anything
+        except RuntimeError:  # the last iterate of a failed solve may violate all constraints
             found = math.nan
         return found, str(opti.return_status())
 
@@ -190,16 +194,18 @@ class PushOcp:
 
 
 def main() -> int:
-    """Print a row per push."""
+    """Print one row per push."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--robot", nargs="+", choices=ROBOTS, default=list(ROBOTS))
     parser.add_argument("--heading", nargs="+", type=float, default=[0.0, 22.5, 157.5, 180.0])
-    parser.add_argument("--tilt", type=float, default=5.0, help="of the trunk, at most [deg]")
-    parser.add_argument("--friction", type=float, default=0.8, help="of the floor")
+    parser.add_argument("--tilt", type=float, default=5.0, help="largest tilt of the trunk [deg]")
+    parser.add_argument(
+        "--friction", type=float, default=0.8, help="friction coefficient of the floor"
+    )
     options = parser.parse_args()
-    print("robot     deg  own limit     bound")
+    print("robot     deg push limit     bound")
     for name in options.robot:
         robot = load_robot(name)
         for heading in options.heading:
@@ -207,8 +213,8 @@ def main() -> int:
             own = push_limit(stance_model(robot), heading, PUSH_TIME, 0.0, options.friction).limit
             max_impulse, ipopt_status = PushOcp(case, robot).largest_impulse(0.7 * own)
             print(
-                f"{name:6} {heading:6.1f} {own:6.2f} N.s {max_impulse:6.2f} N.s {100 * max_impulse / own:5.1f} %"
-                f"  {ipopt_status}",
+                f"{name:6} {heading:6.1f} {own:6.2f} N.s {max_impulse:6.2f} N.s "
+                f"{100 * max_impulse / own:5.1f} %  {ipopt_status}",
                 flush=True,
             )
     return 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a set of weights is worth by pushes: what a robot survives, and whether its feet stay."""
+"""Objective of the weight search: pushes that the robot survives, and how far its feet move."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from surefoot.robot.loading import build_robot, describe_robot
 
 LEVEL_GROUND = Condition("level ground")
 LATENCY_20_MS = Condition("latency 20 ms", latency_ms=20.0)
-RANGES = {  # all searched by their logarithm
+RANGES = {  # searched on a logarithmic scale
     "weight_com_horizontal": (0.2, 4.0),
     "weight_com_vertical": (0.05, 10.0),
     "weight_base_tilt": (1.5, 30.0),
@@ -32,23 +32,23 @@ RANGES = {  # all searched by their logarithm
     "push_time": (0.008, 0.02),
     "foot_speed": (0.5, 10.0),
     "foot_step": (0.1, 0.5),
-    "edge_rise": (0.3, 100.0),  # the end is off, as a1 has it
-    "friction": (0.6, 0.8),  # [robot] friction, what the controller assumes
+    "edge_rise": (0.3, 100.0),  # 100 disables it
+    "friction": (0.6, 0.8),  # [robot] friction, assumed by the controller
 }
-HEADINGS = tuple(22.5 * k for k in range(9))  # [deg] to the left: robots are symmetric
-MAX_FALLS = 3  # of one heading; beyond the third, harder pushes tell nothing new
-MAX_PENALTY = 9.0  # strict penalty from which on survival is not looked at
+HEADINGS = tuple(22.5 * k for k in range(9))  # [deg] to the left only: robots are symmetric
+MAX_FALLS = 3  # per heading; harder pushes are then skipped
+MAX_PENALTY = 9.0  # foot travel penalty above which survival is not evaluated
 
 
 @dataclass(frozen=True)
 class PushSet:
-    """What a set is judged by.
+    """Pushes that a set of values is judged by.
 
     Attributes:
-        levels: Pushes on level ground that may be survived, rising [% of the own limit].
+        levels: Rising levels of pushes on level ground [% of the push limit].
         latency_levels: The same with 20 ms of latency [%].
-        in_place_level: Push on level ground that no foot may move by a centimetre under [%].
-        seeds: Of sensors and motors.
+        in_place_level: Level on level ground at which no foot may move by more than 1 cm [%].
+        seeds: Seeds of sensors and motors.
     """
 
     levels: Sequence[float]
@@ -58,14 +58,14 @@ class PushSet:
 
 
 def default_values(robot: str) -> dict[str, float]:
-    """Return a robot's own values of what is searched, within the ranges."""
+    """Return the robot's values of the searched parameters, clipped to RANGES."""
     config = load_robot(robot).config
     values = {**gain_values(config.gains), "friction": config.friction}
     return {name: float(np.clip(values[name], *RANGES[name])) for name in RANGES}
 
 
 def controller_under_test(robot: str, values: dict[str, float]) -> ControllerUnderTest:
-    """Return the controller with other values; the plant's floor stays as it is."""
+    """Return the controller with other values; the floor of the plant does not change."""
     description = describe_robot(robot)
     rows = {**description.table["robot"], "friction": values["friction"]}
     changed_robot = build_robot(replace(description, table={**description.table, "robot": rows}))
@@ -79,19 +79,23 @@ def controller_under_test(robot: str, values: dict[str, float]) -> ControllerUnd
 
 
 class PushedRobot:
-    """A robot with a set of values, pushed.
+    """A robot with a set of values, in push tests.
 
     Args:
-        robot: Its name.
-        values: Of what is searched.
+        robot: Name of the robot.
+        values: Values of the searched parameters.
     """
 
     def __init__(self, robot: str, values: dict[str, float]) -> None:
         self._robot, self._limits = robot, PushLimits(load_robot(robot))
-        self._contestant = controller_under_test(robot, values)
+        self._controller = controller_under_test(robot, values)
 
     def foot_travel_penalty(self, heading: float, seed: int, level: float) -> float:
-        """Return by how many times 10 mm feet moved too far, 2 at most; 0.5 or more if late."""
+        """Return the penalty of a push that is not in place, 0 .. 2.
+
+        It is the foot travel beyond 10 mm over 10 mm, clipped to 0.5 .. 2; 2 after a fall, and 0 if
+        the push is in place.
+        """
         outcome, _ = self.push(LEVEL_GROUND, heading, seed, level)
         if outcome.in_place:
             return 0.0
@@ -100,7 +104,11 @@ class PushedRobot:
     def survived_levels(
         self, condition: Condition, heading: float, seed: int, levels: Sequence[float]
     ) -> float:
-        """Return how many levels it survives; half of the share that it is upright under others."""
+        """Return the number of levels survived.
+
+        A fall counts as half the share of the run in which the robot is upright. The levels end
+        after MAX_FALLS falls.
+        """
         count, falls = 0.0, 0
         for level in levels:
             outcome, upright = self.push(condition, heading, seed, level)
@@ -113,10 +121,10 @@ class PushedRobot:
     def push(
         self, condition: Condition, heading: float, seed: int, level: float
     ) -> tuple[PushOutcome, float]:
-        """Push once: what came of it, and the share of the run that it was upright."""
+        """Push once; return the outcome, and the share of the run in which the robot is upright."""
         limit = self._limits.push_limit(LEVEL_GROUND, heading, 0.1, 0.0).limit
         unit = PushUnit(condition, heading, 0.1, 0.0, seed, limit)
-        trajectory = unit.simulate(self._robot, self._contestant, level)
+        trajectory = unit.simulate(self._robot, self._controller, level)
         upright = (len(trajectory.base) - 1) / (
             trajectory.rate * run_duration(condition.quiet_s, 0.1)
         )
@@ -124,10 +132,11 @@ class PushedRobot:
 
 
 def score(robot: str, values: dict[str, float], pushes: PushSet) -> tuple[float, list[float]]:
-    """Return what a set of values is worth, and how many levels each heading survives.
+    """Return the objective of a set of values, and the number of levels survived by heading.
 
-    The count of levels in all and twice that of the worst heading, on level ground and late, less
-    the strict penalty; of an average seed.
+    Objective: for both conditions (level ground, 20 ms of latency) the levels survived over all
+    headings, averaged over seeds, plus twice those of the worst heading and seed; minus the foot
+    travel penalty. Above MAX_PENALTY only the negative penalty is returned.
     """
     pushed, seeds = PushedRobot(robot, values), pushes.seeds
     cases = [(heading, seed) for heading in HEADINGS for seed in seeds]

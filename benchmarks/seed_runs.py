@@ -1,4 +1,4 @@
-"""Many runs, each of a seed: on as many processes as there are, and said how far they are."""
+"""Runs of a benchmark over many seeds, in parallel processes, with progress and a result store."""
 
 from __future__ import annotations
 
@@ -23,45 +23,45 @@ from surefoot.system.worker_processes import killable_pool
 ROBOTS = tuple(available_robots())
 
 Job = tuple[str | int, ...]
-"""What a run gets: of what, and last the seed."""
+"""Arguments of a run: its subject, such as the robot, and last the seed."""
 
 
 @dataclass
 class RunOutcome:
-    """What comes of a run; those of a benchmark have more."""
+    """Result of a run; benchmarks derive from it and add fields."""
 
-    ok: bool  # all is as it should be
-    why: str  # what is not
+    ok: bool  # whether the run passed
+    why: str  # reason of a failure, else empty
 
 
 Result = TypeVar("Result", bound=RunOutcome)
 
 
 def parse_integer(text: str, low: int) -> int:
-    """Return the whole number that an option's text is, from `low` up."""
+    """Parse an option as an integer >= low; raises ArgumentTypeError."""
     value = int(text)
     if value < low:
-        raise argparse.ArgumentTypeError(f"got {value}, expected a whole number from {low} up")
+        raise argparse.ArgumentTypeError(f"got {value}, expected an integer >= {low}")
     return value
 
 
 def add_seed_options(parser: argparse.ArgumentParser, count: int | None = None) -> None:
-    """Add how many seeds to run, from which on, on how many processes, and where to keep them."""
+    """Add options for the number of seeds, the first seed, the processes, and the result files."""
     add = parser.add_argument
 
     def positive(text: str) -> int:
         return parse_integer(text, 1)
 
     if count is not None:
-        add("--count", type=positive, default=count, help=f"seeds of each ({count})")
-    add("--first", type=lambda text: parse_integer(text, 0), default=0, help="the first seed (0)")
-    add("--jobs", type=positive, default=1, help="processes (1)")
-    add("--store", metavar="FILE", help="keep every run when it is done; the same command goes on")
-    add("--json", metavar="FILE", help="write the figures here")
+        add("--count", type=positive, default=count, help=f"number of seeds per case ({count})")
+    add("--first", type=lambda text: parse_integer(text, 0), default=0, help="first seed (0)")
+    add("--jobs", type=positive, default=1, help="number of processes (1)")
+    add("--store", metavar="FILE", help="store each result; the same command continues from it")
+    add("--json", metavar="FILE", help="write the figures to FILE")
 
 
 def seeds_of(options: argparse.Namespace) -> range:
-    """Return the seeds that were asked for."""
+    """Return the requested seeds."""
     return range(options.first, options.first + options.count)
 
 
@@ -71,16 +71,16 @@ def run_seeds(
     jobs: list[Job],
     options: argparse.Namespace,
 ) -> list[Result]:
-    """Run every job that the store does not have, and return what came of all, in their order.
+    """Run every job that is not in the store, and return the results of all jobs in their order.
 
-    Failures are printed at once; how far it is goes to stderr. Arguments that cannot be end the
-    program, with status 2.
+    Failures are printed at once, progress goes to stderr. Invalid options end the process with
+    status 2.
 
     Args:
-        run: Runs one, in another process.
-        outcome_type: What it returns; plain fields.
-        jobs: What it gets.
-        options: As add_seed_options() has them.
+        run: Function of one job; runs in another process.
+        outcome_type: Result type of `run`, a dataclass of JSON values.
+        jobs: Jobs to run; duplicates run once.
+        options: Options of add_seed_options().
     """
     script = Path(sys.argv[0]).name
     jobs = list(dict.fromkeys(jobs))
@@ -116,20 +116,20 @@ def run_seeds(
 
 
 def source_digest(run: Callable[[Job], Result]) -> str:
-    """Return a digest of the file that says how a run goes: others' results are not its own."""
+    """Return a digest of the source file of `run`; results of other versions are not reused."""
     file = inspect.getsourcefile(run)
     assert file
     return hashlib.sha256(Path(file).read_bytes()).hexdigest()[:16]
 
 
 def print_failure(job: Job, outcome: RunOutcome) -> None:
-    """Print what is not as it should be."""
+    """Print the reason of a failed run."""
     if not outcome.ok:
         print(f"{' '.join(job_and_seed(job))}: {outcome.why}", flush=True)
 
 
 def print_progress(done: int, total: int, seconds: float) -> None:
-    """Say how far it is: on one line of a terminal, or now and then."""
+    """Print progress to stderr: one line on a terminal, else every 50 runs."""
     terminal = sys.stderr.isatty()
     if terminal or done % 50 == 0:
         end = "\r" if terminal else "\n"
@@ -137,5 +137,5 @@ def print_progress(done: int, total: int, seconds: float) -> None:
 
 
 def job_and_seed(job: Job) -> tuple[str, str]:
-    """Return of what a job is, and its seed."""
+    """Return the subject of a job and its seed as text."""
     return " ".join(str(part) for part in job[:-1]), f"seed {job[-1]}"

@@ -1,6 +1,7 @@
-"""The README's table: `surefoot stand` on every robot, five seeds, quiet and pushed.
+"""Table of `surefoot stand`: every robot, five seeds, quiet and pushed.
 
-Prints the worst of the seeds as a Markdown table; `--foot-force est` for living force fields.
+Prints the worst values over the seeds as a Markdown table. The foot force fields are zero, unless
+`--foot-force est` or `raw` is given.
 """
 
 from __future__ import annotations
@@ -32,12 +33,12 @@ def stand(robot: str, run: str, seed: int, foot_force: str) -> dict[str, Any]:
 
 
 def worst(results: list[dict[str, Any]], key: str) -> float:
-    """Return the greatest of a field over runs."""
+    """Return the largest value of a field over runs."""
     return max(float(result[key]) for result in results)
 
 
 def row(robot: str, runs: dict[str, list[dict[str, Any]]]) -> str:
-    """Return one robot's row."""
+    """Return the table row of one robot."""
     quiet, pushed = runs["quiet"], runs["lateral"] + runs["forward"]
     everything = quiet + pushed
     settled = sum(r["settled"] and not r["fell"] for r in pushed)
@@ -59,7 +60,7 @@ def row(robot: str, runs: dict[str, list[dict[str, Any]]]) -> str:
 
 
 def main() -> None:
-    """Run everything, two at a time, and print the table."""
+    """Run all commands, two at a time, and print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--foot-force", default="dead", choices=("est", "raw", "dead"))
     parser.add_argument("--seeds", type=int, default=5)
@@ -69,7 +70,7 @@ def main() -> None:
         results = list(pool.map(lambda job: stand(*job, options.foot_force), jobs))
     print(
         "| robot | height error | tilt / yaw error | CoM RMS | joint velocity RMS "
-        "| torque above 30 Hz | foot travel | pushes settled | greatest tilt, pushed "
+        "| torque above 30 Hz | foot travel | pushes settled | largest tilt, pushed "
         "| velocity RMSE | tilt RMSE | failed ticks |"
     )
     print("|" + "---|" * 12)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where gains start to oscillate: predicted by surefoot tune design, and found in simulation.
+"""Gains at which the closed loop starts to oscillate: surefoot tune design against simulation.
 
     python benchmarks/tune_design_boundary.py [ROBOT ...]
 
-For each robot, axis and further delay: the factor on kp and kd (of 2 Hz, damping 0.8) from which
-a kick along any of the axis's directions leaves an oscillation, by bisection to 3 %. Then what the
-joints' friction does for sideways motion: the same with a quarter of it and with all.
+The first table has, for each robot, axis and additional delay, the factor on kp and kd (of 2 Hz and
+damping 0.8) above which a kick in any direction of the axis causes a lasting oscillation. The
+simulated factor is bisected to 3 %. The second table shows the effect of joint friction on lateral
+motion: the factor with a quarter of the friction and with all of it.
 """
 
 from __future__ import annotations
@@ -27,11 +28,11 @@ from surefoot.tune.design import (
 )
 
 DELAYS = (0.004, 0.012)  # [s]
-MAX_FACTOR = 200.0 / GOAL.kd  # times: kd may be 200 1/s
+MAX_FACTOR = 200.0 / GOAL.kd  # largest factor: kd may be at most 200 1/s
 
 
 def predicted_factor(robot: str, axis: str, delay: float) -> float:
-    """Return the model's factor, in the direction that bears least."""
+    """Return the factor that the model predicts, for the least robust direction of the axis."""
     body = body_of(robot)
     observers = Observers.of(body.robot.config.gains)
     return min(
@@ -50,7 +51,7 @@ def measured_factor(
     directions: list[Direction],
     friction: float = 1.0,
 ) -> float:
-    """Return the simulated robot's factor, looked for between half a guess and twice."""
+    """Return the factor in simulation, bisected between half and twice the guess."""
 
     def stable(factor: float) -> bool:
         gains = gains_with_factor(robot, axis, factor)
@@ -66,8 +67,8 @@ def measured_factor(
 
 
 def print_sideways(robots: list[str]) -> None:
-    """Print the boundaries of y alone, with a quarter of the joints' friction and with all."""
-    print("\n| robot | further delay [ms] | y, a quarter of the friction | all of it |")
+    """Print the factors for y only, with a quarter of the joint friction and with all of it."""
+    print("\n| robot | additional delay [ms] | y, a quarter of the friction | all of it |")
     print("|---|---|---|---|")
     for robot in robots:
         sideways = [body_of(robot).directions["y"]]
@@ -78,9 +79,9 @@ def print_sideways(robots: list[str]) -> None:
 
 
 def main() -> None:
-    """Print the table."""
+    """Print both tables."""
     robots = sys.argv[1:] or ["a1", "go1", "go2", "b1"]
-    print("| robot | axis | further delay [ms] | predicted | measured | ratio |")
+    print("| robot | axis | additional delay [ms] | predicted | measured | ratio |")
     print("|---|---|---|---|---|---|")
     for robot in robots:
         for delay in DELAYS:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How fast gains are tried: real-time factor of a core, two processes, a Dask cluster of two.
+"""Throughput of gain tuning: one core, two processes, and a Dask cluster of two workers.
 
     python benchmarks/tuning_throughput.py --robot go1 --rounds 5
 
-Every round runs the same trials on each crew in turn; ratios are of the same round, and medians
-over rounds are printed, for machines are shared. A trial is what `surefoot tune search` runs:
-estimator, program, physics at 1 kHz, control at 500 Hz, sensors, cost.
+Every round runs the same trials on each worker pool in turn. Ratios compare times of one round, and
+medians over rounds are printed, because other processes may load the machine. A trial is that of
+`surefoot tune search`: estimator, QP, physics at 1 kHz, control at 500 Hz, sensors and cost.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
 PORT = 8796
-SEEDS = 2  # episodes a trial
+SEEDS = 2  # episodes per trial
 
 
 def main() -> None:
-    """Measure and print."""
+    """Measure and print the figures."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--robot", default="go1")
     parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--trials", type=int, default=8, help="a round and crew")
+    parser.add_argument("--trials", type=int, default=8, help="trials per round and worker pool")
     parser.add_argument("--json", metavar="FILE")
     options = parser.parse_args()
     figures = measure(options.robot, options.rounds, options.trials)
@@ -49,7 +49,7 @@ def main() -> None:
 
 
 def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
-    """Return the medians over rounds."""
+    """Return the figures, as medians over rounds."""
     job = TrialJob(
         gain_values(load_robot(robot).config.gains),
         tuple(Episode(robot, seed, PlantSettings()) for seed in range(SEEDS)),
@@ -61,7 +61,9 @@ def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
     with cluster() as address:
         worker_pools = {"one": ProcessPool(1), "two": ProcessPool(2), "dask": DaskCluster(address)}
         for worker_pool in worker_pools.values():
-            _run(worker_pool, job, 4 * worker_pool.count)  # every worker has its plants
+            _run(
+                worker_pool, job, 4 * worker_pool.count
+            )  # so that every worker has built its plants
         for _ in range(rounds):
             for name, worker_pool in worker_pools.items():
                 wall_times[name].append(_run(worker_pool, job, trials))
@@ -80,7 +82,7 @@ def measure(robot: str, rounds: int, trials: int) -> dict[str, float]:
 
 
 def _run(worker_pool: ProcessPool | DaskCluster, job: TrialJob, trials: int) -> float:
-    """Return the time that trials take [s]."""
+    """Return the wall time of some trials on a worker pool [s]."""
     queue, done = TrialQueue(worker_pool), 0
     begin = time.monotonic()
     while done < trials:
@@ -91,7 +93,7 @@ def _run(worker_pool: ProcessPool | DaskCluster, job: TrialJob, trials: int) -> 
 
 
 def _physics(job: TrialJob) -> float:
-    """Return the CPU time of a physics step alone, of a robot that its motors hold [s]."""
+    """Return the CPU time of one MuJoCo step [s], of a robot held by constant joint torques."""
     plant = cached_plant(job.episodes[0])
     plant.reset()
     model, data, steps = plant.model, mujoco.MjData(plant.model), 1000

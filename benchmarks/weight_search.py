@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Search the weights that decide near the edge of balance by pushes all around.
+"""Search of the QP weights that matter near the push limit, by pushes in all directions.
 
     python benchmarks/weight_search.py --robot b1 --late 80 85 90 --strict 77.5 --jobs 2
 
-CMA-ES (Optuna) begins at the robot's own values. What counts are pushes of 0.1 s through the centre
-of mass, as those of surefoot assess, half way around: how many of the levels the robot survives on
-level ground and with 20 ms of latency, the worst heading thrice, less what feet move by too far at
---strict. Gains of feedback are not searched: margins, quiet standing and what watches them stay as
-they are. Every better set is said, as rows of the robot's TOML, friction of [robot], the others of
-[gains]; what it is worth on all headings and other seeds, surefoot assess says.
+CMA-ES (Optuna) starts from the values of the robot. Pushes last 0.1 s and act through the centre of
+mass, as in surefoot assess, with headings over half a circle. The objective is the number of levels
+that the robot survives on level ground and with 20 ms of latency, with the worst heading counted
+three times, minus a penalty for feet that move too far at --strict. Feedback gains are not
+searched, so stability margins, quiet standing and fault detection do not change. Each better set is
+printed as rows of the robot's TOML: friction for [robot], the others for [gains]. Run surefoot
+assess to evaluate a set on all headings and on other seeds.
 """
 
 from __future__ import annotations
@@ -28,13 +29,13 @@ from seed_runs import ROBOTS, parse_integer
 from surefoot.assess.sweep import MAX_LEVEL
 from surefoot.system.worker_processes import killable_pool
 
-SIGMA = 0.1  # first step of CMA-ES, as a share of the logarithmic ranges
+SIGMA = 0.1  # initial step size of CMA-ES, as a share of the logarithmic ranges
 
 
 def search(robot: str, trials: int, jobs: int, seed: int, pushes: PushSet) -> None:
-    """Try sets of values, four a process at a time, and say each that beats those before."""
+    """Evaluate sets of values in batches of four per process, and print each new best set."""
     optuna.logging.set_verbosity(optuna.logging.WARNING)
-    # x0 and sigma0 go with Optuna 6, which pyproject.toml excludes.
+    # Optuna 6 removes x0 and sigma0; pyproject.toml excludes it.
     warnings.filterwarnings("ignore", "`(x0|sigma0)`", FutureWarning)
     own = default_values(robot)
     space = {name: FloatDistribution(*ends, log=True) for name, ends in RANGES.items()}
@@ -60,47 +61,53 @@ def search(robot: str, trials: int, jobs: int, seed: int, pushes: PushSet) -> No
 def print_values(
     number: int, value: float, survived: list[float], values: dict[str, float]
 ) -> None:
-    """Print a set of values."""
+    """Print a set of values as rows of TOML."""
     counts = " ".join(f"{count:.1f}" for count in survived) or "none: feet move too far"
     print(f"# trial {number}: {value:.1f}; levels survived by heading: {counts}")
     print("\n".join(f"{name} = {value:.4g}" for name, value in values.items()), flush=True)
 
 
 def parse_level(text: str) -> float:
-    """Return the share of the robot's own limit that an option's text is [%]."""
+    """Parse an option as a share of the push limit [%]; raises ArgumentTypeError."""
     value = float(text)
     if not 0.0 < value <= MAX_LEVEL:
         raise argparse.ArgumentTypeError(
-            f"got {text}, expected more than 0, {MAX_LEVEL:g} % at most"
+            f"got {text}, expected > 0 and <= {MAX_LEVEL:g} [% of the push limit]"
         )
     return value
 
 
 def main() -> int:
-    """Search."""
+    """Run the search."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--robot", choices=ROBOTS, required=True)
     parser.add_argument("--trials", type=lambda text: parse_integer(text, 1), default=200)
     parser.add_argument(
-        "--jobs", type=lambda text: parse_integer(text, 1), default=1, help="processes (1)"
+        "--jobs",
+        type=lambda text: parse_integer(text, 1),
+        default=1,
+        help="number of processes (1)",
     )
-    parser.add_argument("--seed", type=int, default=0, help="of the search")
+    parser.add_argument("--seed", type=int, default=0, help="seed of the search")
     for name, default, what in (
         ("--levels", [100.0, 105.0, 110.0, 115.0, 120.0], "on level ground"),
         ("--late", [90.0, 95.0, 100.0, 105.0], "with 20 ms of latency"),
     ):
-        what = f"levels to survive {what} [%%]"
+        what = f"levels of pushes {what} [%% of the push limit]"
         parser.add_argument(name, type=parse_level, nargs="+", default=default, help=what)
     parser.add_argument(
-        "--strict", type=parse_level, default=80.0, help="level for feet that stay [%%]"
+        "--strict",
+        type=parse_level,
+        default=80.0,
+        help="level at which feet must stay in place [%%]",
     )
     parser.add_argument(
         "--seeds",
         type=lambda text: parse_integer(text, 1),
         default=1,
-        help="of sensors, from 0 (1)",
+        help="number of seeds of the sensors (1)",
     )
     options = parser.parse_args()
     levels, late = sorted(options.levels), sorted(options.late)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The pip wheels of Pinocchio and ProxSuite live in site-packages/cmeel.prefix, which nobody tells
-# CMake about. Ask cmeel and put it first, so that a system Eigen cannot get in between. With a conda
-# or system Pinocchio there is no cmeel and nothing happens.
+# The pip wheels of Pinocchio and ProxSuite are in site-packages/cmeel.prefix, which CMake does not
+# search. Get its path from cmeel and put it first, so that no system Eigen is found before it. With
+# Pinocchio from conda or from the system there is no cmeel, and nothing changes.
 if(NOT Python_EXECUTABLE)
   find_package(Python COMPONENTS Interpreter QUIET)
 endif()

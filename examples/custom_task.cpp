@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A task of your own: a camera on the trunk, kept at a height. Any frame of Pinocchio's will do.
+// A user task: keep a camera on the trunk at a given height. Any Pinocchio frame works the same
+// way.
 //   surefoot export go1 go1.robot
 #include <cstdio>
 #include <pinocchio/algorithm/frames.hpp>
@@ -9,7 +10,7 @@
 struct CameraHeight : surefoot::Task {
   explicit CameraHeight(const pinocchio::Model& robot) : model(robot), data(robot) {}
   int rows() const override { return 1; }
-  // The camera accelerates by J a + drift; what is wanted of that pulls it to its height.
+  // The vertical acceleration of the camera is J a + drift; its desired value is PD feedback.
   bool write(const surefoot::RobotState& state, surefoot::TaskRows& rows) noexcept override {
     const auto axes = pinocchio::LOCAL_WORLD_ALIGNED;
     pinocchio::forwardKinematics(model, data, state.q, state.v, Eigen::VectorXd::Zero(18));
@@ -19,7 +20,7 @@ struct CameraHeight : surefoot::Task {
     const double drift = getFrameClassicalAcceleration(model, data, 1, camera, axes).linear()[2];
     height = data.oMi[1].act(camera).translation().z();
     rows.A_a = J.row(2);
-    rows.weight[0] = 3.0;  // at m/s^2: dear beside the trunk's level, of which g counts 1
+    rows.weight[0] = 3.0;  // large: the row is in m/s^2, built-in tasks count in about g
     rows.b[0] = 100.0 * (target_height - height) - 20.0 * speed - drift;
     return true;
   }
@@ -27,7 +28,7 @@ struct CameraHeight : surefoot::Task {
   const pinocchio::Model& model;
   pinocchio::Data data;
   pinocchio::Data::Matrix6x J = pinocchio::Data::Matrix6x::Zero(6, 18);
-  double target_height = 0.08, height = 0.0;  // [m] 3 cm above where it is
+  double target_height = 0.08, height = 0.0;  // [m] 3 cm above the start
 };
 
 int main(int argc, char** argv) {
@@ -38,9 +39,9 @@ int main(int argc, char** argv) {
   surefoot::RobotState state;
   state.q = robot.q_standing();
   const surefoot::Reference reference = controller.hold(state);
-  for (int tick = 0; tick < 1000; ++tick) {  // 2 s of a robot that does as it is told
+  for (int tick = 0; tick < 1000; ++tick) {  // 2 s; the robot follows the accelerations exactly
     state.v += 0.002 * controller.update(state, reference).accelerations;
     state.q = pinocchio::integrate(robot.model(), state.q, 0.002 * state.v);
   }
-  std::printf("camera at %.3f m, wanted at %.3f m\n", task->height, task->target_height);
+  std::printf("camera at %.3f m, desired %.3f m\n", task->height, task->target_height);
 }

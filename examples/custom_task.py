@@ -1,4 +1,4 @@
-"""A task of your own: a camera on the trunk, kept at a height. Any frame of Pinocchio's will do."""
+"""A user task: keep a camera on the trunk at a given height. Any Pinocchio frame works this way."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ AXES = pin.LOCAL_WORLD_ALIGNED
 
 
 class CameraHeight(surefoot.Task):
-    """The camera accelerates by J a + drift; what is wanted of that pulls it to its height."""
+    """Task on the camera's vertical acceleration J a + drift; its desired value is PD feedback."""
 
     def __init__(self, model: pin.Model, target_height: float) -> None:
         super().__init__()
@@ -19,25 +19,25 @@ class CameraHeight(surefoot.Task):
         self.target_height, self.height = target_height, 0.0
 
     def rows(self) -> int:
-        """One: upwards."""
+        """Return the number of rows: one, vertical."""
         return 1
 
     def write(self, state: surefoot.RobotState, rows: surefoot.TaskRows) -> bool:
-        """Write J and what is wanted; False or an exception would stop the tick."""
+        """Write J and the desired acceleration. False or an exception would stop the tick."""
         model, data = self.model, self.data
         pin.forwardKinematics(model, data, state.q, state.v, np.zeros(model.nv))
         pin.computeJointJacobians(model, data, state.q)
         speed = pin.getFrameVelocity(model, data, 1, CAMERA, AXES).linear[2]
         drift = pin.getFrameClassicalAcceleration(model, data, 1, CAMERA, AXES).linear[2]
         self.height = data.oMi[1].act(CAMERA).translation[2]
-        # Weight 3 at m/s^2: dear beside the trunk's level, of which g counts 1.
+        # Weight 3 is large: the row is in m/s^2, built-in tasks count in about g.
         rows.weight[:], rows.A_a[:] = 3.0, pin.getFrameJacobian(model, data, 1, CAMERA, AXES)[2]
         rows.b[:] = 100.0 * (self.target_height - self.height) - 20.0 * speed - drift
         return True
 
 
 def main() -> None:
-    """Nod until the camera is 3 cm higher, on a robot that does as it is told."""
+    """Raise the camera by 3 cm, on a robot that follows the accelerations exactly."""
     robot = surefoot.load_robot("go1")
     model = pin.Model()
     model.loadFromString(robot.serialized_model())
@@ -50,7 +50,7 @@ def main() -> None:
     for _ in range(1000):  # 2 s
         state.v = state.v + 0.002 * controller.update(state, reference).accelerations
         state.q = pin.integrate(model, state.q, 0.002 * state.v)
-    print(f"camera at {task.height:.3f} m, wanted at {task.target_height:.3f} m")
+    print(f"camera at {task.height:.3f} m, desired {task.target_height:.3f} m")
 
 
 if __name__ == "__main__":

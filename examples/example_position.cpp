@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Position mode: the front right leg goes to a pose in a straight line, then its calf swings.
+// Position mode: the front right leg moves linearly to a pose, then its calf swings.
 //   surefoot export go1 go1.robot; surefoot robot --robot go1 --hung &
 //   example_position go1.robot --duration 6
 #include "low_level_loop.hpp"
@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   const auto control = [&](int n, const LowState& state, LowCmd& cmd) {
     for (int k = 0; n < 10 && k < 3; ++k) start[k] = state.motorState[FR_0 + k].q;
     if (n < 10) return;
-    const double share = std::min((n - 9) / 200.0, 1.0);  // too far at once asks for wild torque
+    const double share = std::min((n - 9) / 200.0, 1.0);  // a step would cause a large torque
     for (int k = 0; k < 3; ++k) {
       MotorCmd& motor = cmd.motorCmd[FR_0 + k];
       motor.q = static_cast<float>(start[k] + share * (pose[k] - start[k]));

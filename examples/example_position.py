@@ -1,4 +1,4 @@
-"""Position mode: the front right leg goes to a pose in a straight line, then its calf swings."""
+"""Position mode: the front right leg moves linearly to a pose, then its calf swings."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ start = [0.0, 0.0, 0.0]
 
 
 def control(n: int, state: LowState, cmd: LowCmd) -> str:
-    """Read the pose to tick 9, go to POSE in 0.4 s, from tick 400 swing the calf at 0.45 Hz."""
+    """Read the pose until tick 9, move to POSE in 0.4 s, then swing the calf at 0.45 Hz."""
     if n < 10:
         start[:] = [state.motorState[FR_0 + k].q for k in range(3)]
         return ""
-    share = min((n - 9) / 200.0, 1.0)  # too far at once would ask for abnormal torque
+    share = min((n - 9) / 200.0, 1.0)  # a step would cause a large torque
     target = [s + share * (goal - s) for s, goal in zip(start, POSE, strict=True)]
     if n >= 400:
         target[2] = POSE[2] - 0.6 * math.sin(1.8 * math.pi * (n - 400) / 1000.0)

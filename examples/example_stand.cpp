@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stand: the whole-body controller over UDP, with everything that the command surefoot run has.
+// Stand: the whole-body controller over UDP, with the StandRunner that `surefoot run` uses.
 //   surefoot export go1 go1.robot; surefoot robot --robot go1 &
 //   example_stand go1.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]
 #include <csignal>
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     StandRunner runner(robot, robot.config().gains, StandOptions(), link, options);
     active_runner = &runner;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-      std::signal(number, [](int) { active_runner->stop(); });  // it damps, and ends
+      std::signal(number, [](int) { active_runner->stop(); });  // run() damps, then returns
     }
     runner.run();
     const RunSnapshot end = runner.snapshot();

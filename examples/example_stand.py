@@ -1,4 +1,4 @@
-"""Stand: the whole-body controller over UDP, in a loop of one's own."""
+"""Stand: the whole-body controller over UDP, in a loop of your own."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from surefoot.protocol import GENERATIONS, default_generation
 
 
 def main() -> int:
-    """Run; returns 0 if the robot was under control to the end."""
+    """Run the example; return 0 if the robot was under control until the end, else 1."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--host", default="127.0.0.1")
     parser.add_argument("--port", type=int, default=8007)
     parser.add_argument("--duration", type=float, default=10.0, help="[s]")
     parser.add_argument("--robot", default="go1")
-    parser.add_argument("--sdk", choices=GENERATIONS, help="the robot's own, if not given")
+    parser.add_argument("--sdk", choices=GENERATIONS, help="default: that of --robot")
     args = parser.parse_args()
     for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, lambda *_: sys.exit(1))  # so that what follows damps
+        signal.signal(number, lambda *_: sys.exit(1))  # sys.exit() runs the finally block
     try:
         robot = surefoot.load_robot(args.robot)
         link = surefoot.UdpLink(args.host, args.port, args.sdk or default_generation(args.robot))
@@ -35,7 +35,7 @@ def main() -> int:
     except KeyboardInterrupt:
         pass
     finally:
-        # The motors keep their last command for as long as the robot lets them.
+        # Damp before exit, because the motors would keep their last command.
         for _ in range(100):
             link.send(surefoot.damping_low_cmd(3.0))
             time.sleep(0.002)
@@ -50,13 +50,13 @@ def loop(
     safety: surefoot.Safety,
     duration: float,
 ) -> bool:
-    """Control until the time is over: True; False if something says no before."""
+    """Run the control loop; return True after `duration` [s], False if it has to stop before."""
     end = next_tick_time = time.monotonic()
     end += duration
     while (now := time.monotonic()) < end:
         has_new_state = link.receive()
         if not link.has_state:
-            link.send(surefoot.damping_low_cmd(3.0))  # so that the robot knows whom to answer
+            link.send(surefoot.damping_low_cmd(3.0))  # the robot replies to the sender of a frame
         elif link.state_age > 0.1:
             print(f"no LowState for {1000 * link.state_age:.0f} ms", flush=True)
             return False

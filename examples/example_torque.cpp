@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Torque mode: a torque of at most 5 N.m holds the front right thigh at zero.
+// Torque mode: hold the front right thigh at zero with a torque of at most 5 N.m.
 #include "low_level_loop.hpp"
 
 using namespace example;

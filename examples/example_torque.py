@@ -1,4 +1,4 @@
-"""Torque mode: a torque of at most 5 N.m holds the front right thigh at zero."""
+"""Torque mode: hold the front right thigh at zero with a torque of at most 5 N.m."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from surefoot import FR_1, LowCmd, LowState, PosStopF, VelStopF
 
 
 def control(n: int, state: LowState, cmd: LowCmd) -> str:
-    """From tick 500 on: tau = 10 (0 - q) + 1 (0 - dq), in the range +-5 N.m."""
+    """Command tau = 10 (0 - q) + 1 (0 - dq), limited to +-5 N.m, from tick 500 on."""
     if n < 500:
         return ""
     thigh, motor = state.motorState[FR_1], cmd.motorCmd[FR_1]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Velocity mode: the front right thigh follows a speed of 2 sin at 0.5 Hz.
+// Velocity mode: the front right thigh follows a sine of 2 rad/s at 0.5 Hz.
 #include "low_level_loop.hpp"
 
 using namespace example;

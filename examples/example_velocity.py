@@ -1,4 +1,4 @@
-"""Velocity mode: the front right thigh follows a speed of 2 sin at 0.5 Hz."""
+"""Velocity mode: the front right thigh follows a sine of 2 rad/s at 0.5 Hz."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from surefoot import FR_1, LowCmd, LowState, PosStopF
 
 
 def control(n: int, state: LowState, cmd: LowCmd) -> str:
-    """From tick 500 on: dq = 2 sin(3 pi k / 1500) rad/s with Kd 4."""
+    """Command dq = 2 sin(3 pi (n - 500) / 1500) rad/s with Kd = 4, from tick 500 on."""
     if n < 500:
         return ""
     thigh, motor = state.motorState[FR_1], cmd.motorCmd[FR_1]
@@ -19,4 +19,4 @@ def control(n: int, state: LowState, cmd: LowCmd) -> str:
     return f"{n * 0.002:5.1f} s  FR_1 {thigh.dq:6.3f} of {speed:6.3f} rad/s" if n % 250 == 0 else ""
 
 
-sys.exit(run(control, "Velocity mode: one thigh moves to and fro.", protect_from_tick=11))
+sys.exit(run(control, "Velocity mode: one thigh moves back and forth.", protect_from_tick=11))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the SDK's low-level examples share: a 500 Hz loop over UDP behind the power protection.
+// Common part of the low-level examples: a 500 Hz loop over UDP with the power protection.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace example {
 using namespace surefoot;
 constexpr std::chrono::milliseconds kPeriod(2);
 
-// Called in tick n = 1, 2 ...; writes cmd.
+// Writes cmd in tick n = 1, 2 ...
 using Control = std::function<void(int n, const LowState& state, LowCmd& cmd)>;
 
 inline volatile std::sig_atomic_t interrupted = 0;
 
-// The motors keep their last command for as long as the robot lets them: never leave without this.
+// Send damping for 0.2 s. Call it before every exit, because the motors keep their last command.
 inline void damp(UdpLink& link) {
   for (int k = 0; k < 100; ++k, std::this_thread::sleep_for(kPeriod)) {
     link.send(damping_low_cmd(3.0));
@@ -33,19 +33,19 @@ inline void damp(UdpLink& link) {
 
 inline bool wait_for_robot(UdpLink& link) {
   for (int k = 0; k < 1000 && !interrupted; ++k, std::this_thread::sleep_for(kPeriod)) {
-    link.send(init_low_cmd());  // damping leaves: the robot is not known yet
+    link.send(init_low_cmd());  // the link sends damping until the first valid LowState
     if (link.receive()) return true;
   }
   if (link.counts().received > 0) {
     std::printf("no valid LowState: %s\n", to_text(link.last_reject()).c_str());
   } else {
-    std::puts("no robot: nobody answers");
+    std::puts("no robot: no answer within 2 s");
   }
   return false;
 }
 
-// Until the duration [s] is over; returns 0, 1 if the robot falls silent, 255 after a trip (the
-// SDK's examples exit(-1)).
+// Run the loop for the duration [s]. Returns 0; 1 if LowStates stop; 255 after a trip of the power
+// protection, as exit(-1) in the SDK's examples.
 inline int loop(UdpLink& link, Safety& safety, double duration, const Control& control,
                 int protect_from_tick) {
   LowCmd cmd = init_low_cmd();
@@ -53,13 +53,13 @@ inline int loop(UdpLink& link, Safety& safety, double duration, const Control& c
   auto next_tick_time = std::chrono::steady_clock::now();
   for (int n = 1; n <= duration / 0.002 && !interrupted; ++n) {
     const bool has_new_state = link.receive();
-    if (link.state_age() > 0.1) {  // as long as robots wait
+    if (link.state_age() > 0.1) {  // [s] the robot also damps after so long without a command
       std::printf("tick %d: no LowState for %.0f ms; damping\n", n, 1000.0 * link.state_age());
       return 1;
     }
     for (int leg = 0; leg < kLegs; ++leg) cmd.motorCmd[3 * leg].tau = hip_tau[leg];
     control(n, link.state(), cmd);
-    // Each report counts once.
+    // Each sample counts once.
     if (has_new_state && n >= protect_from_tick && safety.power_protect(cmd, link.state(), 1) < 0) {
       std::printf("tick %d: power protection, %.0f W; damping\n", n, safety.power());
       return 255;
@@ -70,8 +70,9 @@ inline int loop(UdpLink& link, Safety& safety, double duration, const Control& c
   return 0;
 }
 
-// NAME.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]. Every report from tick
-// `protect_from_tick` on is judged by power_protect at level 1. Returns the exit status.
+// Run an example. Arguments: NAME.robot [--host A] [--port N] [--sdk GENERATION] [--duration S].
+// power_protect() at level 1 checks each sample from tick `protect_from_tick` on. Returns the exit
+// status.
 inline int run(int argc, char** argv, const Control& control, int protect_from_tick) {
   if (argc < 2) {
     std::printf("usage: %s NAME.robot [--host A] [--port N] [--sdk GENERATION] [--duration S]\n",

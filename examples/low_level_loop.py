@@ -1,4 +1,4 @@
-"""What the SDK's low-level examples share: a 500 Hz loop over UDP behind the power protection."""
+"""Common part of the low-level examples: a 500 Hz loop over UDP with the power protection."""
 
 from __future__ import annotations
 
@@ -12,28 +12,34 @@ import surefoot
 from surefoot.protocol import GENERATIONS, default_generation
 
 DT = 0.002  # [s]
-STATE_TIMEOUT = 0.1  # [s] of silence: as long as robots wait
-FINAL_DAMPING_TICKS = 100  # ticks of damping at the end
+STATE_TIMEOUT = 0.1  # [s] without a LowState; the robot also damps after so long without a command
+FINAL_DAMPING_TICKS = 100  # number of damping commands before exit
 HIP_TAU = {surefoot.FR_0: -0.65, surefoot.FL_0: 0.65, surefoot.RR_0: -0.65, surefoot.RL_0: 0.65}
 
 Control = Callable[[int, surefoot.LowState, surefoot.LowCmd], str]
 
 
 def run(control: Control, description: str, protect_from_tick: int = 1) -> int:
-    """Call control(n, state, cmd) in tick n = 1, 2 ...; it writes cmd and may return a line to say.
+    """Run an example: parse the command line, and call control(n, state, cmd) in tick n = 1, 2 ...
 
-    Every report from tick `protect_from_tick` on is judged by power_protect at level 1. Returns the exit
-    status: 0, 255 after a trip (the SDK's examples exit(-1)), 1 without a robot that talks.
+    Args:
+        control: Writes cmd, and returns a line to print, or "".
+        description: What the example does, for --help and the start message.
+        protect_from_tick: First tick in which power_protect() at level 1 checks the samples.
+
+    Returns:
+        The exit status: 0; 1 if there is no robot or its LowStates stop; 255 after a trip of the
+        power protection, as exit(-1) in the SDK's examples.
     """
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--host", default="127.0.0.1")
     parser.add_argument("--port", type=int, default=8007)
     parser.add_argument("--duration", type=float, default=10.0, help="[s]")
     parser.add_argument("--robot", default="go1")
-    parser.add_argument("--sdk", choices=GENERATIONS, help="the robot's own, if not given")
+    parser.add_argument("--sdk", choices=GENERATIONS, help="default: that of --robot")
     args = parser.parse_args()
     for number in (signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, lambda *_: sys.exit(1))  # so that what follows damps
+        signal.signal(number, lambda *_: sys.exit(1))  # sys.exit() runs the finally block
     try:
         link = surefoot.UdpLink(args.host, args.port, args.sdk or default_generation(args.robot))
         safety = surefoot.Safety(surefoot.load_robot(args.robot))
@@ -43,14 +49,14 @@ def run(control: Control, description: str, protect_from_tick: int = 1) -> int:
     print(f"{description} Make sure the robot is hung up.", flush=True)
     try:
         if not _wait_for_robot(link):
-            why = link.last_reject if link.counts.received else "nobody answers"
+            why = link.last_reject if link.counts.received else "no answer within 2 s"
             print(f"no robot at {args.host}:{args.port}: {why}", file=sys.stderr)
             return 1
         return _loop(link, safety, control, args.duration, protect_from_tick)
     except KeyboardInterrupt:
         return 0
     finally:
-        # The motors keep their last command for as long as the robot lets them.
+        # Damp before exit, because the motors would keep their last command.
         _damp(link)
 
 
@@ -72,7 +78,7 @@ def _loop(
             cmd.motorCmd[motor].tau = tau
         if line := control(n, state, cmd):
             print(line, flush=True)
-        # Each report counts once.
+        # Each sample counts once.
         if has_new_state and n >= protect_from_tick and safety.power_protect(cmd, state, 1) < 0:
             print(f"tick {n}: power protection, {safety.power:.0f} W; damping", flush=True)
             return 255
@@ -83,7 +89,7 @@ def _loop(
 
 def _wait_for_robot(link: surefoot.UdpLink) -> bool:
     for _ in range(1000):
-        link.send(surefoot.LowCmd())  # damping leaves: the robot is not known yet
+        link.send(surefoot.LowCmd())  # the link sends damping until the first valid LowState
         time.sleep(DT)
         if link.receive():
             return True
@@ -101,4 +107,4 @@ def _sleep_until(next_tick_time: float) -> float:
     if late < 0.0:
         time.sleep(-late)
         return next_tick_time
-    return next_tick_time + late  # no two ticks back to back
+    return next_tick_time + late  # a late tick delays all later ones; none follows at once

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a .robot file to torques: what runs on the robot's computer. Write the file first:
+// From a .robot file to torques, as on the robot's computer. Write the file first:
 //   surefoot export go1 go1.robot
 #include <cstdio>
 #include <surefoot/surefoot.hpp>
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   const surefoot::LowCmd command = controller.update(state);
   std::printf("%s:", surefoot::to_string(controller.status()));
   for (int i = 0; i < surefoot::kMotors; ++i) {
-    const float tau = command.motorCmd[i].tau;  // a packed field: copy it, take no reference
+    const float tau = command.motorCmd[i].tau;  // packed field: copy it, do not bind a reference
     std::printf(" %.2f", static_cast<double>(tau));
   }
   std::printf(" N.m\n");

@@ -1,4 +1,4 @@
-"""A go1 stands on torques alone: ten lines of controller, the rest is the simulated robot."""
+"""A simulated go1 stands in torque mode: load a robot, make a controller, call update()."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from surefoot.sim import Plant, PlantSettings
 
 
 def main() -> None:
-    """Stand for five seconds and say how it went."""
+    """Stand for five seconds, then print the result."""
     robot = surefoot.load_robot("go1")
     controller = surefoot.StandController(robot)
     plant = Plant("go1", PlantSettings(sensors="real"))  # on the robot: the SDK's UDP class

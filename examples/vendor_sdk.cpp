@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program written for unitree_legged_sdk v3.5 - v3.8: its structs, its UDP class, its loop; and
-// one call of this library for the torques. The vendor's structs and ours are the same bytes.
+// A program for unitree_legged_sdk v3.5 - v3.8 with its structs, its UDP class and its loop. One
+// call of this library computes the torques. The structs of both libraries have the same layout.
 #include <surefoot/surefoot.hpp>
 
 #if __has_include("unitree_legged_sdk/unitree_legged_sdk.h")
@@ -29,9 +29,9 @@ int main() {
     udp.GetRecv(state);
     surefoot::LowState ours;
     std::memcpy(&ours, &state, sizeof(ours));
-    const surefoot::LowCmd command = controller.update(ours);  // damps by itself when states stop
+    const surefoot::LowCmd command = controller.update(ours);  // damps if LowStates stop
     std::memcpy(&cmd, &command, sizeof(cmd));
-    // The vendor's protection forgets within five ticks that it tripped: stay damped ourselves.
+    // The vendor's protection forgets a trip within five ticks, so this program latches damping.
     tripped = tripped || safety.PowerProtect(cmd, state, 1) < 0;
     if (tripped) std::memcpy(&cmd, &damping, sizeof(cmd));
     udp.SetSend(cmd);
@@ -39,5 +39,5 @@ int main() {
   }
 }
 #else
-int main() { return 0; }  // without the vendor's headers there is nothing to show
+int main() { return 0; }  // the vendor's headers are not installed
 #endif

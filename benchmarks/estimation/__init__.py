@@ -1,1 +1,1 @@
-"""How good the state estimator is: simulated runs recorded once, replayed under many sensors."""
+"""Accuracy of the state estimator: simulated runs, recorded once and replayed with many sensors."""

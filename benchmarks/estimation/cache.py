@@ -1,4 +1,4 @@
-"""Recorded logs on disk, one .npz each; a log is made anew when what it was made from changes."""
+"""Cache of recorded logs, one .npz each; a log is recorded again when its settings change."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ import numpy as np
 from estimation.log_rows import Log
 from estimation.recording import Scenario, record
 
-VERSION = 1  # of the log's layout
+VERSION = 1  # version of the log's layout
 
 
 def load_or_record(folder: Path, case: str, seed: int, scenario: Scenario) -> Log:
-    """Return a log from `folder`/case/robot-seed-key.npz, recorded if it is not there yet.
+    """Return the log `folder`/case/robot-seed-key.npz; record it if it does not exist yet.
 
-    The key is that of the recording's settings; the controller's code is not in it, so remove the
-    folder to record with another controller.
+    The key is a hash of the scenario's settings. It does not cover the code of the controller, so
+    remove the folder to record with another version.
     """
     key = hashlib.sha256(f"{VERSION} {scenario!r}".encode()).hexdigest()[:10]
     path = folder / case / f"{scenario.robot}-{seed}-{key}.npz"

@@ -1,4 +1,4 @@
-"""Whether a probability of contact is one."""
+"""Calibration of the contact confidence: how far it is from a probability."""
 
 from __future__ import annotations
 
@@ -8,7 +8,15 @@ from estimation.log_rows import Array
 
 
 def calibration_error(confidence_and_truth: Array, bins: int = 10) -> float:
-    """Return the mean distance between probability and frequency over bins; NaN without rows."""
+    """Compute the calibration error of a contact confidence.
+
+    The error is the mean absolute difference over equal bins of the confidence between the
+    confidence and the frequency of contact, weighted by the rows per bin. NaN without rows.
+
+    Args:
+        confidence_and_truth: (n, 2) contact confidence, and true contact (0 or 1).
+        bins: Number of bins.
+    """
     if len(confidence_and_truth) == 0:
         return float("nan")
     index = np.minimum((confidence_and_truth[:, 0] * bins).astype(int), bins - 1)

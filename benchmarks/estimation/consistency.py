@@ -1,4 +1,4 @@
-"""Whether an estimator is as sure as it should be: squared errors against their chi-square band."""
+"""Consistency of an estimator: normalised squared errors against their chi-square band."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import numpy as np
 
 from estimation.log_rows import Array
 
-BAND_PROBABILITY = 0.95  # of the band
+BAND_PROBABILITY = 0.95  # probability of the band
 
 
 def chi_square_band(dof: Array) -> tuple[Array, Array]:
-    """Return the ends of the chi-square band of 95 % for degrees of freedom (n,).
+    """Return the ends of the 95 % chi-square band for degrees of freedom (n,).
 
-    Wilson's and Hilferty's approximation: within 1 % for 5 degrees and more.
+    Uses the approximation of Wilson and Hilferty: within 1 % for 5 degrees of freedom or more.
     """
     z = NormalDist().inv_cdf(0.5 + BAND_PROBABILITY / 2.0)
     spread = 2.0 / (9.0 * np.maximum(dof, 1))
@@ -29,11 +29,11 @@ def within_band(squares: Sequence[Array], dofs: Sequence[Array]) -> tuple[float,
     """Return the share of ticks [%] whose sum over seeds is in its band, and the mean per degree.
 
     Args:
-        squares: (n,) of every seed; they are cut to the shortest.
-        dofs: (n,) of every seed.
+        squares: Normalised squared errors (n,) of each seed, cut to the shortest.
+        dofs: Degrees of freedom (n,) of each seed.
 
     Returns:
-        NaN, NaN if there is nothing to judge.
+        Share and mean; NaN, NaN if no tick has degrees of freedom.
     """
     n = min(len(values) for values in squares)
     total = np.sum([values[:n] for values in squares], axis=0)

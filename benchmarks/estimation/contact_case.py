@@ -1,4 +1,4 @@
-"""Figures of contacts that open and close."""
+"""Case contact: figures of estimated contact transitions."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ import numpy as np
 from surefoot import Robot
 
 from estimation.calibration import calibration_error
-from estimation.contacts import TransitionScore, score_transitions
-from estimation.figures import Result, Values
+from estimation.contact_transitions import TransitionScore, score_transitions
 from estimation.log_rows import Log
+from estimation.metrics import Result, Values
 from estimation.recording import sample_rate
 from estimation.replay import replay
-from estimation.sensors import CONDITIONS, apply_condition, normal_forces
+from estimation.sensor_conditions import CONDITIONS, apply_condition, normal_forces
 
 
 def contact(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
-    """Delays, missed and false transitions of lifts and of lifted feet under every condition."""
+    """Evaluate delays, missed and false transitions of all logs under every sensor condition."""
     values: Values = {"fell": sum(float(log["fell"]) for log in logs.values())}
     for run, log in logs.items():
         for condition in CONDITIONS:
@@ -25,7 +25,7 @@ def contact(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
 
 
 def score_log(robot: Robot, log: Log) -> TransitionScore:
-    """Return the score of all feet together."""
+    """Return the joint score of all feet."""
     estimates = replay(robot, log)
     share, rate = normal_forces(log) / log["weight"], sample_rate(log)
     total = TransitionScore([], 0, np.zeros((0, 2)))

@@ -1,4 +1,8 @@
-"""True contact transitions of a foot, how late an estimate follows them, and false ones."""
+"""Scores of contact estimates: delays against true transitions, and false transitions.
+
+Loads are shares of the weight of the robot. A fast true transition is judged by the delay of the
+estimate; near a slow one only the calibration of the contact confidence counts.
+"""
 
 from __future__ import annotations
 
@@ -12,17 +16,17 @@ from estimation.log_rows import Array
 UNLOADED_BELOW, LOADED_ABOVE = (
     0.05,
     0.10,
-)  # share of the weight that a load crosses when a contact closes, opens
+)  # share of the weight: a foot is unloaded below the first, loaded above the second
 FAST_LOAD_CHANGE, FAST_LOAD_TIME = (
     0.20,
     0.020,
-)  # share of the weight per time [s] that makes a transition fast
-MIN_PHASE_TIME = 0.020  # [s] a phase shorter than this need not be followed
+)  # a fast transition changes the load by this share within this time [s]
+MIN_PHASE_TIME = 0.020  # [s] shorter phases are ignored
 MATCH_BEFORE, MATCH_AFTER = (
     0.020,
     0.300,
-)  # [s] around a true transition within which one estimated is its own
-IGNORED_START = 0.5  # [s] at a log's beginning in which nothing is called false
+)  # [s] window around a true transition in which an estimated one matches
+IGNORED_START = 0.5  # [s] at the start of a log in which no transition counts as false
 
 
 @dataclass(frozen=True)
@@ -30,9 +34,9 @@ class Transition:
     """A true transition of a foot.
 
     Attributes:
-        row: The first on the other side of the threshold.
-        closes: Whether the foot takes load.
-        fast: Whether the load changes fast enough for the delay to be judged.
+        row: First row after the load crossed the threshold.
+        closes: Whether the foot becomes loaded.
+        fast: Whether the load changes fast enough for the delay to count.
     """
 
     row: int
@@ -41,9 +45,9 @@ class Transition:
 
 
 def true_transitions(share: Array, rate: float) -> list[Transition]:
-    """Return the transitions of a foot's normal load (n,) as a share of the robot's weight.
+    """Find the transitions of a foot from its normal load (n,), a share of the weight.
 
-    A load goes all the way: from above 10 % to below 5 % or back.
+    In a transition the load goes from above 10 % to below 5 %, or back.
     """
     phases = _phases(share, max(1, round(MIN_PHASE_TIME * rate)))
     window = max(1, round(FAST_LOAD_TIME * rate))
@@ -62,7 +66,7 @@ def true_transitions(share: Array, rate: float) -> list[Transition]:
 
 
 def _phases(share: Array, dwell: int) -> list[tuple[int, int, bool]]:
-    """Return (first, last, loaded) of the phases surely loaded or surely not, none short."""
+    """Return (first row, last row, loaded) of the clearly loaded or unloaded phases >= `dwell`."""
     kind = np.where(share > LOADED_ABOVE, 1, np.where(share < UNLOADED_BELOW, 0, -1))
     rows = np.flatnonzero(kind >= 0)
     phases: list[tuple[int, int, bool]] = []
@@ -84,12 +88,13 @@ def _phases(share: Array, dwell: int) -> list[tuple[int, int, bool]]:
 
 @dataclass
 class TransitionScore:
-    """How an estimate followed the transitions of one or more feet.
+    """Score of an estimate over the transitions of one or more feet.
 
     Attributes:
-        delays: [s] of those that are fast; infinite if missed, NaN if there was nothing to follow.
-        false: Estimated transitions that belong to no true one.
-        calibration: (m, 2) probability and truth in the neighbourhood of slow transitions.
+        delays: Delay of each fast transition [s]; infinite if missed, NaN if the estimate already
+            had the new state.
+        false: Number of estimated transitions without a true one.
+        calibration: (m, 2) contact confidence and true contact near slow transitions.
     """
 
     delays: list[float]
@@ -97,13 +102,13 @@ class TransitionScore:
     calibration: Array
 
     def __add__(self, other: TransitionScore) -> TransitionScore:
-        """Take two scores together."""
+        """Return the joint score."""
         both = np.concatenate([self.calibration, other.calibration])
         return TransitionScore(self.delays + other.delays, self.false + other.false, both)
 
 
 def score_transitions(share: Array, probability: Array, rate: float) -> TransitionScore:
-    """Score a foot's probability of contact (n,) against its load (n,), a share of the weight."""
+    """Score the contact confidence (n,) of a foot against its load (n,), a share of the weight."""
     truth = true_transitions(share, rate)
     estimated = probability > 0.5
     changes = np.flatnonzero(np.diff(estimated)) + 1
@@ -111,7 +116,7 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
     matched = np.zeros(len(changes), bool)
     delays = []
     for k, transition in enumerate(truth):
-        # The next is the other way round, so changes up to it are this one's.
+        # The next transition has the opposite direction, so changes before it belong to this one.
         end = truth[k + 1].row if k + 1 < len(truth) else len(share)
         start = transition.row - early
         end = max(start + 1, min(end, transition.row + late))
@@ -121,7 +126,7 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
             matched[right[0]] = True
             delay = (changes[right[0]] - transition.row) / rate
         else:
-            # It may be there already, because it never left or came too early: nothing to follow.
+            # If the estimate already has the new state, there is no delay to measure.
             delay = np.nan if estimated[max(0, start)] == transition.closes else np.inf
         if transition.fast:
             delays.append(float(np.maximum(delay, 0.0)))
@@ -135,7 +140,7 @@ def score_transitions(share: Array, probability: Array, rate: float) -> Transiti
 
 
 def _load_crossed_threshold(share: Array, changes: Array, closes: Array, reach: int) -> Array:
-    """Return which changes follow a load that was there, if too shortly to be a transition."""
+    """Return which changes follow a load that crossed the threshold too shortly to count."""
     windows = [share[max(0, row - reach) : row + 1] for row in changes]
     pairs = zip(windows, closes, strict=True)
     return np.array(
@@ -144,14 +149,14 @@ def _load_crossed_threshold(share: Array, changes: Array, closes: Array, reach: 
 
 
 def _near_partial_load(share: Array, reach: int) -> Array:
-    """Return rows (n,) at most `reach` after a load that is neither none nor surely one."""
+    """Return the rows (n,) within `reach` after a load near the thresholds."""
     between = (share >= 0.2 * UNLOADED_BELOW) & (share <= 1.5 * LOADED_ABOVE)
     spread = np.convolve(between, np.ones(reach), mode="full")[: len(share)]
     return np.asarray(spread > 0.0)
 
 
 def _near_slow_transitions(size: int, truth: list[Transition], reach: int) -> Array:
-    """Return rows (n,) near slow transitions, where only the calibration counts."""
+    """Return the rows (n,) near slow transitions, where only the calibration counts."""
     near = np.zeros(size, bool)
     for transition in truth:
         if not transition.fast:

@@ -1,4 +1,4 @@
-"""Figures of reports that are lost, frozen or doubled, in pushes."""
+"""Case dropout: figures of lost, frozen or repeated LowStates during pushes."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ import numpy as np
 from surefoot import Robot
 
 from estimation.errors import Errors, compute_errors, rms
-from estimation.figures import Result
 from estimation.log_rows import Log
+from estimation.metrics import Result
 from estimation.recording import select_rows
 from estimation.replay import replay
-from estimation.rows import SETTLING_TIME, push_rows, row_at, rows_after
+from estimation.row_selection import SETTLING_TIME, push_rows, row_at, rows_after
 
 FREEZE_TIME = 0.050  # [s]
-FAULT_AFTER_PUSH = 0.05  # [s] after a push's begin
+FAULT_AFTER_PUSH = 0.05  # [s] after the start of a push
 LOST_ROW_COUNT = 3
 
 
 def dropout(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
-    """Errors while the IMU freezes, its samples come twice, or reports are lost, in pushes."""
+    """Evaluate errors in pushes with a frozen IMU, repeated samples, or lost LowStates."""
     log = logs["push60"]
     frozen, dropped = replay_errors(robot, freeze_imu(log)), replay_errors(robot, drop_rows(log))
     doubled = replay_errors(robot, repeat_samples(log))
@@ -39,7 +39,7 @@ def dropout(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
 
 
 def replay_errors(robot: Robot, log: Log) -> Errors:
-    """Return the errors of a replay."""
+    """Replay a log and return the errors."""
     return compute_errors(log, replay(robot, log))
 
 
@@ -48,7 +48,7 @@ def _max_velocity_error(errors: Errors, rows: slice) -> float:
 
 
 def freeze_imu(log: Log) -> Log:
-    """Let the whole IMU repeat itself for 50 ms in the middle of every push."""
+    """Freeze all values of the IMU for 50 ms during every push."""
     out, length = dict(log), row_at(log, FREEZE_TIME)
     for name in ("gyroscope", "accelerometer", "quaternion"):
         out[name] = log[name].copy()
@@ -59,7 +59,7 @@ def freeze_imu(log: Log) -> Log:
 
 
 def repeat_samples(log: Log) -> Log:
-    """Let every second sample of the accelerometer be the one before it."""
+    """Replace every second sample of the accelerometer by the one before it."""
     accelerometer = log["accelerometer"].copy()
     pairs = len(accelerometer) // 2
     accelerometer[1 : 2 * pairs : 2] = accelerometer[0 : 2 * pairs : 2]
@@ -67,7 +67,7 @@ def repeat_samples(log: Log) -> Log:
 
 
 def drop_rows(log: Log) -> Log:
-    """Lose three reports in the middle of every push and every half second."""
+    """Drop three LowStates during every push, and every half second."""
     n = len(log["tick"])
     starts = [row + row_at(log, FAULT_AFTER_PUSH) for row in push_rows(log)]
     starts += range(row_at(log, 0.5), n - LOST_ROW_COUNT, row_at(log, 0.5))

@@ -1,7 +1,8 @@
-"""Errors of estimates against the truth, row by row: what is compared, and in which axes.
+"""Errors of estimates against the truth, row by row.
 
-The estimator's world turns against the true one, about the vertical, as it must; the turn of every
-instant is taken out first. Errors are estimate less truth, in true world axes.
+Yaw is not observable, so the world frame of the estimator rotates about the vertical relative to
+the true one. This rotation is removed in every row first. Errors are estimate minus truth, in true
+world axes.
 """
 
 from __future__ import annotations
@@ -23,11 +24,11 @@ class Errors:
 
     Attributes:
         tilt: (n, 2) x and y of the rotation vector [rad].
-        tilt_from_bias: (n, 2) part of it that the accelerometer's bias alone makes: no standing robot's
-            sensors can tell it from a tilt.
-        velocity: (n, 3) [m/s].
-        height: (n,) [m] of the base, the estimator's offset of the first row taken out.
-        covariance: (n, 5, 5) that the estimator gives tilt and velocity; zeros if not kept.
+        tilt_from_bias: (n, 2) tilt error due to the accelerometer bias alone [rad]; at rest the
+            sensors cannot distinguish this bias from a tilt.
+        velocity: (n, 3) velocity of the base [m/s].
+        height: (n,) height of the base [m], with a constant offset of the world frames.
+        covariance: (n, 5, 5) covariance of tilt and velocity by the estimator; zeros if not kept.
     """
 
     tilt: Array
@@ -38,7 +39,7 @@ class Errors:
 
     @property
     def nees(self) -> Array:
-        """(n,) normalised error squared of tilt and velocity; NaN without a covariance."""
+        """(n,) normalised estimation error squared of tilt and velocity; NaN without covariance."""
         error = np.concatenate([self.tilt, self.velocity], axis=1)
         size = np.trace(self.covariance, axis1=1, axis2=2)
         known = size > 0.0
@@ -50,11 +51,11 @@ class Errors:
 
 
 def compute_errors(log: Log, estimates: Estimates) -> Errors:
-    """Return the errors of estimates against their log's truth."""
+    """Compute the errors of estimates against the truth in their log."""
     R_true = matrices(log["truth_quaternion"])
     R = matrices(estimates.q[:, [6, 3, 4, 5]])
     R_error = R @ np.swapaxes(R_true, 1, 2)
-    # A rotation is one about the vertical after one about a horizontal axis.
+    # Yaw of the decomposition of R_error into a vertical rotation after a horizontal one.
     yaw = np.arctan2(R_error[:, 1, 0] - R_error[:, 0, 1], R_error[:, 0, 0] + R_error[:, 1, 1])
     R_yaw_removed = rotations_about_z(-yaw)
     v_world = np.einsum("nij,njk,nk->ni", R_yaw_removed, R, estimates.v[:, :3])
@@ -79,13 +80,13 @@ def compute_errors(log: Log, estimates: Estimates) -> Errors:
 
 
 def matrices(quaternions: Array) -> Array:
-    """Return rotation matrices (n, 3, 3) of quaternions (n, 4) w x y z, of any length."""
+    """Return the rotation matrices (n, 3, 3) of quaternions (n, 4) w x y z of any length."""
     q = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
     return matrices_from_xyzw(q[:, [1, 2, 3, 0]])
 
 
 def rotations_about_z(angle: Array) -> Array:
-    """Return rotations (n, 3, 3) by angles (n,) [rad] about z."""
+    """Return the rotation matrices (n, 3, 3) by angles (n,) [rad] about z."""
     R = np.zeros((len(angle), 3, 3))
     R[:, 0, 0] = R[:, 1, 1] = np.cos(angle)
     R[:, 1, 0], R[:, 0, 1] = np.sin(angle), -np.sin(angle)
@@ -94,5 +95,5 @@ def rotations_about_z(angle: Array) -> Array:
 
 
 def rms(values: Array) -> float:
-    """Return the root of the mean square of all values."""
+    """Return the root mean square of all values."""
     return float(np.sqrt(np.mean(np.square(values))))

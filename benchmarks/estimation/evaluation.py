@@ -1,4 +1,4 @@
-"""All cases: which logs each needs, and how one seed of it becomes figures."""
+"""Cases of the benchmark: the scenarios that each needs, and its evaluation for one seed."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from pathlib import Path
 
 from surefoot import Robot, load_robot
 
-from estimation.biases import bias
 from estimation.cache import load_or_record
-from estimation.cases import SCENARIOS
-from estimation.dropping import dropout
-from estimation.figures import Result
-from estimation.loaded import payload
+from estimation.contact_case import contact
+from estimation.dropout_case import dropout
+from estimation.imu_bias_case import bias
+from estimation.initialization_case import init
 from estimation.log_rows import Log
-from estimation.standing import push60, quiet, quiet_long
-from estimation.starting import init
-from estimation.touching import contact
+from estimation.metrics import Result
+from estimation.payload_case import payload
+from estimation.scenarios import SCENARIOS
+from estimation.standing_case import push60, quiet, quiet_long
 
 CaseFunction = Callable[[Robot, dict[str, Log], int], Result]
 
@@ -27,9 +27,9 @@ class Case:
     """One case.
 
     Attributes:
-        scenarios: Recorded scenarios by name.
-        evaluate: Makes figures of them; None for the payload, which has no logs.
-        seeds: At most so many, for they are long.
+        scenarios: Names of the recorded scenarios.
+        evaluate: Function that computes the figures; None for the payload, which has no logs.
+        seeds: Largest number of seeds, for cases with long runs.
     """
 
     scenarios: tuple[str, ...]
@@ -61,7 +61,7 @@ class Task:
 
 
 def run_task(task: Task) -> tuple[Task, Result]:
-    """Record what is not there yet, and evaluate."""
+    """Record the logs that are not in the cache yet, and evaluate the case."""
     case = CASES[task.case]
     if case.evaluate is None:
         return task, Result({}) if task.record_only else payload(task.robot, task.seed)

@@ -1,4 +1,4 @@
-"""Figures of great biases that are to be found."""
+"""Case bias: figures of the estimates of large IMU biases."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ import math
 import numpy as np
 from surefoot import Robot
 
-from estimation.cases import STILL_TIME
 from estimation.errors import matrices
-from estimation.figures import Result, Values
 from estimation.log_rows import Log
+from estimation.metrics import Result, Values
 from estimation.replay import Estimates, replay
-from estimation.rows import row_at
+from estimation.row_selection import row_at
+from estimation.scenarios import STILL_TIME
 
 
 def bias(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
-    """Errors of biases after ten still seconds, and of the horizontal one after motions."""
+    """Evaluate the bias errors after ten seconds at rest, and the horizontal ones after motion."""
     log = logs["bias"]
     estimates = replay(robot, log, keep_covariance=True)
     last_still_row = min(row_at(log, STILL_TIME), len(log["tick"])) - 1
@@ -43,7 +43,7 @@ def _bias_errors(log: Log, estimates: Estimates, last_still_row: int) -> Values:
 
 
 def _reached_angles(log: Log, last_still_row: int) -> Values:
-    """Return how far the body got in each direction, the lesser of the two [deg]."""
+    """Return the largest angle reached about each axis, the smaller of both directions [deg]."""
     R = matrices(log["truth_quaternion"])
     turn = np.swapaxes(R[last_still_row : last_still_row + 1], 1, 2) @ R[last_still_row:]
     angles = {

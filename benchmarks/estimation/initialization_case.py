@@ -1,4 +1,4 @@
-"""Figures of estimators that start wrong."""
+"""Case init: figures of estimators with a wrong initial state."""
 
 from __future__ import annotations
 
@@ -8,18 +8,21 @@ import numpy as np
 from surefoot import Robot
 
 from estimation.errors import Errors, compute_errors
-from estimation.figures import Result
 from estimation.log_rows import Array, Log
+from estimation.metrics import Result
 from estimation.recording import sample_rate, select_rows
 from estimation.replay import replay
-from estimation.rows import push_rows, row_at, true_speed
+from estimation.row_selection import push_rows, row_at, true_speed
 
-SPEED_TOLERANCE, TILT_TOLERANCE = 0.05, math.radians(1.0)  # [m/s], [rad] of an error that is gone
+SPEED_TOLERANCE, TILT_TOLERANCE = (
+    0.05,
+    math.radians(1.0),
+)  # [m/s], [rad] errors that count as converged
 INITIAL_TILT_ERROR = math.radians(30.0)
 
 
 def init(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
-    """Time until the error of a wrong start is gone: a tilted quaternion, a base in motion."""
+    """Evaluate the convergence time after a start with a tilted quaternion, and in motion."""
     still, shoved = logs["quiet"], logs["shove"]
     tilted = select_rows(still, slice(0, row_at(still, 5.0)))
     tilted["quaternion"] = tilt_quaternions(tilted["quaternion"], seed)
@@ -41,9 +44,9 @@ def init(robot: Robot, logs: dict[str, Log], seed: int) -> Result:
 
 
 def _moving_segments(log: Log) -> list[tuple[int, int]]:
-    """Return (first, end) of pieces of 1.5 s that begin when a push has made the base fastest.
+    """Return (first, end) of segments of 1.5 s that start at the largest speed after a push.
 
-    They end before the next push, whose blow is an error of its own.
+    They end before the next push, which would cause errors of its own.
     """
     window, length = row_at(log, 0.3), row_at(log, 1.5)
     begins = [
@@ -53,7 +56,7 @@ def _moving_segments(log: Log) -> list[tuple[int, int]]:
 
 
 def convergence_time(log: Log, errors: Errors) -> float:
-    """Return the time [s] from which on velocity and tilt, beyond the bias's part, are right."""
+    """Return the time [s] after which velocity and tilt (without the bias part) stay right."""
     wrong = np.linalg.norm(errors.velocity, axis=1) > SPEED_TOLERANCE
     wrong |= np.linalg.norm(errors.tilt - errors.tilt_from_bias, axis=1) > TILT_TOLERANCE
     rows = np.flatnonzero(wrong)
@@ -61,7 +64,7 @@ def convergence_time(log: Log, errors: Errors) -> float:
 
 
 def tilt_quaternions(quaternions: Array, seed: int) -> Array:
-    """Turn quaternions (n, 4) w x y z by 30 deg about a horizontal world axis that is drawn."""
+    """Rotate quaternions (n, 4) w x y z by 30 deg about a random horizontal world axis."""
     angle = np.random.default_rng([seed, 4]).uniform(0.0, 2.0 * math.pi)
     a, half = math.cos(INITIAL_TILT_ERROR / 2.0), math.sin(INITIAL_TILT_ERROR / 2.0)
     b, c = half * math.cos(angle), half * math.sin(angle)

@@ -1,4 +1,4 @@
-"""Rows of a run as they fill up: reports as the controller got them, and the truth."""
+"""Rows of a run: LowStates as the controller received them, and the truth."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from surefoot.sim.hardware.wire_format import LOW_STATE, MOTOR_COUNT
 
 Array = npt.NDArray[Any]
 Log = dict[str, Array]
-"""Rows of a run by name; every array is (n, k) or (n,), the last five are single.
+"""Rows of a run by name. Arrays are (n, k) or (n,), except the last five, which are single values.
 
-tick (n,) [ms], accelerometer (n, 3), gyroscope (n, 3), quaternion (n, 4) w x y z, q dq tauEst
-(n, 12) in SDK order, footForce footForceEst (n, 4): as the controller got them. truth_p (n, 3) and
-truth_v (n, 3) of the base's origin, truth_quaternion (n, 4) w x y z, truth_com (n, 3), all in the
-world; truth_q truth_dq (n, 12); truth_foot_forces (n, 12) ground on foot x y z, FR FL RR RL;
-truth_contact (n, 4): the truth of the instant in which the report was read. truth_gyro_bias and
-truth_accelerometer_bias (3,) in base axes, push_times (k,) [s] since the log's first row,
-weight () [N] of the model, fell ().
+As the controller received them: tick (n,) [ms], accelerometer (n, 3), gyroscope (n, 3), quaternion
+(n, 4) w x y z, q dq tauEst (n, 12) in motor order, footForce footForceEst (n, 4). The truth at the
+time when the LowState was sampled: truth_p (n, 3) and truth_v (n, 3) of the base's origin,
+truth_quaternion (n, 4) w x y z and truth_com (n, 3), all in the world; truth_q truth_dq (n, 12);
+truth_foot_forces (n, 12), ground on foot, x y z of FR FL RR RL; truth_contact (n, 4). Single
+values: truth_gyro_bias and truth_accelerometer_bias (3,) in base axes, push_times (k,) [s] since
+the first row, weight () [N] of the model, fell ().
 """
 
 _SENSORS = ("accelerometer", "gyroscope", "quaternion", "footForce", "footForceEst")
@@ -26,10 +26,10 @@ _MOTORS = ("q", "dq", "tauEst")
 
 
 class LogBuilder:
-    """Rows that fill up.
+    """Builds a log row by row.
 
     Args:
-        size: How many there may be.
+        size: Largest number of rows.
     """
 
     def __init__(self, size: int) -> None:
@@ -39,14 +39,14 @@ class LogBuilder:
         self._count = 0
 
     def add(self, frame: Array, truth: Log) -> None:
-        """Add a report's bytes and the truth of its instant."""
+        """Add the bytes of a LowState and the truth at its time."""
         self._frames[self._count] = frame
         for name, value in truth.items():
             self._truth.setdefault(name, []).append(value)
         self._count += 1
 
     def log(self) -> Log:
-        """Return all rows so far by name, in single precision what a LowState has so."""
+        """Return all rows so far by name; sensor values have the types of LowState."""
         frames = self._frames[: self._count].view(LOW_STATE)[:, 0]
         log = {name: frames[name].copy() for name in (*_SENSORS, "tick")}
         for name in _MOTORS:

@@ -1,4 +1,4 @@
-"""Every figure once: what is asked of it, and how the seeds' values become one."""
+"""Metrics of the benchmark: limits of the figures, and how the values of the seeds are merged."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ Values = dict[str, float]
 
 @dataclass
 class Result:
-    """What one seed of one case gave.
+    """Result of one seed of one case.
 
     Attributes:
-        values: By figure's name; NaN is "the estimator said nothing".
-        series: Arrays (n,) by name that only make sense together with those of other seeds.
+        values: Values by name of the figure; NaN if the estimator gives no value.
+        series: Arrays (n,) by name, which are evaluated together with those of other seeds.
     """
 
     values: Values
@@ -27,13 +27,13 @@ class Result:
 
 @dataclass(frozen=True)
 class Metric:
-    """What is asked.
+    """Unit and limits of a figure.
 
     Attributes:
-        unit: For people.
-        upper_limit: Greatest value that passes; None if there is no such.
-        lower_limit: Least value that passes.
-        summed: Whether seeds' values are added, instead of their percentile taken.
+        unit: Unit as text.
+        upper_limit: Largest value that passes; None for no limit.
+        lower_limit: Smallest value that passes; None for no limit.
+        summed: Whether the values of the seeds are added instead of taking a percentile.
     """
 
     unit: str
@@ -43,13 +43,13 @@ class Metric:
 
     @property
     def limit_text(self) -> str:
-        """What passes, in words; empty if the figure is told only."""
+        """The limit as text; empty if the figure has none."""
         if self.upper_limit is not None:
             return f"<= {self.upper_limit:g}"
         return "" if self.lower_limit is None else f">= {self.lower_limit:g}"
 
     def passes(self, value: float) -> bool | None:
-        """Whether a value does; None if nothing is asked."""
+        """Return whether a value is within the limits; None if there is no limit."""
         if self.upper_limit is None and self.lower_limit is None:
             return None
         low = -math.inf if self.lower_limit is None else self.lower_limit
@@ -57,9 +57,10 @@ class Metric:
         return low <= value <= high
 
     def merge(self, values: dict[int, float]) -> tuple[float, int, float]:
-        """Return the value of all seeds, the worst seed and its value.
+        """Return the merged value of all seeds, the worst seed and its value.
 
-        The value is the sum, or the 95th percentile, the 5th where more is better.
+        The merged value is the sum or the 95th percentile, or the 5th percentile if there is a
+        lower limit. It is NaN if any seed has NaN.
         """
         known = {seed: value for seed, value in values.items() if not math.isnan(value)}
         if len(known) < len(values):
@@ -76,7 +77,7 @@ class Metric:
 
 
 def find_metric(case: str, name: str) -> Metric:
-    """Return what is asked of a figure; one that is not in the table is told only."""
+    """Return the metric of a figure; a figure that is not in METRICS has no limit."""
     return METRICS.get(f"{case}/{name}") or METRICS.get(name.split(":")[0], Metric(""))
 
 

@@ -1,4 +1,4 @@
-"""Figures of loads that the controller does not know, in closed loop."""
+"""Case payload: figures of unknown payloads in closed loop."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from surefoot import Error, StandController
 from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.sim import Flaws, Plant, PlantSettings
 
-from estimation.figures import Result, Values
+from estimation.metrics import Result, Values
 
-PAYLOAD_SHARES = (-0.2, 0.2, 0.4)  # of the robot's mass
-COM_SHIFT = 0.03  # [m] of the whole robot
-DURATION, JUDGED_TIME = 3.0, 0.2  # [s] of a run, and of its end that is judged
+PAYLOAD_SHARES = (-0.2, 0.2, 0.4)  # of the mass of the robot
+COM_SHIFT = 0.03  # [m] shift of the whole robot's centre of mass
+DURATION, JUDGED_TIME = 3.0, 0.2  # [s] length of a run, and of its end that is evaluated
 A1_PAYLOAD = 11.0  # [kg]
-MAX_HEIGHT_ERROR = 0.02  # [m] of height error that still is standing
-PAYLOAD_RESOLUTION = 0.25  # [kg] of the greatest payload
+MAX_HEIGHT_ERROR = 0.02  # [m] largest height error that counts as standing
+PAYLOAD_RESOLUTION = 0.25  # [kg] resolution of the largest payload
 
 
 @dataclass(frozen=True)
 class StandResult:
-    """How a run ended.
+    """State at the end of a run.
 
     Attributes:
-        fell: Whether it did, or could not begin.
-        height: Mean error at the end [m], against the height at which the controller took over.
-        tilt: The same of gravity's direction in the base [rad].
-        payload: What the estimator believes of the load [kg].
+        fell: Whether the robot fell, or could not start.
+        height: Mean height error at the end [m], relative to the start of the controller.
+        tilt: Mean error of the direction of gravity in the base [rad], likewise.
+        payload: Estimated payload [kg].
     """
 
     fell: bool
@@ -38,7 +38,7 @@ class StandResult:
 
 
 def payload(robot: str, seed: int) -> Result:
-    """Errors under each load, and the greatest load (seed 0 only)."""
+    """Evaluate the errors with each payload, and the largest payload (seed 0 only)."""
     values: Values = {"fell": 0.0}
     mass = Plant(robot, PlantSettings()).robot.mass
     for share in PAYLOAD_SHARES:
@@ -59,9 +59,10 @@ def payload(robot: str, seed: int) -> Result:
 
 
 def loaded_plant(robot: str, kilograms: float, seed: int, shift: float) -> PlantSettings:
-    """Return a plant with a load, or with a lighter trunk, its centre of mass off by `shift` [m].
+    """Return settings of a plant with a payload or a lighter trunk, and a shifted centre of mass.
 
-    The direction is drawn. The load sits on the trunk, the shift is the trunk's.
+    The payload is on the trunk. The trunk's centre of mass moves in a random direction, such that
+    that of the whole robot moves by `shift` [m].
     """
     nominal = Plant(robot, PlantSettings())
     doubled = Plant(robot, PlantSettings(flaws=Flaws(trunk_mass_scale=2.0)))
@@ -76,7 +77,7 @@ def loaded_plant(robot: str, kilograms: float, seed: int, shift: float) -> Plant
 
 
 def max_payload(robot: str, mass: float) -> float:
-    """Return the greatest load [kg] that a robot stands up to for three seconds, by bisection."""
+    """Return the largest payload [kg] with which the robot stands for three seconds, bisected."""
     low, high = 0.0, 3.0 * mass
     while high - low > PAYLOAD_RESOLUTION:
         middle = 0.5 * (low + high)
@@ -89,10 +90,10 @@ def max_payload(robot: str, mass: float) -> float:
 
 
 def run_stand(robot: str, settings: PlantSettings) -> StandResult:
-    """Stand for three seconds."""
+    """Stand for three seconds and return the final errors."""
     try:
         plant = Plant(robot, settings)
-    except Error:  # fell in position mode already
+    except Error:  # it fell before the controller started
         return StandResult(True, math.inf, math.pi, 0.0)
     controller = StandController(plant.robot, plant.robot.config.gains)
     state = plant.reset()
@@ -111,7 +112,7 @@ def run_stand(robot: str, settings: PlantSettings) -> StandResult:
 
 
 def _pose(plant: Plant) -> tuple[float, np.ndarray]:
-    """Return the base's height above its feet [m] and world z in base axes (3,)."""
+    """Return the height of the base above its feet [m] and world z in base axes (3,)."""
     data, handles = plant.data, plant.handles
     feet = data.xpos[handles.foot_bodies, 2].mean()
     return float(data.qpos[2] - feet), matrix_from_wxyz(data.qpos[3:7])[2].copy()

@@ -1,4 +1,4 @@
-"""A closed-loop run as a sensor log with the truth of the same instants."""
+"""Recording of closed-loop runs as sensor logs with the truth of the same times."""
 
 from __future__ import annotations
 
@@ -20,16 +20,17 @@ SINGLE_ENTRIES = ("truth_gyro_bias", "truth_accelerometer_bias", "push_times", "
 
 @dataclass(frozen=True)
 class Scenario:
-    """What is to be recorded; the same gives the same log.
+    """Settings of a recording; equal settings give equal logs.
 
     Attributes:
-        robot: Its name.
-        duration: [s], unless the robot falls.
-        plant: Real sensors, or the truth would not belong to the report.
-        pushes: In percent of the pendulum's limit or N.s.
-        lifts: By hands.
-        references: Where the body is asked to be.
-        steps: Feet lifted by the robot itself, which then has no StandController.
+        robot: Name of the robot.
+        duration: Duration [s]; shorter if the robot falls.
+        plant: Settings of the plant. Sensors must be real: with ideal sensors, truth and LowState
+            are of different times.
+        pushes: Pushes in percent of the LIP push limit or in N.s.
+        lifts: External lifts.
+        references: Body references.
+        steps: Steps of the robot; with steps, a Stepper replaces the StandController.
     """
 
     robot: str
@@ -42,7 +43,7 @@ class Scenario:
 
 
 def record(recording: Scenario) -> Log:
-    """Run the robot under its controller and return what it sensed and what was true."""
+    """Run the robot with its controller and return the LowStates and the truth as a log."""
     plant = Plant(recording.robot, recording.plant)
     if not plant.settings.real:
         raise ValueError("sensors: got 'ideal', expected 'real'")
@@ -55,7 +56,7 @@ def record(recording: Scenario) -> Log:
     control = _make_control(recording, plant)
     for k in range(rows.size):
         command = control(k, state)
-        # step() hands out the reading of this instant and keeps that of the next for later.
+        # step() returns the LowState sampled now, so the truth of the same time is taken before.
         truth = _truth(plant)
         state = plant.step(command)
         rows.add(state.raw, truth)
@@ -65,7 +66,7 @@ def record(recording: Scenario) -> Log:
 
 
 def _make_control(recording: Scenario, plant: Plant) -> Callable[[int, LowState], LowCmd]:
-    """Return what makes a command of a row and its report."""
+    """Return the function that computes the command from a row and its LowState."""
     if recording.steps:
         stepper = Stepper(plant, recording.steps)
         return lambda _row, _state: stepper.update()
@@ -107,10 +108,10 @@ def _truth(plant: Plant) -> Log:
 
 
 def select_rows(log: Log, rows: slice | Array) -> Log:
-    """Return a log of some rows only."""
+    """Return a log with a selection of rows."""
     return {name: array if name in SINGLE_ENTRIES else array[rows] for name, array in log.items()}
 
 
 def sample_rate(log: Log) -> float:
-    """Return reports per second [Hz]."""
+    """Return the rate of the LowStates [Hz]."""
     return 1000.0 / float(log["tick"][1] - log["tick"][0])

@@ -1,4 +1,4 @@
-"""A log through the state estimator alone, as fast as Python can."""
+"""Replay of a log through the state estimator, without a controller."""
 
 from __future__ import annotations
 
@@ -11,20 +11,23 @@ from surefoot.sim.hardware.wire_format import LOW_STATE, MOTOR_COUNT, default_lo
 from estimation.log_rows import Array, Log
 from estimation.recording import sample_rate
 
-MAX_DT = 0.1  # [s] that StateEstimator.update takes
+MAX_DT = 0.1  # [s] largest dt for StateEstimator.update()
 
 
 @dataclass(frozen=True)
 class Estimates:
-    """What the estimator said after every row of a log; arrays in its own world.
+    """Output of the estimator after every row of a log, in its own world frame.
 
     Attributes:
-        q: (n, 19), v: (n, 18) Pinocchio's.
-        contact: (n, 4) probabilities.
-        covariance: (n, 15, 15) as EstimatorReport says, or (0, 15, 15) if it was not to be kept.
-        nis: (n,), nis_dimension: (n,).
-        gyro_bias: (n, 3), accelerometer_bias: (n, 3) base axes.
-        forces: (n, 3, 4) ground on foot from torques [N], world axes.
+        q: (n, 19) configurations in Pinocchio's order.
+        v: (n, 18) velocities in Pinocchio's order.
+        contact: (n, 4) contact confidence.
+        covariance: (n, 15, 15) covariance of EstimatorReport; (0, 15, 15) if it is not kept.
+        nis: (n,) normalised innovation squared.
+        nis_dimension: (n,) dimension of the innovation.
+        gyro_bias: (n, 3) base axes [rad/s].
+        accelerometer_bias: (n, 3) base axes [m/s^2].
+        forces: (n, 3, 4) force of the ground on each foot from joint torques [N], world axes.
     """
 
     q: Array
@@ -39,9 +42,9 @@ class Estimates:
 
 
 def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
-    """Run a fresh estimator over a log; dt is the difference of ticks.
+    """Run a new estimator over a log; dt is the difference of ticks.
 
-    A covariance takes a kilobyte a row, which is why it must be asked for.
+    The covariance is optional, because it takes a kilobyte per row.
     """
     frames, n = low_state_bytes(log), len(log["tick"])
     dt = np.diff(log["tick"].astype(np.int64), prepend=0) / 1000.0
@@ -54,7 +57,7 @@ def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
         *(np.zeros((n, 3)), np.zeros((n, 3)), np.zeros((n, 3, 4), np.float32)),
     )
     estimator, low_state = StateEstimator(robot), LowState()
-    raw = low_state.raw  # the LowState's own memory
+    raw = low_state.raw  # a view of the LowState's memory
     for k in range(n):
         raw[:] = frames[k]
         estimator.update(low_state, time_steps[k])
@@ -70,7 +73,7 @@ def replay(robot: Robot, log: Log, keep_covariance: bool = False) -> Estimates:
 
 
 def low_state_bytes(log: Log) -> Array:
-    """Return the LowStates of a log as bytes (n, 937)."""
+    """Return the packed LowStates of a log as bytes (n, 937)."""
     template = np.array(default_low_state().raw)
     rows = np.tile(template, (len(log["tick"]), 1))
     fields = rows.view(LOW_STATE)[:, 0]

@@ -1,4 +1,4 @@
-"""All results as rows: robot, case, figure, asked, got, pass or miss, worst seed."""
+"""Results as rows: robot, case, figure, limit, value, pass or miss, worst seed."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import Any
 
 from estimation.consistency import within_band
 from estimation.evaluation import Task
-from estimation.figures import Result, find_metric
+from estimation.metrics import Result, find_metric
 
-HEADER = ("robot", "case", "figure", "asked", "got", "unit", "", "worst", "of seed")
+HEADER = ("robot", "case", "figure", "limit", "got", "unit", "", "worst", "of seed")
 
 
 @dataclass(frozen=True)
 class Row:
-    """One figure of one robot; passed is None if nothing is asked."""
+    """One figure of one robot; `passed` is None if the figure has no limit."""
 
     robot: str
     case: str
@@ -30,7 +30,7 @@ class Row:
     seeds: int
 
     def cells(self) -> tuple[str, ...]:
-        """Return the row in words."""
+        """Return the cells of the row as text."""
         got = "none" if math.isnan(self.got) else f"{self.got:.4g}"
         verdict = {True: "pass", False: "MISS", None: ""}[self.passed]
         worst = "" if self.worst is None else f"{self.worst:.4g}"
@@ -39,7 +39,7 @@ class Row:
         return (*labels, got, self.unit, verdict, worst, seed)
 
     def json(self) -> dict[str, Any]:
-        """Return the row as plain JSON types."""
+        """Return the row as JSON values."""
         return {
             **self.__dict__,
             "got": _finite_or_none(self.got),

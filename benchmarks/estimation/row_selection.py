@@ -1,4 +1,4 @@
-"""Rows of a log by what happens in them."""
+"""Selection of rows of a log by time or push."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ import numpy as np
 from estimation.log_rows import Array, Log
 from estimation.recording import sample_rate
 
-SETTLING_TIME = 1.0  # [s] from which on the estimator is judged
+SETTLING_TIME = 1.0  # [s] time after which the estimator is evaluated
 
 
 def rows_after(log: Log, start: float) -> slice:
-    """Return the rows from a time [s] on."""
+    """Return the rows after a time [s]."""
     return slice(round(start * sample_rate(log)), None)
 
 
@@ -21,7 +21,7 @@ def row_at(log: Log, time: float) -> int:
 
 
 def push_rows(log: Log) -> list[int]:
-    """Return the rows in which pushes begin."""
+    """Return the rows in which pushes start; pushes in the last 0.5 s are left out."""
     rows = [row_at(log, float(time)) for time in log["push_times"]]
     return [row for row in rows if row < len(log["tick"]) - row_at(log, 0.5)]
 

@@ -1,9 +1,9 @@
-"""Figures of the state estimator: record what is missing, replay, print asked, got, pass or miss.
+"""Benchmark of the state estimator: record missing logs, replay them, and print pass or miss.
 
     python benchmarks/estimation/run.py --robot go1 --seeds 20 --jobs 2 --case push60 contact
 
-Without --case all; without --robot all four. Logs are kept in --folder; they are of the controller
-that recorded them, so remove the folder to record anew.
+Default: all cases and all four robots. Logs are kept in --folder. They depend on the controller
+that recorded them, so remove the folder to record with another version.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from estimation.evaluation import CASES, Task, run_task
-from estimation.figures import Result
+from estimation.metrics import Result
 from estimation.report import summarise, table
 
 ROBOTS = ("a1", "go1", "go2", "b1")
@@ -34,13 +34,15 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--seeds", type=int, default=20, help="seeds 0 .. N - 1")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--folder", type=Path, default=Path("out/estimation"))
-    parser.add_argument("--json", type=Path, help="write the rows there, too")
-    parser.add_argument("--record-only", action="store_true", help="no figures")
+    parser.add_argument("--json", type=Path, help="also write the rows as JSON")
+    parser.add_argument(
+        "--record-only", action="store_true", help="record the logs without evaluation"
+    )
     return parser.parse_args()
 
 
 def make_tasks(options: argparse.Namespace) -> list[Task]:
-    """Return every seed of every case of every robot."""
+    """Return a task for every seed of every case of every robot."""
     return [
         Task(robot, case, seed, options.folder, options.record_only)
         for robot in options.robot
@@ -50,7 +52,7 @@ def make_tasks(options: argparse.Namespace) -> list[Task]:
 
 
 def run_all(tasks: list[Task], jobs: int) -> list[tuple[Task, Result]]:
-    """Carry tasks out over processes; progress goes to stderr if that is a terminal."""
+    """Run the tasks in parallel processes; print progress to stderr if it is a terminal."""
     results = []
     with get_context("spawn").Pool(jobs) as pool:
         for result in pool.imap_unordered(run_task, tasks):
@@ -61,7 +63,7 @@ def run_all(tasks: list[Task], jobs: int) -> list[tuple[Task, Result]]:
 
 
 def main() -> None:
-    """Run everything and print the table."""
+    """Run all tasks and print the table."""
     options = parse_arguments()
     rows = summarise(run_all(make_tasks(options), options.jobs))
     if options.json is not None:

@@ -1,4 +1,4 @@
-"""What is recorded: the runs by name, each different for every robot and seed."""
+"""Scenarios to record, by name; each differs for every robot and seed."""
 
 from __future__ import annotations
 
@@ -12,13 +12,16 @@ from surefoot.stand import PushRequest, ReferenceRequest
 from estimation.recording import Scenario
 from estimation.stepping import Step
 
-GYRO_BIAS_SIGMA, ACCELEROMETER_BIAS_SIGMA = 0.01, 0.1  # [rad/s], [m/s^2] of biases drawn normally
-LARGE_GYRO_BIAS, LARGE_ACCELEROMETER_BIAS = 0.02, 0.2  # [rad/s], [m/s^2] that are to be found
-PUSH_PERCENT, SHOVE_PERCENT = 60.0, 70.0  # percent of the pendulum's limit
+GYRO_BIAS_SIGMA, ACCELEROMETER_BIAS_SIGMA = (
+    0.01,
+    0.1,
+)  # [rad/s], [m/s^2] standard deviation of random biases
+LARGE_GYRO_BIAS, LARGE_ACCELEROMETER_BIAS = 0.02, 0.2  # [rad/s], [m/s^2] in the case bias
+PUSH_PERCENT, SHOVE_PERCENT = 60.0, 70.0  # percent of the LIP push limit
 PUSH_TIMES = (1.5, 3.5, 5.5, 7.5)  # [s]
-STILL_TIME = 10.0  # [s] before the body moves, in the case of biases
+STILL_TIME = 10.0  # [s] before the body moves, in the scenario bias
 SWAY_DEG = 10.0
-FAST_LIFT_SPEED = 1.2  # [m/s] of a lift that takes a fifth of the weight off each foot within 20 ms
+FAST_LIFT_SPEED = 1.2  # [m/s] lift that unloads each foot by 20 % of the weight within 20 ms
 
 REFERENCE_INTERVAL = 1.0  # [s] between references
 
@@ -34,17 +37,17 @@ def quiet_long(robot: str, seed: int) -> Scenario:
 
 
 def push60(robot: str, seed: int) -> Scenario:
-    """Four pushes at 60 % of the limit in directions drawn; biases drawn normally."""
+    """Four pushes at 60 % of the LIP push limit in random directions, with random biases."""
     return _pushed(robot, seed, PUSH_PERCENT, 10.0)
 
 
 def shove(robot: str, seed: int) -> Scenario:
-    """Four pushes at 70 % of the limit, for logs that are to begin in full motion."""
+    """Four pushes at 70 % of the LIP push limit, for replays that start in motion."""
     return _pushed(robot, seed, SHOVE_PERCENT, 10.0)
 
 
 def lifts(robot: str, seed: int) -> Scenario:
-    """The trunk lifted off and put down five times in an instant, then once slowly."""
+    """External lifts of the trunk: five fast ones, then a slow one."""
     rng = np.random.default_rng([seed, 1])
     lifts = [
         Lift(
@@ -57,7 +60,7 @@ def lifts(robot: str, seed: int) -> Scenario:
 
 
 def feet(robot: str, seed: int) -> Scenario:
-    """Each foot lifted and put down three times in an instant, then once slowly."""
+    """External lifts of each foot: three fast ones, then a slow one."""
     rng = np.random.default_rng([seed, 2])
     lifts, time = [], 1.5
     for part in LIFT_PARTS[1:]:
@@ -70,7 +73,7 @@ def feet(robot: str, seed: int) -> Scenario:
 
 
 def steps(robot: str, seed: int) -> Scenario:
-    """The robot lifts each of its feet three times and puts it down, in an instant."""
+    """Fast steps: the robot lifts each foot three times and puts it down."""
     rng = np.random.default_rng([seed, 4])
     steps, time = [], 1.5
     for foot in np.tile(np.arange(4), 3):
@@ -80,7 +83,7 @@ def steps(robot: str, seed: int) -> Scenario:
 
 
 def bias(robot: str, seed: int) -> Scenario:
-    """Ten seconds of standing with great biases, signs drawn, then roll, pitch and yaw."""
+    """Ten seconds at rest with large biases of random signs, then roll, pitch and yaw motions."""
     signs = np.random.default_rng([seed, 3]).choice([-1.0, 1.0], 6)
     gyro, accelerometer = LARGE_GYRO_BIAS * signs[:3], LARGE_ACCELEROMETER_BIAS * signs[3:]
     flaws = Flaws(_as_tuple(gyro), _as_tuple(accelerometer))
@@ -116,8 +119,8 @@ def _pushed(robot: str, seed: int, percent: float, duration: float) -> Scenario:
 
 
 def _plant_with_foot_forces(seed: int) -> PlantSettings:
-    # The controller must know its contacts, or the robot would not outlive its hands; what the
-    # estimator gets to see in the replay is another matter.
+    # The controller needs working foot force sensors to survive the lifts. The replay may use other
+    # sensor conditions.
     return PlantSettings(seed=seed, foot_force="est")
 
 

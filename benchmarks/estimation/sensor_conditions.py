@@ -1,4 +1,4 @@
-"""Sensor conditions: what a log would have been with other, worse or broken sensors."""
+"""Sensor conditions: conversion of a log to one of other, worse or faulty sensors."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 
 from estimation.log_rows import Array, Log
 
-FORCE_NOISE = 3.0  # [N] of footForceEst
+FORCE_NOISE = 3.0  # [N] noise of footForceEst
 COUNT_OFFSET, COUNT_GAIN = (5.0, 50.0), (1.0, 2.0)  # counts, counts per newton
-COUNT_NOISE = 2.0
+COUNT_NOISE = 2.0  # counts
 COUNT_DRIFT = 5.0  # counts, standard deviation of the random walk after a minute
-FAULTY_FOOT_DRIFT = 50.0  # counts per minute of a foot that drifts
-TORQUE_ERROR = 0.2
+FAULTY_FOOT_DRIFT = 50.0  # counts per minute, in the condition drifting
+TORQUE_ERROR = 0.2  # largest relative error of tauEst, in the condition raw
 INT16_MAX = 32767
 
 Condition = Callable[[Log, np.random.Generator], Log]
@@ -26,14 +26,14 @@ def normal_forces(log: Log) -> Array:
 
 
 def all_foot_sensors(log: Log, rng: np.random.Generator) -> Log:
-    """Both foot force fields live; motors as recorded."""
+    """Both foot force fields work; motors as recorded."""
     newtons = normal_forces(log)
     newtons = newtons + FORCE_NOISE * rng.standard_normal(newtons.shape)
     return {**log, "footForceEst": int16(newtons), "footForce": int16(raw_counts(log, rng))}
 
 
 def raw_counts_only(log: Log, rng: np.random.Generator) -> Log:
-    """Only raw counts, and every motor's torque off by up to 20 %."""
+    """Only raw counts work, and tauEst of each motor has a scale error of up to 20 %."""
     torque_scale = rng.uniform(1.0 - TORQUE_ERROR, 1.0 + TORQUE_ERROR, 12)
     tau = (log["tauEst"] * torque_scale).astype(np.float32)
     zero_forces = np.zeros_like(log["footForceEst"])
@@ -46,7 +46,7 @@ def raw_counts_only(log: Log, rng: np.random.Generator) -> Log:
 
 
 def joint_torque_only(log: Log, rng: np.random.Generator) -> Log:
-    """No foot force at all; motors as recorded."""
+    """No foot force works; motors as recorded."""
     zero_forces = np.zeros_like(log["footForceEst"])
     return {**log, "footForceEst": zero_forces, "footForce": zero_forces.copy()}
 
@@ -64,12 +64,14 @@ def _one_foot(fault: str) -> Condition:
             out[name] = values
         return out
 
-    condition.__doc__ = f"Both fields live, one foot's {fault} from some time in the first half on."
+    condition.__doc__ = (
+        f"Both fields work; from a random time in the first half on, one foot is {fault}."
+    )
     return condition
 
 
 def drifting_foot(log: Log, rng: np.random.Generator) -> Log:
-    """Only raw counts, one foot's drift by 50 counts a minute; motors as recorded."""
+    """Only raw counts work, and one foot drifts by 50 counts per minute; motors as recorded."""
     foot = int(rng.integers(4))
     values = raw_counts(log, rng)
     sign = rng.choice([-1.0, 1.0])
@@ -82,7 +84,7 @@ def drifting_foot(log: Log, rng: np.random.Generator) -> Log:
 
 
 def raw_counts(log: Log, rng: np.random.Generator) -> Array:
-    """Return what raw foot sensors would read (n, 4), not yet rounded."""
+    """Return the readings of raw foot force sensors (n, 4), before rounding."""
     newtons = normal_forces(log)
     step = np.sqrt(np.diff(seconds(log), prepend=0.0) / 60.0)[:, None]
     walk = np.cumsum(COUNT_DRIFT * step * rng.standard_normal(newtons.shape), axis=0)
@@ -98,12 +100,12 @@ def seconds(log: Log) -> Array:
 
 
 def int16(values: Array) -> Array:
-    """Round to what the field holds."""
+    """Round and clip to int16."""
     return np.clip(np.round(values), -32768, INT16_MAX).astype(np.int16)
 
 
 def recorded(log: Log, rng: np.random.Generator) -> Log:
-    """As the controller got it."""
+    """The log as the controller received it."""
     return log
 
 
@@ -119,6 +121,6 @@ CONDITIONS: dict[str, Condition] = {
 
 
 def apply_condition(condition: str, log: Log, seed: int) -> Log:
-    """Return a log under one of CONDITIONS; its random numbers are the condition's own."""
+    """Return a log under one of CONDITIONS; random numbers depend on seed and condition only."""
     rng = np.random.default_rng([seed, zlib.crc32(condition.encode())])
     return CONDITIONS[condition](log, rng)

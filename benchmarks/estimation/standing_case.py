@@ -1,29 +1,29 @@
-"""Figures of standing still and of being pushed."""
+"""Cases quiet, quiet_long and push60: figures of quiet standing and of pushes."""
 
 from __future__ import annotations
 
 import numpy as np
 from surefoot import Robot
 
-from estimation.contacts import score_transitions
+from estimation.contact_transitions import score_transitions
 from estimation.errors import compute_errors, rms
-from estimation.figures import Result, Values
 from estimation.log_rows import Log
+from estimation.metrics import Result, Values
 from estimation.recording import sample_rate
 from estimation.replay import Estimates, replay
-from estimation.rows import SETTLING_TIME, rows_after
-from estimation.sensors import CONDITIONS, apply_condition, normal_forces
+from estimation.row_selection import SETTLING_TIME, rows_after
+from estimation.sensor_conditions import CONDITIONS, apply_condition, normal_forces
 
 Logs = dict[str, Log]
 
 
 def quiet(robot: Robot, logs: Logs, seed: int) -> Result:
-    """Drift in a minute, and false transitions under every sensor condition."""
+    """Evaluate the drift in a minute, and false transitions under every sensor condition."""
     return _quiet_result(robot, logs["quiet"], seed)
 
 
 def quiet_long(robot: Robot, logs: Logs, seed: int) -> Result:
-    """Return the same of ten minutes."""
+    """Evaluate the same figures over ten minutes."""
     return _quiet_result(robot, logs["quiet_long"], seed)
 
 
@@ -46,19 +46,19 @@ def _drift_values(robot: Robot, log: Log) -> Values:
 
 
 def false_transitions(log: Log, estimates: Estimates) -> float:
-    """Return how many of all feet's estimated transitions belong to no true one."""
+    """Return the number of estimated transitions of all feet without a true one."""
     share, rate = normal_forces(log) / log["weight"], sample_rate(log)
     scores = [score_transitions(share[:, k], estimates.contact[:, k], rate) for k in range(4)]
     return float(sum(one.false for one in scores))
 
 
 def push60(robot: Robot, logs: Logs, seed: int) -> Result:
-    """Errors in pushes, and what consistency needs of every seed."""
+    """Evaluate the errors in pushes, and return the series for the consistency over seeds."""
     log = logs["push60"]
     estimates = replay(robot, log, keep_covariance=True)
     errors, rows = compute_errors(log, estimates), rows_after(log, SETTLING_TIME)
     velocity, tilt = errors.velocity[rows], np.degrees(errors.tilt[rows])
-    # At rest nobody can tell a tilt from bias / g; motion may, and a smaller error is none.
+    # At rest a tilt of bias / g is not observable, so only the error beyond it counts.
     indistinguishable_tilt = np.degrees(np.linalg.norm(errors.tilt_from_bias[rows], axis=1))
     excess_tilt = np.maximum(np.linalg.norm(tilt, axis=1) - indistinguishable_tilt, 0.0)
     has_forces = np.any(estimates.forces != 0.0)

@@ -1,4 +1,4 @@
-"""A robot that lifts its own feet, one at a time, controlled by its true state."""
+"""Steps of a robot, one foot at a time, with a controller that receives the true state."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from surefoot import LowCmd, Reference, WholeBodyController
 from surefoot.bench.problems.three_legged_stance import smoothstep, torque_command, true_state
 from surefoot.sim import Plant
 
-LOAD_TRANSFER_TIME = 0.01  # [s] in which a foot gives up its load, and takes it again
-LEAN_SHARE = 0.45  # of the way from the middle of four feet to that of the three that stay
-LEAN_TIME = 0.5  # [s] to lean over, before; and back, after
+LOAD_TRANSFER_TIME = 0.01  # [s] for unloading a foot, and for loading it again
+LEAN_SHARE = 0.45  # of the distance from the centre of four feet to that of the three stance feet
+LEAN_TIME = 0.5  # [s] for leaning before a step, and for returning after it
 
 
 @dataclass(frozen=True)
 class Step:
-    """One foot up and down in place.
+    """One step in place.
 
     Attributes:
         foot: 0 FR, 1 FL, 2 RR, 3 RL.
-        time: When it begins to give up its load [s].
-        duration: Until it begins to take it again [s].
-        height: At the top [m].
+        time: Time of the lift-off [s]; unloading ends here.
+        duration: Time from lift-off to touch-down [s]; loading starts then.
+        height: Largest height of the foot [m].
     """
 
     foot: int
@@ -32,11 +32,11 @@ class Step:
 
 
 class Stepper:
-    """Makes commands that carry out steps.
+    """Controller of a sequence of steps.
 
     Args:
-        plant: Freshly reset.
-        steps: In order, apart by more than twice LEAN_TIME.
+        plant: Plant after reset().
+        steps: Steps in order of time, more than 2 LEAN_TIME apart.
     """
 
     def __init__(self, plant: Plant, steps: tuple[Step, ...]) -> None:
@@ -48,7 +48,7 @@ class Stepper:
         self._anchors = np.array(feet)
 
     def update(self) -> LowCmd:
-        """Return the command for the plant's present state."""
+        """Return the command for the current state of the plant."""
         time = self._plant.time
         step = min(self._steps, key=lambda s: abs(time - s.time - 0.5 * s.duration))
         self._set_reference(step, time - step.time)
@@ -57,7 +57,7 @@ class Stepper:
         return torque_command(self._plant.robot, solution.torques)
 
     def _set_reference(self, step: Step, time: float) -> None:
-        """Set the reference at a time [s] since a step began."""
+        """Set the reference for a time [s] since the lift-off of a step."""
         r: Reference = self._reference
         others = [k for k in range(4) if k != step.foot]
         lean_direction = self._anchors[others].mean(axis=0) - self._anchors.mean(axis=0)

@@ -5,33 +5,34 @@
 #include <string>
 #include <vector>
 
-/// A small interface that every solver is put behind. Each adapter is linked into a program of its
-/// own, so that one that crashes takes no other down.
+/// Interface of all solvers. Each adapter is linked into a separate executable, so that a solver
+/// that crashes does not affect the others.
 namespace bench {
 
-/// minimise 1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u; matrices row-major and dense,
-/// no bound is an infinity.
+/// QP: minimise 1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u. Matrices are dense and
+/// row-major; a missing bound is infinite.
 struct Problem {
   int n = 0, n_eq = 0, n_in = 0;
   const double *H = nullptr, *g = nullptr, *A = nullptr, *b = nullptr;
   const double *C = nullptr, *l = nullptr, *u = nullptr;
 };
 
-/// What a solver says of its answer.
+/// Status that a solver reports.
 enum class SolveStatus { kUnknown = 0, kSolved = 1, kFailed = 2 };
 
-/// H x + g + A'y + C'z = 0; z > 0 pushes from u, z < 0 from l.
+/// Solution with H x + g + A'y + C'z = 0; z > 0 where the upper bound u is active, z < 0 where l
+/// is.
 struct Solution {
   std::vector<double> x, y, z;
 };
 
-/// How a solver is asked to work.
+/// Sizes and settings for a solver.
 struct Setup {
   int n = 0, n_eq = 0, n_in = 0;
   double tolerance = 1e-6;
-  bool warm = true;  ///< state is kept from tick to tick
-  /// Entries that are not zero in any of the programs, row-major: what a user of a sparse solver
-  /// knows beforehand. Empty means all.
+  bool warm = true;  ///< keep the state of the last tick
+  /// Entries that are nonzero in any QP of the sequence, row-major, as a user of a sparse solver
+  /// knows them beforehand. Empty: all entries.
   std::vector<char> H_pattern, A_pattern, C_pattern;
 };
 
@@ -43,20 +44,20 @@ class Adapter {
  public:
   virtual ~Adapter() = default;
   virtual Description describe() const = 0;
-  /// False if it has nothing to keep from one tick to the next.
+  /// Return false if the solver keeps nothing from one tick to the next.
   virtual bool can_warm_start() const { return true; }
-  /// Not timed. Forget all answers; memory and sparsity may stay.
+  /// Discard all former solutions; memory and sparsity may stay. Not timed.
   virtual void clear_warm_start() = 0;
-  /// Not timed. Put the program where a user would have written it in the first place.
+  /// Copy the QP into the data structures that a user would have written it to. Not timed.
   virtual void load_problem(const Problem& problem) = 0;
-  /// Timed: all that a tick needs, conversions that the solver's format forces included.
+  /// Solve the QP, with all conversions that the format of the solver requires. Timed.
   virtual SolveStatus solve() = 0;
-  virtual int iterations() const = 0;  ///< -1: it does not say
-  /// Not timed.
+  virtual int iterations() const = 0;  ///< -1: not reported
+  /// Copy the solution. Not timed.
   virtual void read_solution(Solution& solution) const = 0;
 };
 
-/// Every adapter's file defines this one.
+/// Create the adapter; every adapter file defines this function.
 std::unique_ptr<Adapter> make_adapter(const Setup& setup);
 
 }  // namespace bench

@@ -4,11 +4,11 @@
 #include <cstddef>
 
 namespace {
-bool counting = false;  // plain: one thread
+bool counting = false;  // not atomic: there is one thread
 long count = 0;
 }  // namespace
 
-// glibc's own names for the real ones: no dlsym, which itself allocates.
+// glibc's names of the original functions; dlsym() is not used because it allocates.
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);

@@ -3,9 +3,10 @@
 
 namespace bench {
 
-/// Heap allocations of the whole program while counting is on; malloc and its relatives are
-/// replaced, which costs each of them about a nanosecond.
+/// Switch counting of the heap allocations of this process on or off. malloc and related functions
+/// are replaced, which adds about a nanosecond to each call.
 void count_allocations(bool on);
+/// Return the number of allocations counted so far.
 long allocations();
 
 }  // namespace bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One solver over one sequence: PROGRAM describe, or
+// Runs one solver over one sequence of QPs. Usage: PROGRAM describe, or
 //   PROGRAM SEQUENCE warm|cold RECORDS ANSWERS|- [TOLERANCE [ANSWERS_TO_WRITE]]
-// Timed is solve() alone; the program was loaded just before, as a controller has just written it.
+// Only solve() is timed. The QP is loaded just before, as if a controller had just written it.
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -30,7 +30,7 @@ std::vector<double> read_reference(const std::string& path, std::size_t count) {
   return answers;
 }
 
-// The clocks' own cost is in every figure; the adapter that does nothing shows it.
+// The times include the reading of the clocks; the null adapter measures that overhead.
 Record time_solve(Adapter& adapter) {
   Record record{};
   const long before = allocations();
@@ -56,7 +56,7 @@ void add_residuals(const Problem& problem, const Solution& solution, const doubl
   record.distance = 0.0;
   for (int j = 0; j < problem.n; ++j) {
     const double distance = std::abs(solution.x[j] - reference[j]);
-    if (!(distance <= record.distance)) record.distance = distance;  // NaN stays
+    if (!(distance <= record.distance)) record.distance = distance;  // propagates NaN
   }
 }
 

@@ -6,16 +6,16 @@
 
 namespace bench {
 
-/// What is kept of one solve, all doubles so that NumPy reads the file as a (T, 9) array.
+/// Record of one solve; all fields are doubles, so that NumPy reads the file as a (T, 9) array.
 struct Record {
   double wall_ns, cpu_ns, status, iterations, allocations, primal, dual, gap, distance;
 };
 
-/// Records in a mapped file: what was done before a crash is there after it. A tick that was not
-/// reached has NaN in every field.
+/// Records in a memory-mapped file, which keeps the finished records after a crash. A tick that was
+/// not reached has NaN in every field.
 class RecordFile {
  public:
-  /// Throws std::runtime_error.
+  /// @throws std::runtime_error if the file cannot be written
   RecordFile(const std::string& path, int ticks);
   ~RecordFile();
   RecordFile(const RecordFile&) = delete;

@@ -5,15 +5,15 @@
 
 namespace bench {
 
-/// How far an answer is from optimal, computed here and never taken from a solver. For a strictly
-/// convex program all three zero is the answer (Karush, Kuhn and Tucker).
+/// Residuals of the optimality conditions (Karush, Kuhn, Tucker), computed here and never taken
+/// from a solver. If all three are zero, the solution of a strictly convex QP is exact.
 struct Residuals {
-  double primal = 0.0;  ///< greatest violation of A x = b, l <= C x <= u
-  double dual = 0.0;    ///< greatest entry of H x + g + A'y + C'z
-  double gap = 0.0;     ///< greatest min(|z_i|, 1) times row i's distance from the bound it names
+  double primal = 0.0;  ///< largest violation of A x = b, l <= C x <= u
+  double dual = 0.0;    ///< largest entry of H x + g + A'y + C'z
+  double gap = 0.0;     ///< largest min(|z_i|, 1) times the distance of row i from its active bound
 };
 
-/// Infinities where anything is not a number.
+/// Compute the residuals; all infinite if the solution is not finite.
 Residuals residuals(const Problem& problem, const Solution& solution);
 
 }  // namespace bench

@@ -34,7 +34,7 @@ SequenceFile::SequenceFile(const std::string& path) {
   const std::int64_t doubles = n * n + n + eq * n + eq + in * n + 2 * in;
   if (std::memcmp(header.magic, "SFQPSEQ1", 8) != 0 ||
       bytes_ != sizeof header + static_cast<std::size_t>(8 * T * doubles)) {
-    throw std::runtime_error(path + ": is no sequence of programs");
+    throw std::runtime_error(path + ": not a sequence of QPs");
   }
   ticks_ = static_cast<int>(T);
   first_problem_.n = static_cast<int>(n);

@@ -8,11 +8,11 @@
 
 namespace bench {
 
-/// Programs of one size from a raw file: "SFQPSEQ1", int64 n, n_eq, n_in, T, then H (T, n, n), g,
-/// A, b, C, l, u as doubles in the machine's order; and answers to compare with, (T, n) doubles.
+/// QPs of one size from a raw file: "SFQPSEQ1", int64 n, n_eq, n_in, T, then H (T, n, n), g, A, b,
+/// C, l, u as doubles in native byte order.
 class SequenceFile {
  public:
-  /// Throws std::runtime_error.
+  /// @throws std::runtime_error if the file cannot be read or has another format
   explicit SequenceFile(const std::string& path);
   ~SequenceFile();
   SequenceFile(const SequenceFile&) = delete;
@@ -20,9 +20,9 @@ class SequenceFile {
 
   int ticks() const { return ticks_; }
   const Problem& first_problem() const { return first_problem_; }
-  /// Copy a tick's program into memory that stays, where it is as warm as one just written.
+  /// Copy the QP of a tick into a buffer, so that it is in the cache like one just written.
   const Problem& load(int tick);
-  /// Which entries are not zero in any tick.
+  /// Find the entries that are nonzero in any tick.
   void find_patterns(Setup& setup) const;
 
  private:

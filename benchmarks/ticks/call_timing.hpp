@@ -12,19 +12,19 @@ namespace bench {
 /// One timed call.
 struct CallTiming {
   float wall = 0.0F;  ///< [us]
-  float cpu = 0.0F;   ///< [us] of this thread
+  float cpu = 0.0F;   ///< [us] CPU time of this thread
   std::uint16_t iterations = 0;
   std::uint16_t failed = 0;  ///< 1: no usable status
 };
 
-/// Samples of one kind of call, with room for all of them made before the first.
+/// Samples of one kind of call. Memory for all samples is reserved before the first.
 struct Series {
   Series(std::string n, std::size_t capacity) : name(std::move(n)) { timings.reserve(capacity); }
   std::string name;
   std::vector<CallTiming> timings;
-  long allocations = 0;  ///< while they were taken, after the first pass over the reports
-  long page_faults = 0;  ///< the same
-  long first_allocations = 0, first_page_faults = 0;  ///< in the first pass, which is not timed
+  long allocations = 0;  ///< heap allocations in all passes but the first
+  long page_faults = 0;  ///< page faults in all passes but the first
+  long first_allocations = 0, first_page_faults = 0;  ///< in the untimed first pass
   bool has_cpu_time = true;
 };
 
@@ -34,7 +34,7 @@ inline double nanoseconds(clockid_t clock) noexcept {
   return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
 }
 
-/// Times a call by the wall and by the thread's CPU clock. Allocates nothing.
+/// Measure the wall time and the thread's CPU time of a call. Does not allocate.
 template <typename Call>
 CallTiming time_call(Call&& call) noexcept {
   const double cpu = nanoseconds(CLOCK_THREAD_CPUTIME_ID);

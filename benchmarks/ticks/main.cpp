@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times the controller on recorded reports: `surefoot bench` runs it and reads what it writes.
+// Times the controller on recorded LowStates. `surefoot bench` runs it and reads its output.
 //   surefoot_tick_bench NAME.robot REPORTS OUT [--form F] [--passes N] [--period-us P]
 //                       [--references FILE]
-// REPORTS are LowStates byte for byte, references BodyReferences, one before each. OUT begins with
-// a line of JSON that names the series; their samples follow, in the layout of bench::CallTiming.
+// REPORTS has packed LowStates; --references has one BodyReference per LowState, set before it. OUT
+// starts with a line of JSON about the series; their samples follow, as bench::CallTiming.
 #include <sys/mman.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<Record> read_records(const char* path) {
   std::vector<Record> records;
   Record record;
   while (file.read(reinterpret_cast<char*>(&record), sizeof(record))) records.push_back(record);
-  if (records.empty()) throw Error(std::string(path) + ": got nothing, expected some records");
+  if (records.empty()) throw Error(std::string(path) + ": got an empty file, expected records");
   return records;
 }
 
@@ -49,7 +49,7 @@ bench::ReplayPlan read_plan(int argc, char** argv) {
       plan.references = read_records<BodyReference>(argv[k + 1]);
       if (plan.references.size() != plan.reports.size()) {
         throw Error("--references: got " + std::to_string(plan.references.size()) +
-                    ", expected one a report: " + std::to_string(plan.reports.size()));
+                    ", expected one per LowState: " + std::to_string(plan.reports.size()));
       }
     }
   }
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
   }
   try {
     const bench::ReplayPlan plan = read_plan(argc, argv);
-    // Where permitted; page faults are counted either way.
+    // Locking may be forbidden; page faults are counted either way.
     const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
     std::vector<bench::Series> all;
     all.push_back(bench::time_ticks(plan));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// malloc and its relatives, counted: they replace the C library's for the whole program.
+// Counting versions of malloc and related functions, which replace those of the C library in this
+// executable.
 #include "memory_counters.hpp"
 
 #include <dlfcn.h>

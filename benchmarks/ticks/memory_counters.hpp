@@ -3,10 +3,10 @@
 
 namespace bench {
 
-/// Calls of malloc and its relatives in the whole program so far.
+/// Return the number of calls of malloc and related functions in this process so far.
 long heap_allocations() noexcept;
 
-/// Page faults of this thread so far, minor and major.
+/// Return the number of page faults of this thread so far, minor and major.
 long page_faults() noexcept;
 
 }  // namespace bench

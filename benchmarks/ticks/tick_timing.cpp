@@ -15,7 +15,7 @@ using namespace surefoot;
 constexpr long kMaxStageTimings = 100000;
 constexpr std::size_t kPacedTicks = 500;
 
-// What a call costs the heap and the pager.
+// Count the heap allocations and page faults of a call.
 template <typename Call>
 void count_memory(long& allocations, long& faults, Call&& call) {
   const long allocations_before = heap_allocations(), faults_before = page_faults();
@@ -24,7 +24,7 @@ void count_memory(long& allocations, long& faults, Call&& call) {
   faults = page_faults() - faults_before;
 }
 
-// One pass to warm up, counted apart, then those that are timed.
+// Run one pass to warm up, counted separately, then the timed passes.
 template <typename Pass>
 void run_passes(const ReplayPlan& plan, Series& series, Pass&& pass) {
   count_memory(series.first_allocations, series.first_page_faults, pass);
@@ -34,7 +34,7 @@ void run_passes(const ReplayPlan& plan, Series& series, Pass&& pass) {
   });
 }
 
-// As it was told when the reports were recorded; part of no tick.
+// Set the recorded body reference of tick k; this is not timed.
 void apply_reference(const ReplayPlan& plan, std::size_t k, StandController& controller) {
   if (!plan.references.empty()) controller.set_body_reference(plan.references[k]);
 }
@@ -46,7 +46,7 @@ timespec add_microseconds(timespec time, long us) {
   return time;
 }
 
-// Touched once, so that its pages are there.
+// Every page of the memory is touched, so that it is mapped before timing.
 Series make_series(const char* name, std::size_t capacity) {
   Series series(name, capacity);
   series.timings.resize(series.timings.capacity());
@@ -123,7 +123,7 @@ Series time_state_to_torque(const ReplayPlan& plan) {
 }
 
 std::vector<Series> time_stages(const ReplayPlan& plan) {
-  // Nine series of a million would be long to read and tell no more.
+  // Limit the samples: there is a series per stage, and more samples add no information.
   const long passes = std::min(
       plan.passes, std::max(1L, kMaxStageTimings / static_cast<long>(plan.reports.size())));
   std::vector<Series> stages;

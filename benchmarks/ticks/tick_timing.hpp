@@ -9,34 +9,34 @@
 
 namespace bench {
 
-/// What is replayed, and how often.
+/// LowStates to replay, controller settings, and number of passes.
 struct ReplayPlan {
   explicit ReplayPlan(surefoot::Robot r) : robot(std::move(r)) {}
   surefoot::Robot robot;
   surefoot::Gains gains;
   surefoot::QpForm form = surefoot::QpForm::kAuto;
-  long passes = 1;     ///< over the reports, after one that is not timed
-  long period = 2000;  ///< from report to report [us]
+  long passes = 1;     ///< timed passes over the LowStates, after an untimed one
+  long period = 2000;  ///< time between LowStates [us]
   std::vector<surefoot::LowState> reports;
-  std::vector<surefoot::BodyReference> references;  ///< told before each report; or none at all
+  std::vector<surefoot::BodyReference> references;  ///< set before each LowState; may be empty
 };
 
-/// StandController::update(): LowState to LowCmd.
+/// Time StandController::update(), LowState to LowCmd.
 Series time_ticks(const ReplayPlan& plan);
 
-/// The same at the pace of the reports, asleep in between: others and the system have the caches
-/// for that long. The first reports, once.
+/// Time StandController::update() at the rate of the LowStates, sleeping in between, so that other
+/// processes use the caches meanwhile. Runs once over the first LowStates.
 Series time_paced_ticks(const ReplayPlan& plan);
 
-/// WholeBodyController::update(): state to torque, on the states that the estimator made of the
-/// reports, with the references that the stand controller had.
+/// Time WholeBodyController::update(), state to torque, on the estimated states and the references
+/// of the stand controller.
 Series time_state_to_torque(const ReplayPlan& plan);
 
-/// The stages of a tick, each with a series of its own; their clock is read at every change.
+/// Time the stages of a tick, with one series per stage; the clock is read at each change of stage.
 std::vector<Series> time_stages(const ReplayPlan& plan);
 
-/// A loop that computes nothing of use for about as long as a tick: what its tail shows is the
-/// machine's. @param length [us]
+/// Time an idle loop that lasts about as long as a tick: its tail shows the jitter of the machine.
+/// @param length duration of the loop [us]
 Series time_null(const ReplayPlan& plan, double length);
 
 }  // namespace bench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames for surefoot/protocol.py, which is the public face of what begins with an underscore here.
+// Bindings of the frames. surefoot/protocol.py is the public interface to the functions here whose
+// names begin with an underscore.
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -19,7 +20,7 @@ void require_usable(const char* what, const FrameReport& report) {
   if (!is_usable(report.status)) throw Error(std::string(what) + ": " + to_text(report));
 }
 
-// Bytes of the frame, and what was saturated, in words.
+// The encoder of Python returns the bytes and a sentence about saturated fields, empty if none.
 template <typename Struct>
 using Encode = FrameReport (*)(const Struct&, const FrameExtras&, Generation, Frame&) noexcept;
 template <typename Struct>
@@ -50,25 +51,32 @@ void def_frame(nb::module_& m, const char* what, Encode<Struct> encode, Decode<S
 }
 
 void bind_extras(nb::module_& m) {
-  nb::class_<FrameExtras> c(m, "FrameExtras",
-                            "What some generations of frames carry beyond LowCmd and LowState.");
+  nb::class_<FrameExtras> c(
+      m, "FrameExtras",
+      "Fields of some frame generations that LowCmd and LowState do not have.\n\n"
+      "Surefoot only passes them on.");
   c.def(nb::init<>());
-  def_number(c, "commVersion", &FrameExtras::commVersion, "a1-v3.3, go1-v3.4.");
-  def_number(c, "robotID", &FrameExtras::robotID, "a1-v3.3, go1-v3.4.");
+  def_number(c, "commVersion", &FrameExtras::commVersion,
+             "Communication version; a1-v3.3, go1-v3.4.");
+  def_number(c, "robotID", &FrameExtras::robotID, "Robot number; a1-v3.3, go1-v3.4.");
   c.def_prop_ro(
       "led",
       [](nb::handle self) {
         auto* data = reinterpret_cast<std::uint8_t*>(nb::cast<FrameExtras&>(self).led.data());
         return nb::ndarray<nb::numpy, std::uint8_t, nb::shape<4, 3>>(data, {4, 3}, self);
       },
-      "a1-v3.3, LowCmd: red, green, blue of four lights, a writable view of shape (4, 3).");
-  def_array(c, "BQ_NTC", &FrameExtras::BQ_NTC, "b1-v3.8: battery sensors 2 .. 7 [deg C].");
-  def_array(c, "MCU_NTC", &FrameExtras::MCU_NTC, "b1-v3.8: battery sensors 2 .. 7 [deg C].");
-  def_array(c, "cell_vol", &FrameExtras::cell_vol, "b1-v3.8: battery cells 10 .. 29 [mV].");
+      "a1-v3.3, LowCmd only: red, green, blue of four lights, a writable view of shape\n"
+      "(4, 3).");
+  def_array(c, "BQ_NTC", &FrameExtras::BQ_NTC,
+            "b1-v3.8, LowState only: battery sensors 2 .. 7 [deg C], shape (6,).");
+  def_array(c, "MCU_NTC", &FrameExtras::MCU_NTC,
+            "b1-v3.8, LowState only: battery sensors 2 .. 7 [deg C], shape (6,).");
+  def_array(c, "cell_vol", &FrameExtras::cell_vol,
+            "b1-v3.8, LowState only: battery cells 10 .. 29 [mV], shape (20,).");
 }
 
 void bind_remote(nb::module_& m) {
-  nb::enum_<Button>(m, "Button", "Buttons of the remote.")
+  nb::enum_<Button>(m, "Button", "Buttons of the remote, by their bits in WirelessRemote.buttons.")
       .value("R1", Button::kR1, "Bit 0 of the buttons.")
       .value("L1", Button::kL1, "Bit 1 of the buttons.")
       .value("START", Button::kStart, "Bit 2 of the buttons.")
@@ -85,26 +93,28 @@ void bind_remote(nb::module_& m) {
       .value("RIGHT", Button::kRight, "Bit 13 of the buttons.")
       .value("DOWN", Button::kDown, "Bit 14 of the buttons.")
       .value("LEFT", Button::kLeft, "Bit 15 of the buttons.");
-  nb::class_<WirelessRemote>(m, "WirelessRemote", "The remote's buttons and sticks.")
+  nb::class_<WirelessRemote>(m, "WirelessRemote",
+                             "Buttons and sticks in the 40 bytes of LowState.wirelessRemote.\n\n"
+                             "As in the SDK's joystick.h.")
       .def(nb::init<>())
-      .def_rw("buttons", &WirelessRemote::buttons, "One bit per button, R1 first.")
-      .def_rw("lx", &WirelessRemote::lx, "Left stick, right: -1 .. 1.")
-      .def_rw("ly", &WirelessRemote::ly, "Left stick, up: -1 .. 1.")
-      .def_rw("rx", &WirelessRemote::rx, "Right stick, right: -1 .. 1.")
-      .def_rw("ry", &WirelessRemote::ry, "Right stick, up: -1 .. 1.")
+      .def_rw("buttons", &WirelessRemote::buttons, "One bit per button, see Button.")
+      .def_rw("lx", &WirelessRemote::lx, "Left stick, positive to the right: -1 .. 1.")
+      .def_rw("ly", &WirelessRemote::ly, "Left stick, positive up: -1 .. 1.")
+      .def_rw("rx", &WirelessRemote::rx, "Right stick, positive to the right: -1 .. 1.")
+      .def_rw("ry", &WirelessRemote::ry, "Right stick, positive up: -1 .. 1.")
       .def_rw("L2", &WirelessRemote::L2, "Trigger: 0 .. 1.")
-      .def("pressed", &WirelessRemote::pressed, "button"_a, "Is the button down?")
+      .def("pressed", &WirelessRemote::pressed, "button"_a, "Return whether a button is pressed.")
       .def(
           "press",
           [](WirelessRemote& r, Button button) { r.buttons |= static_cast<std::uint16_t>(button); },
-          "button"_a, "Put the button down.")
+          "button"_a, "Set a button to pressed.")
       .def(
           "to_bytes",
           [](const WirelessRemote& r) {
             const auto bytes = encode_wireless_remote(r);
             return nb::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
           },
-          "Return the 40 bytes of LowState.wirelessRemote.")
+          "Encode as the 40 bytes of LowState.wirelessRemote.")
       .def_static(
           "from_bytes",
           [](const nb::bytes& data) {
@@ -118,7 +128,10 @@ void bind_remote(nb::module_& m) {
             return decode_wireless_remote(bytes);
           },
           "data"_a,
-          "Read LowState.wirelessRemote; sticks that are no numbers make a remote at rest.");
+          "Decode the 40 bytes of LowState.wirelessRemote.\n\n"
+          "If a stick value is not finite or its magnitude is above 1.05, all sticks are\n"
+          "set to 0; buttons are decoded all the same. Raises ValueError if the number of\n"
+          "bytes is not 40.");
 }
 
 }  // namespace

@@ -12,29 +12,41 @@ using namespace surefoot;
 namespace {
 
 void bind_counts(nb::module_& m) {
-  nb::class_<LinkCounts>(m, "LinkCounts", "What has come and gone since a link was opened.")
-      .def_ro("sent", &LinkCounts::sent, "Commands on the wire.")
-      .def_ro("send_failed", &LinkCounts::send_failed, "The system would not take them.")
-      .def_ro("refused", &LinkCounts::refused, "Not finite: damping left instead.")
-      .def_ro("received", &LinkCounts::received, "Datagrams of the peer, good or bad.")
-      .def_ro("valid", &LinkCounts::valid, "LowStates of the right generation.")
-      .def_ro("lost", &LinkCounts::lost, "Missing in the row of ticks, long silences included.")
-      .def_ro("late", &LinkCounts::late, "More than 10 ms after the one before.")
-      .def_ro("duplicate", &LinkCounts::duplicate, "A tick that had come before.")
-      .def_ro("reordered", &LinkCounts::reordered, "Older than the newest, and had not come yet.")
-      .def_ro("restarts", &LinkCounts::restarts, "Times that the ticks began anew.")
-      .def_ro("corrupt", &LinkCounts::corrupt, "Of the right length, but no valid frame.")
+  nb::class_<LinkCounts>(m, "LinkCounts",
+                         "Counts of frames sent and datagrams received since the link was opened.")
+      .def_ro("sent", &LinkCounts::sent, "Frames sent, damping included.")
+      .def_ro("send_failed", &LinkCounts::send_failed, "Frames that the system did not accept.")
+      .def_ro("refused", &LinkCounts::refused,
+              "Commands that were not finite; damping was sent instead.")
+      .def_ro("received", &LinkCounts::received, "Datagrams from the peer, valid or not.")
+      .def_ro("valid", &LinkCounts::valid, "Valid LowStates of the expected generation.")
+      .def_ro("lost", &LinkCounts::lost,
+              "LowStates missing by the sequence of ticks, long gaps included.")
+      .def_ro("late", &LinkCounts::late, "New LowStates more than 10 ms after the one before.")
+      .def_ro("duplicate", &LinkCounts::duplicate, "LowStates whose tick had arrived before.")
+      .def_ro("reordered", &LinkCounts::reordered,
+              "LowStates older than the newest that had been missing.")
+      .def_ro("restarts", &LinkCounts::restarts,
+              "Restarts of the tick sequence: five rising ticks in a row from behind.")
+      .def_ro("corrupt", &LinkCounts::corrupt,
+              "Datagrams of the right length that are not a valid frame.")
       .def_ro("wrong_generation", &LinkCounts::wrong_generation, "Frames of another generation.")
-      .def_ro("wrong_length", &LinkCounts::wrong_length, "Of no generation's length.")
-      .def_ro("strangers", &LinkCounts::strangers, "Datagrams from someone else.")
-      .def_ro("floods", &LinkCounts::floods, "Times more was waiting than is read at once.");
+      .def_ro("wrong_length", &LinkCounts::wrong_length,
+              "Datagrams with the length of no generation.")
+      .def_ro("strangers", &LinkCounts::strangers, "Datagrams from other senders than the peer.")
+      .def_ro("floods", &LinkCounts::floods,
+              "Calls of receive() that read the maximum of 64 datagrams.");
 }
 
 void bind_udp_link(nb::module_& m) {
-  nb::class_<UdpLink>(m, "UdpLink",
-                      "The client's side of a robot's UDP port; loopback only.\n\n"
-                      "Datagrams count only if they come from the peer. Until a valid LowState has "
-                      "come, nothing\nbut damping leaves, whatever is sent.")
+  nb::class_<UdpLink>(
+      m, "UdpLink",
+      "Client of the robot's UDP port on this machine: sends LowCmd frames, receives\n"
+      "LowState frames.\n\n"
+      "Datagrams from other senders than the peer are ignored. Until a valid LowState\n"
+      "has shown that the robot uses the expected generation, only damping frames are\n"
+      "sent, whatever command is given. The age of a state counts from its arrival at\n"
+      "this machine. Not thread-safe. For a real robot use StandRunner.")
       .def(
           "__init__",
           [](UdpLink* self, const std::string& host, int port, const std::string& generation,
@@ -43,24 +55,41 @@ void bind_udp_link(nb::module_& m) {
           },
           "host"_a = "127.0.0.1", "port"_a = 8007, "generation"_a = "go1-v3.8", "local_port"_a = 0,
           "damping_kd"_a = 3.0,
-          "Raise Error: an unknown host or generation, no loopback, a port taken or out of range,\n"
-          "damping_kd outside 0.0625 .. 50.")
+          "Open the link.\n\n"
+          "Args:\n"
+          "    host: IPv4 address or name; must be a loopback address, 127.x.x.x.\n"
+          "    port: UDP port of the robot, 1 .. 65535.\n"
+          "    generation: Frame format, one of surefoot.protocol.GENERATIONS.\n"
+          "    local_port: Local UDP port; 0: any free port.\n"
+          "    damping_kd: Damping in the link's own damping frames [N.m.s/rad], 0.0625 ..\n"
+          "        50.\n\n"
+          "Raises:\n"
+          "    Error: Unknown host or generation, no loopback address, a port out of range,\n"
+          "        in use or not permitted, damping_kd out of range.")
       .def("receive", &UdpLink::receive,
-           "Read what waits; has a newer LowState come? Never blocks.")
+           "Read the waiting datagrams, at most 64, and keep the newest valid LowState.\n\n"
+           "Never blocks. Real-time: yes.\n\n"
+           "Returns:\n"
+           "    True if a newer LowState has arrived; see state_age for its age.")
       .def(
           "send", [](UdpLink& link, const LowCmd& cmd) { return to_text(link.send(cmd)); }, "cmd"_a,
-          "Put a command on the wire: 'ok', or what was saturated or refused.")
-      .def_prop_ro("has_state", &UdpLink::has_state, "Has a valid LowState come?")
+          "Send a command; send damping instead before has_state or if it is not finite.\n\n"
+          "Never blocks. Real-time: yes.\n\n"
+          "Returns:\n"
+          "    'ok', or a sentence about the fields that were saturated or not finite.")
+      .def_prop_ro("has_state", &UdpLink::has_state, "True once a valid LowState has arrived.")
       .def_prop_ro(
-          "state", [](const UdpLink& link) { return LowState(link.state()); }, "Newest, a copy.")
+          "state", [](const UdpLink& link) { return LowState(link.state()); },
+          "Newest LowState, a copy.")
       .def_prop_ro("state_age", &UdpLink::state_age,
-                   "[s] since the newest arrived; inf before the first.")
+                   "Time since state arrived [s]; inf before the first.")
       .def_prop_ro(
-          "counts", [](const UdpLink& link) { return LinkCounts(link.counts()); }, "A copy.")
+          "counts", [](const UdpLink& link) { return LinkCounts(link.counts()); },
+          "Counts since the link was opened, a copy.")
       .def_prop_ro(
           "last_reject", [](const UdpLink& link) { return to_text(link.last_reject()); },
-          "Why the last bad datagram was not taken.")
-      .def_prop_ro("local_port", &UdpLink::local_port, "Ours.");
+          "Why the last invalid datagram was rejected, in a sentence.")
+      .def_prop_ro("local_port", &UdpLink::local_port, "Local UDP port.");
 }
 
 }  // namespace

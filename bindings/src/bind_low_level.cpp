@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LowState and LowCmd for Python.
+// Bindings of LowState and LowCmd.
 #include <nanobind/stl/string.h>
 
 #include "bindings.hpp"
@@ -12,18 +12,19 @@ using namespace surefoot;
 
 namespace {
 
-// A fixed row of structs that hands out references.
+// Binds a fixed array of structs; its elements are returned by reference.
 template <typename Element, std::size_t N>
 void bind_struct_array(nb::module_& m, const char* name) {
   using Row = std::array<Element, N>;
-  nb::class_<Row>(m, name, "Fixed row of motor slots; elements are references into the frame.")
+  nb::class_<Row>(m, name,
+                  "Fixed array of 20 motor slots; elements are references into the struct.")
       .def("__len__", [](const Row&) { return N; })
       .def(
           "__getitem__",
           [](Row& row, int i) -> Element& {
             if (i < 0) i += static_cast<int>(N);
             if (i < 0 || i >= static_cast<int>(N)) {
-              throw nb::index_error("motor slot out of range: 0 .. 19");
+              throw nb::index_error("motor slot out of range, expected 0 .. 19");
             }
             return row[i];
           },
@@ -38,7 +39,7 @@ void def_bytes_access(nb::class_<Struct>& c, Struct (*make)() noexcept) {
   c.def(
       "to_bytes",
       [](const Struct& s) { return nb::bytes(reinterpret_cast<const char*>(&s), sizeof(Struct)); },
-      "Return the packed struct as the SDK's headers lay it out in memory (not the UDP frame).");
+      "Return the packed struct, laid out as in the SDK's headers (not the UDP frame).");
   c.def_static(
       "from_bytes",
       [](const nb::bytes& data) {
@@ -51,115 +52,132 @@ void def_bytes_access(nb::class_<Struct>& c, Struct (*make)() noexcept) {
         std::memcpy(&s, data.c_str(), sizeof(Struct));
         return s;
       },
-      "data"_a, "Make the struct from the bytes that to_bytes() gave.");
+      "data"_a,
+      "Make the struct from bytes that to_bytes() returned.\n\n"
+      "Raises ValueError if the number of bytes is wrong.");
   c.def_prop_ro(
       "raw",
       [](nb::handle self) {
         return View<std::uint8_t, sizeof(Struct)>(&nb::cast<Struct&>(self), {sizeof(Struct)}, self);
       },
-      "The struct's bytes as a writable numpy view, shape (sizeof,).");
+      "Bytes of the struct, a writable numpy view of shape (sizeof,).");
 }
 
 void bind_imu(nb::module_& m) {
-  nb::class_<IMU> imu(m, "IMU", "Inertial measurement unit, in the IMU's own axes.");
+  nb::class_<IMU> imu(m, "IMU",
+                      "Inertial measurement unit, in its own axes. Arrays are writable views.");
   def_array(imu, "quaternion", &IMU::quaternion,
-            "w, x, y, z: IMU to world, vendor's filter. Used.");
-  def_array(imu, "gyroscope", &IMU::gyroscope, "Angular rate [rad/s], raw. Used.");
+            "w x y z, IMU axes to world axes; vendor's attitude filter. Used.");
+  def_array(imu, "gyroscope", &IMU::gyroscope, "Angular velocity [rad/s], raw. Used.");
   def_array(imu, "accelerometer", &IMU::accelerometer,
             "Specific force [m/s^2], raw: +9.81 on z at rest. Used.");
-  def_array(imu, "rpy", &IMU::rpy, "Roll, pitch, yaw [rad] (ZYX). Carried, not used.");
-  def_number(imu, "temperature", &IMU::temperature, "[deg C]. Carried, not used.");
+  def_array(imu, "rpy", &IMU::rpy, "Roll, pitch, yaw [rad] (ZYX). Not used.");
+  def_number(imu, "temperature", &IMU::temperature, "Temperature [deg C]. Not used.");
 }
 
 void bind_motor_state(nb::module_& m) {
-  nb::class_<MotorState> c(m, "MotorState", "One motor's report, joint-side (gearing removed).");
-  def_number(c, "mode", &MotorState::mode, "0x0A servo, 0x00 damping, 0x08 overheated.");
+  nb::class_<MotorState> c(m, "MotorState",
+                           "State of one motor, joint-side: the SDK has removed the gear ratio.");
+  def_number(c, "mode", &MotorState::mode,
+             "0x0A servo, 0x00 damping, 0x08 overheated. Used by Supervisor.");
   def_number(c, "q", &MotorState::q, "Joint angle [rad]. Used.");
   def_number(c, "dq", &MotorState::dq, "Joint velocity [rad/s]. Used.");
-  def_number(c, "ddq", &MotorState::ddq, "Joint acceleration [rad/s^2]. Carried, not used.");
-  def_number(c, "tauEst", &MotorState::tauEst, "Torque from the motor current [N.m]. Used.");
-  def_number(c, "q_raw", &MotorState::q_raw, "Vendor's reserve. Carried, not used.");
-  def_number(c, "dq_raw", &MotorState::dq_raw, "Vendor's reserve. Carried, not used.");
-  def_number(c, "ddq_raw", &MotorState::ddq_raw, "Vendor's reserve. Carried, not used.");
-  def_number(c, "temperature", &MotorState::temperature, "[deg C]. Carried, not used.");
-  def_array(c, "reserve", &MotorState::reserve, "Vendor's reserve. Carried, not used.");
+  def_number(c, "ddq", &MotorState::ddq, "Joint acceleration [rad/s^2]. Not used.");
+  def_number(c, "tauEst", &MotorState::tauEst,
+             "Joint torque estimated from the motor current [N.m]. Used.");
+  def_number(c, "q_raw", &MotorState::q_raw, "Reserved by the vendor. Not used.");
+  def_number(c, "dq_raw", &MotorState::dq_raw, "Reserved by the vendor. Not used.");
+  def_number(c, "ddq_raw", &MotorState::ddq_raw, "Reserved by the vendor. Not used.");
+  def_number(c, "temperature", &MotorState::temperature,
+             "Temperature [deg C]; lags behind the winding temperature. Used by Supervisor.");
+  def_array(c, "reserve", &MotorState::reserve, "Reserved by the vendor. Not used.");
   bind_struct_array<MotorState, kMotorSlots>(m, "MotorStateArray");
 }
 
 void bind_motor_cmd(nb::module_& m) {
-  nb::class_<MotorCmd> c(
-      m, "MotorCmd", "One motor's command: tau' = tau + Kp (q - q') + Kd (dq - dq'), joint-side.");
+  nb::class_<MotorCmd> c(m, "MotorCmd",
+                         "Command to one motor, joint-side.\n\n"
+                         "tau_motor = tau + Kp (q - q_motor) + Kd (dq - dq_motor)");
   def_number(c, "mode", &MotorCmd::mode, "0x0A servo, 0x00 damping.");
-  def_number(c, "q", &MotorCmd::q, "Joint angle [rad], or PosStopF.");
-  def_number(c, "dq", &MotorCmd::dq, "Joint velocity [rad/s], or VelStopF.");
+  def_number(c, "q", &MotorCmd::q, "Desired joint angle [rad], or PosStopF.");
+  def_number(c, "dq", &MotorCmd::dq, "Desired joint velocity [rad/s], or VelStopF.");
   def_number(c, "tau", &MotorCmd::tau, "Feed-forward torque [N.m].");
   def_number(c, "Kp", &MotorCmd::Kp, "Position stiffness [N.m/rad].");
-  def_number(c, "Kd", &MotorCmd::Kd, "Velocity stiffness [N.m.s/rad].");
-  def_array(c, "reserve", &MotorCmd::reserve, "Vendor's reserve.");
+  def_number(c, "Kd", &MotorCmd::Kd, "Damping [N.m.s/rad].");
+  def_array(c, "reserve", &MotorCmd::reserve, "Reserved by the vendor.");
   bind_struct_array<MotorCmd, kMotorSlots>(m, "MotorCmdArray");
 }
 
 void bind_battery(nb::module_& m) {
   nb::class_<BmsCmd> cmd(m, "BmsCmd", "Battery command. Surefoot never writes it.");
   def_number(cmd, "off", &BmsCmd::off, "0xA5 switches the battery off.");
-  def_array(cmd, "reserve", &BmsCmd::reserve, "Vendor's reserve.");
-  nb::class_<BmsState> c(m, "BmsState", "Battery report. Carried, not used.");
+  def_array(cmd, "reserve", &BmsCmd::reserve, "Reserved by the vendor.");
+  nb::class_<BmsState> c(
+      m, "BmsState", "State of the battery. Supervisor makes the robot sit down when SOC is low.");
   def_number(c, "version_h", &BmsState::version_h, "Firmware version, high.");
   def_number(c, "version_l", &BmsState::version_l, "Firmware version, low.");
-  def_number(c, "bms_status", &BmsState::bms_status, "Vendor's status code.");
+  def_number(c, "bms_status", &BmsState::bms_status, "Status code of the vendor.");
   def_number(c, "SOC", &BmsState::SOC, "State of charge [%].");
-  def_number(c, "current", &BmsState::current, "[mA].");
-  def_number(c, "cycle", &BmsState::cycle, "Charge cycles.");
-  def_array(c, "BQ_NTC", &BmsState::BQ_NTC, "[deg C].");
-  def_array(c, "MCU_NTC", &BmsState::MCU_NTC, "[deg C].");
-  def_array(c, "cell_vol", &BmsState::cell_vol, "[mV].");
+  def_number(c, "current", &BmsState::current, "Battery current [mA].");
+  def_number(c, "cycle", &BmsState::cycle, "Number of charge cycles.");
+  def_array(c, "BQ_NTC", &BmsState::BQ_NTC, "Battery temperatures [deg C], shape (2,).");
+  def_array(c, "MCU_NTC", &BmsState::MCU_NTC, "Battery temperatures [deg C], shape (2,).");
+  def_array(c, "cell_vol", &BmsState::cell_vol, "Cell voltages [mV], shape (10,).");
 }
 
 template <typename Frame>
 void def_header(nb::class_<Frame>& c) {
-  def_array(c, "head", &Frame::head, "FE EF.");
+  def_array(c, "head", &Frame::head, "0xFE 0xEF.");
   def_number(c, "levelFlag", &Frame::levelFlag, "LOWLEVEL (0xFF).");
-  def_number(c, "frameReserve", &Frame::frameReserve, "Vendor's reserve.");
-  def_array(c, "SN", &Frame::SN, "Serial number.");
-  def_array(c, "version", &Frame::version, "Version.");
-  def_number(c, "bandWidth", &Frame::bandWidth, "Band width.");
-  def_array(c, "wirelessRemote", &Frame::wirelessRemote, "Remote control, 40 bytes.");
+  def_number(c, "frameReserve", &Frame::frameReserve, "Reserved by the vendor.");
+  def_array(c, "SN", &Frame::SN, "Serial number, shape (2,).");
+  def_array(c, "version", &Frame::version, "Version, shape (2,).");
+  def_number(c, "bandWidth", &Frame::bandWidth, "Bandwidth field of the vendor.");
+  def_array(c, "wirelessRemote", &Frame::wirelessRemote,
+            "Remote control, 40 bytes; see surefoot.protocol.WirelessRemote.");
   def_number(c, "reserve", &Frame::reserve, "Vendor's reserve.");
-  def_number(c, "crc", &Frame::crc, "CRC of the wire frame; carried, not computed here.");
+  def_number(c, "crc", &Frame::crc, "CRC of the wire frame; set by decoding, not computed here.");
 }
 
 void bind_states(nb::module_& m) {
   nb::class_<LowState> state(
       m, "LowState",
-      "What the robot says every tick: unitree_legged_sdk v3.5 - v3.8 (Go1), 937 bytes, packed.\n\n"
-      "Used: imu.quaternion, gyroscope, accelerometer; motorState q, dq, tauEst of motors 0 .. "
-      "11;\n"
-      "footForceEst; tick. Everything else is carried unused.");
+      "Sample that the robot sends in every tick: unitree_legged_sdk v3.5 - v3.8 (Go1),\n"
+      "937 bytes, packed.\n\n"
+      "Used by StandController: imu.quaternion, gyroscope, accelerometer; motorState q,\n"
+      "dq, tauEst of motors 0 .. 11; footForce; footForceEst; tick. Supervisor also\n"
+      "uses motorState mode and temperature, bms and wirelessRemote. All other fields\n"
+      "are only passed on.");
   def_bytes_access(state, init_low_state);
   def_header(state);
   state.def_prop_ro(
-      "imu", [](LowState& s) -> IMU& { return s.imu; }, nb::rv_policy::reference_internal, "IMU.");
+      "imu", [](LowState& s) -> IMU& { return s.imu; }, nb::rv_policy::reference_internal,
+      "Inertial measurement unit, a reference.");
   state.def_prop_ro(
       "motorState", [](LowState& s) -> auto& { return s.motorState; },
-      nb::rv_policy::reference_internal, "20 slots, 12 motors: FR FL RR RL x hip thigh calf.");
+      nb::rv_policy::reference_internal,
+      "20 slots, 12 motors: FR FL RR RL x hip thigh calf. References.");
   state.def_prop_ro(
       "bms", [](LowState& s) -> BmsState& { return s.bms; }, nb::rv_policy::reference_internal,
-      "Battery report.");
-  def_array(state, "footForce", &LowState::footForce, "Raw counts; own offset per foot, drifting.");
-  def_array(state, "footForceEst", &LowState::footForceEst, "[N]; zero on most real robots. Used.");
-  def_number(state, "tick", &LowState::tick, "[ms] modulo 2^32; only differences mean time. Used.");
+      "State of the battery, a reference.");
+  def_array(state, "footForce", &LowState::footForce,
+            "Raw counts, shape (4,), FR FL RR RL; offsets differ and drift. Used.");
+  def_array(state, "footForceEst", &LowState::footForceEst,
+            "Foot forces [N], shape (4,), FR FL RR RL; zero on most real robots. Used.");
+  def_number(state, "tick", &LowState::tick,
+             "Time [ms] modulo 2^32; only differences count. Used.");
 
   nb::class_<LowCmd> cmd(
       m, "LowCmd",
-      "What the robot is told every tick: unitree_legged_sdk v3.5 - v3.8 (Go1), 734 bytes, "
-      "packed.\n\n"
-      "LowCmd() is what the SDK's InitCmdData makes: 20 slots, mode 0x0A, q = PosStopF,\n"
-      "dq = VelStopF, tau = Kp = Kd = 0.");
+      "Command to the robot, one in every tick: unitree_legged_sdk v3.5 - v3.8 (Go1),\n"
+      "734 bytes, packed.\n\n"
+      "LowCmd() makes the same command as InitCmdData of the SDK: 20 slots with mode\n"
+      "0x0A, q = PosStopF, dq = VelStopF, tau = Kp = Kd = 0.");
   def_bytes_access(cmd, init_low_cmd);
   def_header(cmd);
   cmd.def_prop_ro(
       "motorCmd", [](LowCmd& c) -> auto& { return c.motorCmd; }, nb::rv_policy::reference_internal,
-      "20 slots, 12 motors: FR FL RR RL x hip thigh calf.");
+      "20 slots, 12 motors: FR FL RR RL x hip thigh calf. References.");
   cmd.def_prop_ro(
       "bms", [](LowCmd& c) -> BmsCmd& { return c.bms; }, nb::rv_policy::reference_internal,
       "Battery command.");
@@ -186,5 +204,9 @@ void bind_low_level(nb::module_& m) {
   bind_states(m);
   m.def("damping_low_cmd", &damping_low_cmd, "kd"_a,
         "Make the command in which every motor brakes by itself.\n\n"
-        "mode 0x0A, q = PosStopF, dq = 0, tau = Kp = 0, Kd = kd [N.m.s/rad] on the 12 motors.");
+        "The 12 motors get mode 0x0A, q = PosStopF, dq = 0, tau = Kp = 0, Kd = kd. The\n"
+        "motor drivers compute the damping, so it continues if the process that sent the\n"
+        "command dies. Real-time: yes.\n\n"
+        "Args:\n"
+        "    kd: Motor-side damping [N.m.s/rad].");
 }

@@ -21,21 +21,27 @@ void bind_gains(nb::module_& m) {
   nb::class_<GainInfo>(m, "GainInfo", "One row of gain_table().")
       .def_prop_ro(
           "group", [](const GainInfo& i) { return std::string(i.group); },
-          "What it belongs to: Body, Feet, Joints, ...")
+          "Part of the controller: Body, Feet, Joints, ...")
       .def_prop_ro(
-          "name", [](const GainInfo& i) { return std::string(i.name); }, "Attribute of Gains.")
+          "name", [](const GainInfo& i) { return std::string(i.name); },
+          "Name of the attribute of Gains.")
       .def_prop_ro(
           "unit", [](const GainInfo& i) { return std::string(i.unit); }, "Unit of the value.")
       .def_prop_ro(
-          "minimum", [](const GainInfo& i) { return i.minimum; }, "Least valid value.")
+          "minimum", [](const GainInfo& i) { return i.minimum; }, "Smallest valid value.")
       .def_prop_ro(
-          "maximum", [](const GainInfo& i) { return i.maximum; }, "Greatest valid value.")
+          "maximum", [](const GainInfo& i) { return i.maximum; }, "Largest valid value.")
       .def_prop_ro(
-          "default", [](const GainInfo& i) { return Gains().*i.member; }, "Library default.")
+          "default", [](const GainInfo& i) { return Gains().*i.member; }, "Default of the library.")
       .def_prop_ro(
-          "meaning", [](const GainInfo& i) { return std::string(i.meaning); }, "What it does.");
+          "meaning", [](const GainInfo& i) { return std::string(i.meaning); },
+          "Meaning of the gain, in a phrase.");
   nb::class_<Gains> gains(
-      m, "Gains", "Everything that can be tuned; gain_table() says unit, range and meaning.");
+      m, "Gains",
+      "All parameters that shape how the robot stands.\n\n"
+      "gain_table() has unit, range and meaning of every gain. Gains() has the\n"
+      "library's defaults, RobotConfig.gains those of a robot. Stiffness and damping\n"
+      "are per unit of inertia, so they carry over between robots.");
   gains.def(nb::init<>());
   for (const GainInfo& info : gain_table()) {
     const auto member = info.member;
@@ -44,7 +50,10 @@ void bind_gains(nb::module_& m) {
         std::string(info.name).c_str(), [member](const Gains& g) { return g.*member; },
         [member](Gains& g, double value) { g.*member = value; }, doc.c_str());
   }
-  gains.def("validate", &Gains::validate, "Raise Error naming the first gain out of range or NaN.");
+  gains.def("validate", &Gains::validate,
+            "Raise Error if a gain is not finite or outside its range.\n\n"
+            "Also if contact_force_off is not below contact_force_on. The message names the\n"
+            "first such gain.");
   gains.def("__copy__", [](const Gains& g) { return Gains(g); });
   gains.def("__eq__", [](const Gains& a, const Gains& b) { return a == b; }, nb::is_operator());
   m.def(
@@ -54,37 +63,55 @@ void bind_gains(nb::module_& m) {
         for (const GainInfo& info : gain_table()) rows.push_back(info);
         return rows;
       },
-      "List every gain: name, unit, range, default, meaning.");
+      "Return a GainInfo for every gain, in the order of Gains.");
   m.def("get_gain", &get_gain, "gains"_a, "name"_a,
-        "Read a gain by name; raises Error with valid names.");
+        "Return a gain by name; raises Error with the nearest valid names.");
   m.def("set_gain", &set_gain, "gains"_a, "name"_a, "value"_a,
-        "Write a gain by name; raises Error on an unknown name or a value out of range.");
+        "Set a gain by name.\n\n"
+        "Raises Error on an unknown name or a value that is not finite or out of range.");
 }
 
 void bind_config(nb::module_& m) {
-  nb::class_<RobotConfig>(m, "RobotConfig",
-                          "What a robot is beyond its kinematics and masses.\n\n"
-                          "Twelve values run in SDK motor order, four in leg order FR FL RR RL.")
+  nb::class_<RobotConfig>(
+      m, "RobotConfig",
+      "Properties of a robot that its kinematic and inertial model does not have.\n\n"
+      "Arrays of twelve are in SDK motor order (FR FL RR RL; hip, thigh, calf), arrays\n"
+      "of four in leg order. Numeric arrays are writable numpy views; lists of names\n"
+      "are copies.")
       .def(nb::init<>())
       .def_rw("name", &RobotConfig::name, "One word.")
-      .def_rw("joint_names", &RobotConfig::joint_names, "12 names, SDK motor order.")
-      .def_rw("foot_frames", &RobotConfig::foot_frames, "4 frame names, FR FL RR RL.")
-      .def_rw("foot_radius", &RobotConfig::foot_radius, "[m].")
-      .def_rw("p_base_imu", &RobotConfig::p_base_imu, "IMU origin in the base frame [m].")
-      .def_rw("quat_base_imu", &RobotConfig::quat_base_imu, "w x y z; maps IMU axes to base axes.")
-      .def_rw("q_lower", &RobotConfig::q_lower, "[rad] SDK and URDF limits, intersected.")
-      .def_rw("q_upper", &RobotConfig::q_upper, "[rad] SDK and URDF limits, intersected.")
+      .def_rw("joint_names", &RobotConfig::joint_names,
+              "Names of the 12 joints in the model, SDK motor order.")
+      .def_rw("foot_frames", &RobotConfig::foot_frames,
+              "Names of the 4 foot frames in the model, FR FL RR RL.")
+      .def_rw("foot_radius", &RobotConfig::foot_radius,
+              "Radius of the foot [m]: a sphere about its frame.")
+      .def_rw("p_base_imu", &RobotConfig::p_base_imu,
+              "IMU origin in the base frame [m], shape (3,).")
+      .def_rw("quat_base_imu", &RobotConfig::quat_base_imu,
+              "Quaternion w x y z, IMU axes to base axes, shape (4,).")
+      .def_rw("q_lower", &RobotConfig::q_lower,
+              "Lower position limits [rad], shape (12,): intersection of SDK and URDF limits.")
+      .def_rw("q_upper", &RobotConfig::q_upper,
+              "Upper position limits [rad], shape (12,): intersection of SDK and URDF limits.")
       .def_rw("hip_inward", &RobotConfig::hip_inward,
-              "[rad] that hips may turn legs under the trunk: motion_range().")
-      .def_rw("dq_max", &RobotConfig::dq_max, "[rad/s].")
-      .def_rw("tau_max", &RobotConfig::tau_max, "[N.m] up to corner_speed.")
-      .def_rw("corner_speed", &RobotConfig::corner_speed, "[rad/s] torque starts to fall here.")
-      .def_rw("no_load_speed", &RobotConfig::no_load_speed, "[rad/s] torque has vanished here.")
-      .def_rw("armature", &RobotConfig::armature, "Reflected rotor inertia [kg.m^2].")
-      .def_rw("q_standing", &RobotConfig::q_standing, "Standing pose [rad].")
-      .def_rw("friction", &RobotConfig::friction, "Coefficient that the controller assumes.")
-      .def_rw("gains", &RobotConfig::gains, "This robot's default gains.")
-      .def("validate", &RobotConfig::validate, "Raise Error naming the field that is wrong.");
+              "Limit of hips that turn legs inward [rad], see motion_range().")
+      .def_rw("dq_max", &RobotConfig::dq_max, "Velocity limits [rad/s], shape (12,).")
+      .def_rw("tau_max", &RobotConfig::tau_max,
+              "Torque limits [N.m] up to corner_speed, shape (12,).")
+      .def_rw("corner_speed", &RobotConfig::corner_speed,
+              "Velocity where the torque limit starts to fall [rad/s], shape (12,).")
+      .def_rw("no_load_speed", &RobotConfig::no_load_speed,
+              "Velocity where the torque limit reaches zero [rad/s], shape (12,).")
+      .def_rw("armature", &RobotConfig::armature,
+              "Rotor inertia times squared gear ratio [kg.m^2], shape (12,).")
+      .def_rw("q_standing", &RobotConfig::q_standing,
+              "Joint angles of the standing pose [rad], shape (12,).")
+      .def_rw("friction", &RobotConfig::friction,
+              "Friction coefficient between foot and ground that the controller assumes.")
+      .def_rw("gains", &RobotConfig::gains, "Default gains of this robot.")
+      .def("validate", &RobotConfig::validate,
+           "Raise Error if a field is invalid; the message names it.");
   m.def(
       "motion_range",
       [](const RobotConfig& config, int motor) {
@@ -95,10 +122,20 @@ void bind_config(nb::module_& m) {
         return std::make_tuple(range.lower, range.upper);
       },
       "config"_a, "motor"_a,
-      "Where the program takes a motor, and a body reference: (lower, upper) [rad].\n\n"
-      "q_lower .. q_upper, a hip no further inward than hip_inward. Raises Error.");
+      "Compute the range (lower, upper) [rad] within which QP and body reference keep a\n"
+      "motor.\n\n"
+      "q_lower .. q_upper, and for a hip no further inward than hip_inward: further\n"
+      "inward the trunk rests on the thigh, a contact that the dynamics do not model.\n"
+      "Arming checks and protections use q_lower and q_upper instead, because an\n"
+      "external force may push a joint there. Raises Error unless motor is 0 .. 11.\n"
+      "Real-time: yes.");
   m.def("motor_torque_limit", &motor_torque_limit, "config"_a, "motor"_a, "dq"_a, "sign"_a,
-        "Greatest torque [N.m] of a motor in the direction of sign at joint velocity dq [rad/s].");
+        "Compute the largest torque [N.m] of a motor in the direction of sign at joint\n"
+        "velocity dq [rad/s].\n\n"
+        "While torque and velocity have the same sign, the limit is tau_max up to\n"
+        "corner_speed, then falls linearly to zero at no_load_speed. A braking motor\n"
+        "keeps tau_max. The result is not negative. motor must be 0 .. 11. Real-time:\n"
+        "yes.");
 }
 
 }  // namespace
@@ -108,26 +145,37 @@ void bind_robot(nb::module_& m) {
   bind_config(m);
   nb::class_<Robot>(
       m, "Robot",
-      "A robot: the part that never changes. Cheap to copy, safe to share.\n\n"
-      "q and v are Pinocchio's: [position, quaternion x y z w, joints] and [base twist in\n"
-      "base axes, joint velocities], joints in Pinocchio's order.")
-      .def_static("from_serialized_model", &Robot::from_serialized_model, "text"_a, "config"_a,
-                  "Build from pinocchio.Model.saveToString() text; the versions must agree.")
-      .def_static("load", &Robot::load, "path"_a, "Read a .robot file; raises Error.")
-      .def("save", &Robot::save, "path"_a, "Write a .robot file that C++ and Python read alike.")
+      "Model and configuration of a robot, immutable. Cheap to copy, safe to share.\n\n"
+      "q and v follow Pinocchio: q = [p_world_base, quaternion x y z w, joints], v =\n"
+      "[linear and angular velocity of the base in base axes, joint velocities]. Joints\n"
+      "in q and v are in Pinocchio's order, which differs from SDK motor order: convert\n"
+      "with motor_to_q and motor_to_v. Joints are matched to motors by name.")
+      .def_static(
+          "from_serialized_model", &Robot::from_serialized_model, "text"_a, "config"_a,
+          "Build from text by pinocchio.Model.saveToString() of the same Pinocchio version.\n\n"
+          "Raises Error if the text cannot be read, or if the configuration is invalid or\n"
+          "does not fit the model.")
+      .def_static("load", &Robot::load, "path"_a,
+                  "Read a .robot file by save(); needs no URDF parser and no meshes.\n\n"
+                  "Raises Error if the file cannot be read, is damaged, or has another version.")
+      .def("save", &Robot::save, "path"_a,
+           "Write a .robot file, readable from C++ and Python. Raises Error.")
       .def("serialized_model", &Robot::serialized_model,
-           "Return the model as text for pinocchio.Model.loadFromString().")
+           "Return the model as text for pinocchio.Model.loadFromString() of the same\n"
+           "version.")
       .def_prop_ro(
           "config", [](const Robot& r) { return RobotConfig(r.config()); },
-          "A copy of the configuration.")
+          "Configuration, a copy.")
       .def_prop_ro(
           "name", [](const Robot& r) { return r.config().name; }, "Name of the robot.")
-      .def_prop_ro("nq", &Robot::nq, "Size of q.")
-      .def_prop_ro("nv", &Robot::nv, "Size of v.")
+      .def_prop_ro("nq", &Robot::nq, "Size of q; 19 with twelve joints.")
+      .def_prop_ro("nv", &Robot::nv, "Size of v; 18 with twelve joints.")
       .def_prop_ro("mass", &Robot::mass, "Total mass [kg].")
-      .def_prop_ro("motor_to_v", &Robot::motor_to_v, "Index in v of each SDK motor.")
-      .def_prop_ro("motor_to_q", &Robot::motor_to_q, "Index in q of each SDK motor.")
+      .def_prop_ro("motor_to_v", &Robot::motor_to_v, "Index in v of each SDK motor, 12 integers.")
+      .def_prop_ro("motor_to_q", &Robot::motor_to_q, "Index in q of each SDK motor, 12 integers.")
       .def_prop_ro("foot_frame_ids", &Robot::foot_frame_ids,
-                   "Pinocchio frame of each foot, FR FL RR RL.")
-      .def("q_standing", &Robot::q_standing, "q with the base level at the origin, standing pose.");
+                   "Pinocchio frame id of each foot, FR FL RR RL.")
+      .def("q_standing", &Robot::q_standing,
+           "Return q of the standing pose with the base level at the world origin, shape\n"
+           "(nq,).");
 }

@@ -21,7 +21,7 @@ nb::capsule owner_of(T* data) {
   return nb::capsule(data, [](void* p) noexcept { delete[] static_cast<T*>(p); });
 }
 
-/// One number of every tick.
+/// Return one number of every tick as an array that owns its data.
 template <typename T, typename Get>
 Column<T> column(const RunLog& log, Get get) {
   auto* data = new T[log.size()];
@@ -30,7 +30,7 @@ Column<T> column(const RunLog& log, Get get) {
   return Column<T>(data, {log.size()}, owner);
 }
 
-/// The bytes of a packed struct of every tick.
+/// Return the bytes of a packed struct of every tick, one row each.
 template <typename Struct>
 Bytes bytes(const RunLog& log, Struct RunTick::* member) {
   constexpr std::size_t kWidth = sizeof(Struct);
@@ -46,37 +46,40 @@ Bytes bytes(const RunLog& log, Struct RunTick::* member) {
 
 void bind_run_log(nb::module_& m) {
   nb::class_<RunLog>(m, "RunLog",
-                     "The last ticks of a run: what a StandRunner knew, and what it sent.\n\n"
-                     "Every array is a copy, made when it is asked for.")
+                     "The last ticks of a run of a StandRunner, n = len(log), the oldest first.\n\n"
+                     "Every array is a copy, made when it is read.")
       .def("__len__", &RunLog::size)
       .def_prop_ro(
           "time",
           [](const RunLog& log) {
             return column<double>(log, [](const RunTick& t) { return t.time; });
           },
-          nb::rv_policy::automatic, "(n,) [s] since run() began.")
+          nb::rv_policy::automatic, "Time since run() began [s], shape (n,).")
       .def_prop_ro(
           "has_new_state",
           [](const RunLog& log) {
             return column<bool>(log, [](const RunTick& t) { return t.has_new_state; });
           },
-          nb::rv_policy::automatic, "(n,) did the LowState come with this tick?")
+          nb::rv_policy::automatic, "True where the LowState arrived in this tick, shape (n,).")
       .def_prop_ro(
           "mode",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.mode; });
           },
-          nb::rv_policy::automatic, "(n,) values of Mode: the supervisor's, after the tick.")
+          nb::rv_policy::automatic, "Values of Mode of the supervisor after the tick, shape (n,).")
       .def_prop_ro(
           "damping_fault",
           [](const RunLog& log) {
             return column<std::int64_t>(log, [](const RunTick& t) { return t.damping_fault; });
           },
-          nb::rv_policy::automatic, "(n,) values of FaultId: why the supervisor damped last.")
+          nb::rv_policy::automatic,
+          "Values of FaultId: why the supervisor latched damping, shape (n,).")
       .def_prop_ro(
-          "reports", [](const RunLog& log) { return bytes(log, &RunTick::state); },
-          nb::rv_policy::automatic, "(n, 937) bytes of the newest LowStates.")
+          "samples", [](const RunLog& log) { return bytes(log, &RunTick::state); },
+          nb::rv_policy::automatic,
+          "Bytes of the newest LowState, shape (n, 937); see LowState.from_bytes().")
       .def_prop_ro(
           "commands", [](const RunLog& log) { return bytes(log, &RunTick::command); },
-          nb::rv_policy::automatic, "(n, 734) bytes of the LowCmds that the link was given.");
+          nb::rv_policy::automatic,
+          "Bytes of the LowCmd passed to the link, shape (n, 734); see LowCmd.from_bytes().");
 }

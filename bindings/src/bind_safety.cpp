@@ -9,45 +9,63 @@ using namespace surefoot;
 namespace {
 
 constexpr const char* kSafety =
-    "The SDK's three protections: names, arguments and defaults of its safety.h, in snake case.\n\n"
-    "They are software and guarantee nothing. Beginners should use all of them, with level 1.\n"
-    "Position limits are the robot's own, RobotConfig.q_lower and q_upper: the SDK's and the\n"
-    "URDF's intersected, so nowhere wider than the vendor's. Motors 12 .. 19 are ignored.";
+    "The three protections of the SDK, with the names (in snake case), arguments and\n"
+    "defaults of its safety.h.\n\n"
+    "They run in software and guarantee nothing: a robot is safe only if its\n"
+    "controller sends no abnormal torques. Beginners should use all three, with level\n"
+    "1. The position limits are those of the robot, RobotConfig.q_lower and q_upper:\n"
+    "the intersection of SDK and URDF limits, joint by joint. They are nowhere wider\n"
+    "than the vendor's, and narrower on go1 (hip 0.863 rad instead of 1.047 rad).\n"
+    "Motors 12 .. 19 are ignored.";
 
 constexpr const char* kPowerProtect =
-    "Judge the power of the motors, sum |tauEst dq|, against level times 100 W.\n\n"
-    "Call it once a report and do not send what it refuses. A counter goes up by one (to 10 at\n"
-    "most) with each call above the limit, else down by one (to 0), and above 5 it trips: a\n"
-    "lasting overload trips on the 6th call, and at most 4 quiet calls are refused after it.\n\n"
-    "The vendor's library also writes mode 0x00 into the command and never trips on NaN; here\n"
-    "the command stays as it is, as the SDK's document says, and a power that is not finite is\n"
-    "refused at once. Level n is n x 100 W on every robot, b1 included, whose body takes 4 to\n"
-    "12 times the watts of a go1's in pushes of the same share of what it survives.\n\n"
+    "Check the power of the motors, P = sum |tauEst dq|, against 100 W times level.\n\n"
+    "Call it once per sample, after computing the command and before sending it, and\n"
+    "do not send the command if the result is -1. A counter increases by one (up to\n"
+    "10) with each call whose P is above the limit, else decreases by one (down to\n"
+    "0); the protection trips above 5. So a lasting overload trips on the 6th call,\n"
+    "an overload in every other call never trips, and after an overload at most 4\n"
+    "more calls return -1: the trip is not latched. P equal to the limit does not\n"
+    "count as above it. The rule is that of the vendor's library, with these\n"
+    "differences:\n\n"
+    "- The command stays unchanged, as in the SDK's document. The vendor's library\n"
+    "  writes mode 0x00 (brake) into motors 0 .. 11, and nothing there restores 0x0A.\n"
+    "- A P that is not finite returns -1 in the same call and counts as above the\n"
+    "  limit. The vendor's library never trips on NaN.\n"
+    "- Nothing is printed, and the process never ends.\n\n"
+    "A level means the same power on every robot. For pushes of the same share of its\n"
+    "push limit, b1 takes 4 to 12 times the power of a go1. Real-time: yes.\n\n"
     "Args:\n"
-    "    cmd: Not read.\n"
+    "    cmd: Not read, as in the vendor's library.\n"
     "    state: tauEst [N.m] and dq [rad/s] of motors 0 .. 11.\n"
-    "    level: 1 .. 10, clamped.\n\n"
+    "    level: 1 .. 10, clamped; may change from call to call.\n\n"
     "Returns:\n"
-    "    +1, or -1 when tripped. Real-time: yes.";
+    "    +1, or -1 if tripped.";
 
 constexpr const char* kPositionProtect =
-    "Judge the joint angles measured: each within [q_lower + limit, q_upper - limit].\n\n"
-    "No debounce, no latch; NaN is outside. The vendor's library also writes mode 0x00 into the\n"
-    "command; here it stays as it is. The limit of 10 (radians) in a comment of the vendor's\n"
-    "examples leaves no window and trips always, and so does NaN.\n\n"
+    "Check the measured joint angles: each must be within [q_lower + limit, q_upper -\n"
+    "limit].\n\n"
+    "There is no debouncing and no latch: each call judges its own sample alone. NaN\n"
+    "is outside. The command stays unchanged; the vendor's library writes mode 0x00\n"
+    "into it. A fully folded calf at rest is outside. A NaN limit, or one as wide as\n"
+    "the joint range, always trips, such as the 10 [rad] in a comment of the vendor's\n"
+    "examples. A negative limit widens the range. Real-time: yes.\n\n"
     "Args:\n"
     "    cmd: Not read.\n"
     "    state: q [rad] of motors 0 .. 11.\n"
-    "    limit: Kept from either end [rad].\n\n"
+    "    limit: Distance kept from both ends of the range [rad].\n\n"
     "Returns:\n"
-    "    +1, or -1 when a joint is outside: position_motor. Real-time: yes.";
+    "    +1, or -1 if a joint is outside, see position_motor.";
 
 constexpr const char* kPositionLimit =
-    "Clamp the position commands q of motors 0 .. 11 to the joints' limits, in place.\n\n"
-    "|q| >= 1e9 is PosStopF (2.146e9, or the 1e9 of the vendor's Python examples) and stays; the\n"
-    "vendor's library turns it into the joint's upper limit. NaN passes: encoding refuses it.\n\n"
+    "Clamp the position commands q [rad] of motors 0 .. 11 to [q_lower, q_upper], in\n"
+    "place.\n\n"
+    "|q| >= 1e9 means PosStopF (2.146e9; the vendor's Python examples use 1e9) and\n"
+    "stays unchanged; the vendor's library turns it into the upper joint limit, to\n"
+    "which a motor with Kp > 0 then moves. As in the vendor's library, mode and gains\n"
+    "are ignored, and NaN passes; encoding the frame refuses it. Real-time: yes.\n\n"
     "Args:\n"
-    "    cmd: Changed in place. Real-time: yes.";
+    "    cmd: Changed in place.";
 
 }  // namespace
 
@@ -58,12 +76,16 @@ void bind_safety(nb::module_& m) {
       .def("position_protect", &Safety::position_protect, "cmd"_a, "state"_a,
            "limit"_a = Safety::kPositionMargin, kPositionProtect)
       .def("position_limit", &Safety::position_limit, "cmd"_a, kPositionLimit)
-      .def_prop_ro("power", &Safety::power, "Sum |tauEst dq| of the last power_protect() [W].")
+      .def_prop_ro("power", &Safety::power,
+                   "P of the last power_protect() [W]; 0 before the first call.")
       .def_prop_ro("power_counter", &Safety::power_counter,
-                   "0 .. 10; power_protect() trips above 5.")
-      .def_prop_ro("position_motor", &Safety::position_motor,
-                   "SDK motor that the last position_protect() found outside, or -1.")
+                   "Counter of power_protect(), 0 .. 10; the protection trips above 5.")
+      .def_prop_ro(
+          "position_motor", &Safety::position_motor,
+          "SDK number of the first motor outside its range in the last position_protect(),\n"
+          "or -1.")
       .def_prop_ro("position_angle", &Safety::position_angle,
-                   "Its angle [rad]; 0 where there is none.")
-      .def("reset", &Safety::reset, "Forget all calls so far.");
+                   "Angle of position_motor [rad]; 0 if there is none.")
+      .def("reset", &Safety::reset,
+           "Reset the counter and all results of earlier calls. Real-time: yes.");
 }

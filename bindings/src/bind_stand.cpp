@@ -14,10 +14,12 @@ using namespace surefoot;
 namespace {
 
 void bind_body_reference(nb::module_& m) {
-  nb::class_<BodyReference>(m, "BodyReference",
-                            "Where the body is asked to be, from the pose that was latched.\n\n"
-                            "Along the axes of the support frame: forward, left, out of the "
-                            "ground.")
+  nb::class_<BodyReference>(
+      m, "BodyReference",
+      "Pose of the body relative to the latched pose; all zero is the latched pose.\n\n"
+      "Displacement of the base origin along the axes of the support frame (x forward,\n"
+      "y left, z out of the ground), and orientation in that frame: R = Rz(yaw)\n"
+      "Ry(pitch) Rx(roll) R_latched.")
       .def(
           "__init__",
           [](BodyReference* r, double x, double y, double height, double roll, double pitch,
@@ -27,43 +29,53 @@ void bind_body_reference(nb::module_& m) {
       .def_rw("x", &BodyReference::x, "Forward [m].")
       .def_rw("y", &BodyReference::y, "To the left [m].")
       .def_rw("height", &BodyReference::height, "Out of the ground [m].")
-      .def_rw("roll", &BodyReference::roll, "About forward [rad].")
-      .def_rw("pitch", &BodyReference::pitch, "About left [rad].")
-      .def_rw("yaw", &BodyReference::yaw, "About up [rad].");
-  nb::enum_<ReachLimit>(m, "ReachLimit", "What keeps the body from going where it is asked to.")
-      .value("NONE", ReachLimit::kNone, "Nothing: it is there, or on its way.")
-      .value("JOINT", ReachLimit::kJoint, "A joint would come too near its limit.")
-      .value("SUPPORT", ReachLimit::kSupport, "The centre of mass would come too near the edge.")
+      .def_rw("roll", &BodyReference::roll, "About the forward axis [rad].")
+      .def_rw("pitch", &BodyReference::pitch, "About the left axis [rad].")
+      .def_rw("yaw", &BodyReference::yaw, "About the ground normal [rad].");
+  nb::enum_<ReachLimit>(m, "ReachLimit", "Limit that stops the body reference before its target.")
+      .value("NONE", ReachLimit::kNone,
+             "No limit: the reference is at the target or moves towards it.")
+      .value("JOINT", ReachLimit::kJoint,
+             "A joint would come closer than gain reach_joint_margin to its motion_range().")
+      .value("SUPPORT", ReachLimit::kSupport,
+             "The centre of mass would come closer than gain reach_support_margin to an edge.")
       .value("FOOT_HEIGHT", ReachLimit::kFootHeight,
-             "A foot would come within gain reach_foot_depth of the height of its hip axis.")
+             "A foot would be less than gain reach_foot_depth below its hip axis.")
       .value("UNREACHABLE", ReachLimit::kUnreachable, "A leg is too short.")
-      .value("NOT_FINITE", ReachLimit::kNotFinite, "No number; the last request stands.");
-  nb::class_<ReachStatus>(m, "ReachStatus", "A limit, and whose it is.")
-      .def_ro("limit", &ReachStatus::limit, "Which.")
+      .value("NOT_FINITE", ReachLimit::kNotFinite,
+             "The target has a NaN or an infinity: the target before it stays in force.");
+  nb::class_<ReachStatus>(m, "ReachStatus",
+                          "Limit that is in the way, and the motor that it belongs to.")
+      .def_ro("limit", &ReachStatus::limit, "The limit.")
       .def_ro("motor", &ReachStatus::motor,
-              "SDK motor: JOINT the joint's, FOOT_HEIGHT the leg's hip; else -1.");
+              "SDK number: JOINT the joint, FOOT_HEIGHT the hip of the leg; else -1.");
 }
 
-void bind_rung(nb::module_& m) {
-  nb::enum_<FallbackLevel>(m, "FallbackLevel",
-                           "Where a command comes from: a ladder, the best first.")
-      .value("SOLVED", FallbackLevel::kSolved, "The whole-body program.")
+void bind_fallback_level(nb::module_& m) {
+  nb::enum_<FallbackLevel>(
+      m, "FallbackLevel",
+      "Where a command comes from, the best first.\n\n"
+      "A tick tries the levels in this order, the fallback chain, until one gives a\n"
+      "command.")
+      .value("SOLVED", FallbackLevel::kSolved,
+             "The whole-body QP, started from the active set of the last tick.")
       .value("COLD_SOLVE", FallbackLevel::kColdSolve,
-             "The same program once more, from nothing and to ten times the tolerance.")
+             "The same QP once more, by a cold start and to ten times the tolerance.")
       .value("FORCES", FallbackLevel::kForces,
-             "No program: the last solution's forces, and what the body's tasks want more than\n"
-             "then, shared among the feet.")
+             "No QP: the forces of the last solution, plus the change of the desired wrench\n"
+             "since then, shared among the feet.")
       .value("LAST_FORCES", FallbackLevel::kLastForces,
-             "The last solution's forces, through today's Jacobians.")
+             "The forces of the last solution, through the present Jacobians.")
       .value("GRAVITY", FallbackLevel::kGravity,
-             "The weight shared among the feet, and damping of the joints.")
+             "Forces that carry the weight, shared among the feet, and joint damping.")
       .value("HOLD", FallbackLevel::kHold,
-             "The command that left last, once more: the report is bad.")
+             "The last command once more: the present sample is unusable.")
       .value("DAMPING", FallbackLevel::kDamping, "The motors brake by themselves.");
 }
 
 void bind_controller(nb::module_& m) {
-  nb::class_<StandOptions>(m, "StandOptions", "What is set once, as opposed to tuned.")
+  nb::class_<StandOptions>(m, "StandOptions",
+                           "Options of a StandController: fixed at construction, unlike gains.")
       .def(
           "__init__",
           [](StandOptions* o, double motor_damping, double delay, QpForm form, double power_limit) {
@@ -72,19 +84,48 @@ void bind_controller(nb::module_& m) {
           "motor_damping"_a = 0.0, "delay"_a = 0.0, "form"_a = QpForm::kAuto,
           "power_limit"_a = StandOptions().power_limit)
       .def_rw("motor_damping", &StandOptions::motor_damping,
-              "[N.m.s/rad] motor-side damping in every command; 0 is pure torque mode.")
-      .def_rw("delay", &StandOptions::delay, "[s] from a measurement to its command's action.")
-      .def_rw("form", &StandOptions::form, "Of the whole-body program.")
+              "Motor-side damping in every command, with dq = 0 [N.m.s/rad], 0 .. 50.\n\n"
+              "0 is pure torque mode. Hardware whose knees vibrate in pure torque mode may need\n"
+              "some.")
+      .def_rw("delay", &StandOptions::delay,
+              "Time from a measurement to the action of the command computed from it [s], 0 ..\n"
+              "0.05; identify_delay() measures it.\n\n"
+              "The state is predicted over this time with the commands already sent. Prediction\n"
+              "amplifies sensor noise, so leave it at 0 for delays of up to a few ticks. In\n"
+              "simulation no robot stood with more than 0.03. At 0 nothing is predicted, and\n"
+              "the estimator compares each sample with the command sent two periods earlier:\n"
+              "one period of delay for the command and one for the sample, as over the SDK's\n"
+              "link.")
+      .def_rw("form", &StandOptions::form, "Form of the whole-body QP.")
       .def_rw("power_limit", &StandOptions::power_limit,
-              "[W] most that a command may take, sum |tau dq| by the velocities reported; beyond\n"
-              "it torques are scaled towards those that hold still, unless these alone take more;\n"
-              "a leg that gathers speed along its own torques gets no more of them than its power\n"
-              "rises by a quarter of the limit within 15 ms. > 0, infinite is off.");
+              "Largest power of a command [W], sum |tau dq| with the motors' damping included,\n"
+              "at the joint velocities it is computed for; > 0, infinite switches the limit\n"
+              "off.\n\n"
+              "Above the limit, the torques are scaled towards those that hold the robot\n"
+              "against gravity. If these alone exceed the limit, the command is not scaled,\n"
+              "because a robot that is released falls and takes even more power. Last, the\n"
+              "torques of runaway legs are limited: the power of a leg may rise by at most a\n"
+              "quarter of the limit within the next 15 ms, extrapolated from the acceleration\n"
+              "of its joints. With periods of 10 ms and more, runaway legs are not detected.\n\n"
+              "Set the limit below that of Safety.power_protect(), at 0.9 of it for example,\n"
+              "but not far below what the motions take: a robot that lacks power for long\n"
+              "falls.");
   nb::class_<StandController>(
       m, "StandController",
-      "Holds the body as it stands, or where it is asked to be: LowState in, LowCmd out.\n\n"
-      "Torque mode: Kp = Kd = 0, q = PosStopF, dq = VelStopF. A bad report or solve is bridged,\n"
-      "as Rung has it, for at most 10 ms; then the motors damp until reset().")
+      "Controller that holds the body at the latched pose, or moves it to a\n"
+      "BodyReference: LowState in, LowCmd out.\n\n"
+      "A tick estimates the state, updates the reference and solves the whole-body QP.\n"
+      "The first good samples latch the pose of the body relative to the feet. Commands\n"
+      "are in torque mode: motors 0 .. 11 have mode 0x0A, q = PosStopF, dq = VelStopF,\n"
+      "Kp = Kd = 0 and the torques of the QP.\n\n"
+      "If the solve fails, the tick goes down the fallback chain, see FallbackLevel. If\n"
+      "the sample is unusable, the last command is repeated. Kd > 0 occurs only by\n"
+      "StandOptions.motor_damping, in a lost leg, and at the levels GRAVITY and\n"
+      "DAMPING. At most 10 ms may pass without a solved command; then the motors damp\n"
+      "(dq = 0, Kd > 0, tau = 0), latched until reset(). All times are measured by\n"
+      "LowState.tick.\n\n"
+      "Assumes twelve joints on a free base, spherical feet, and one ground plane under\n"
+      "all feet, whose normal is estimated. Not thread-safe.")
       .def(
           "__init__",
           [](StandController* self, const Robot& robot, const Gains* gains,
@@ -92,7 +133,14 @@ void bind_controller(nb::module_& m) {
             new (self) StandController(robot, gains ? *gains : robot.config().gains, options);
           },
           "robot"_a, "gains"_a = nb::none(), "options"_a = StandOptions(),
-          "gains: None for the robot's own. Raise Error if one or an option is invalid.")
+          "Create a controller.\n\n"
+          "Args:\n"
+          "    robot: Model and configuration, twelve joints on a free base.\n"
+          "    gains: None: those of robot.config.\n"
+          "    options: Fixed at construction.\n\n"
+          "Raises:\n"
+          "    Error: The robot does not have twelve joints on a free base, or a gain or an\n"
+          "        option is invalid.")
       .def(
           "update",
           [](StandController& c, const LowState& s) {
@@ -101,63 +149,105 @@ void bind_controller(nb::module_& m) {
             return command;
           },
           "low_state"_a,
-          "Compute one tick: LowCmd; read status. Raises only what a task in Python raised.")
+          "Compute one tick. Raises only what a Python task raised.\n\n"
+          "Real-time: yes, if the custom tasks are.\n\n"
+          "Args:\n"
+          "    low_state: Newest sample; its tick must advance.\n\n"
+          "Returns:\n"
+          "    The command to send, a copy; status and fallback_level tell its quality.")
       .def("set_body_reference", &StandController::set_body_reference, "target"_a,
-           "Ask for another pose of the body; it goes there at limited speed.")
-      .def_prop_ro("body_reference", &StandController::body_reference, "Where it is on the way.")
-      .def_prop_ro("reach", &StandController::reach, "What keeps it from getting there.")
+           "Set the target pose of the body.\n\n"
+           "The reference moves there with limited speed and acceleration, and stops at the\n"
+           "limits of ReachLimit. A target with a NaN or an infinity is ignored, and reach\n"
+           "reports NOT_FINITE. Real-time: yes.")
+      .def_prop_ro("body_reference", &StandController::body_reference,
+                   "Present body reference, on the way to the target.")
+      .def_prop_ro("reach", &StandController::reach,
+                   "Limit that stops the body reference before its target.")
       .def("give_up_leg", &StandController::give_up_leg, "leg"_a,
-           "Give a leg up (0 .. 3) until reset: its foot bears nothing from now on.")
+           "Give up a leg, 0 .. 3, until reset().\n\n"
+           "Its foot carries no load from now on, its motors damp, and the centre of mass\n"
+           "moves over the other three feet. The call is ignored if a leg is already lost or\n"
+           "leg is not 0 .. 3. Real-time: yes.")
       .def_prop_ro("lost_leg", &StandController::lost_leg, "The leg that was given up, or -1.")
       .def("capture_margin_without", &StandController::capture_margin_without, "leg"_a,
-           "Return how far the capture point is inside the other three feet's triangle [m].\n\n"
-           "Infinite where another leg is lost, NaN for no leg's number and before the first tick.")
-      .def("add_task", &StandController::add_task, "task"_a, "Add a task of your own.")
-      .def_prop_ro("status", &StandController::status, "What this tick's command is worth.")
-      .def_prop_ro("fault", &StandController::fault, "What was wrong when a tick last was not OK.")
+           "Compute the distance [m] from the capture point to the nearest edge of the\n"
+           "support triangle that remains without leg.\n\n"
+           "By the newest estimate. Negative: outside the triangle. Infinite: another leg is\n"
+           "already lost. NaN: leg is not 0 .. 3, or no pose is latched yet. Real-time: yes.")
+      .def("add_task", &StandController::add_task, "task"_a,
+           "Add a custom task, in force from the next tick on.\n\n"
+           "Raises Error if task is None or its rows() is not 1 .. 1000. Real-time: no.")
+      .def_prop_ro(
+          "status", &StandController::status,
+          "Status of the last tick: OK, SATURATED, or why the QP gave no command; DAMPING\n"
+          "while latched.")
+      .def_prop_ro(
+          "fault", &StandController::fault,
+          "Status of the last tick that was not usable; kept while damping is latched, OK\n"
+          "after reset().")
       .def_prop_ro("fallback_level", &StandController::fallback_level,
-                   "Where this tick's command came from.")
+                   "Fallback level of the last command; DAMPING before the first tick.")
       .def("fallback_count", &StandController::fallback_count, "fallback_level"_a,
-           "Return how many ticks came to this rung, since construction.")
+           "Return the number of ticks that ended at a fallback level, since construction.")
       .def_prop_ro(
           "state", [](const StandController& c) { return RobotState(c.state()); },
-          "Estimate, a copy; its friction is what the program may use of it.")
+          "Estimated state, a copy.\n\n"
+          "Its friction is the share that the QP may use: 0.7 at most while the capture\n"
+          "point is more than 6 cm inside the support edges, and less while a foot slips.")
       .def_prop_ro(
-          "reference", [](const StandController& c) { return Reference(c.reference()); }, "A copy.")
+          "reference", [](const StandController& c) { return Reference(c.reference()); },
+          "Reference of the last good tick, a copy.")
       .def_prop_ro(
           "qp", [](const StandController& c) { return QpProblem(c.qp()); },
-          "The program that the last tick solved: a copy.")
+          "QP that the last tick solved, a copy; see WholeBodyController.qp.")
       .def_prop_ro(
-          "solution", [](const StandController& c) { return Solution(c.solution()); }, "A copy.")
+          "solution", [](const StandController& c) { return Solution(c.solution()); },
+          "QP solution of the last good tick, a copy.")
       .def_prop_ro(
           "estimator_report",
-          [](const StandController& c) { return EstimatorReport(c.estimator_report()); }, "A copy.")
+          [](const StandController& c) { return EstimatorReport(c.estimator_report()); },
+          "Uncertainty of the state and verdicts on the sensors, a copy.")
       .def_prop_ro("normal_forces_from_torques", &StandController::normal_forces_from_torques,
-                   "Normal force per foot from torques [N].")
+                   "Normal force on each foot by the joint torques [N], FR FL RR RL, shape (4,).")
       .def_prop_ro("has_foot_force_est", &StandController::has_foot_force_est,
-                   "Does footForceEst live?")
-      .def_prop_ro("command_power", &StandController::command_power,
-                   "Sum |tau dq| [W] of the last command made from a report.")
-      .def_prop_ro("power_scale", &StandController::power_scale,
-                   "How much of the torques' way from holding still power_limit left, 0 .. 1.\n"
-                   "It is 1, too, where a leg that its torques fling got less of them.")
+                   "True if footForceEst works on this robot: its sum has matched the load on the\n"
+                   "feet.")
+      .def_prop_ro(
+          "command_power", &StandController::command_power,
+          "Power sum |tau dq| [W] of the last command that was computed from a sample, with\n"
+          "the motors' damping included.\n\n"
+          "At the joint velocities it was computed for: reported, or predicted over\n"
+          "StandOptions.delay. It exceeds StandOptions.power_limit only if the torques that\n"
+          "hold the robot exceed it.")
+      .def_prop_ro(
+          "power_scale", &StandController::power_scale,
+          "Scale s, 0 .. 1, by which power_limit reduced the torques of the last good tick.\n\n"
+          "tau = tau_hold + s (tau_QP - tau_hold). Below 1, status is SATURATED, and\n"
+          "solution still has the torques of the QP. If only a runaway leg was limited,\n"
+          "status is SATURATED and s is 1.")
       .def_prop_ro(
           "gains", [](const StandController& c) { return Gains(c.gains()); },
-          "A copy of those asked for.")
+          "Requested gains, a copy; see set_gains().")
       .def_prop_ro(
           "active_gains", [](const StandController& c) { return Gains(c.active_gains()); },
-          "A copy; on their way to `gains`.")
+          "Gains in force, which move to gains; a copy.")
       .def("set_gains", &StandController::set_gains, "gains"_a,
-           "Change gains; those of a controller at work move there in 0.1 s of good ticks, for "
-           "torques not to jump; while nothing is computed, at once. Raise Error, and change "
-           "nothing, if one is invalid.")
-      .def("reset", &StandController::reset, "Leave damping; latch the pose anew.");
+           "Set the gains, between ticks.\n\n"
+           "While the controller is active, the gains in force move to the new ones within\n"
+           "0.1 s of good ticks, so that torques do not jump. Before the first good sample\n"
+           "and while damping is latched, they change at once. Raises Error and changes\n"
+           "nothing if a gain is invalid. Real-time: no.")
+      .def("reset", &StandController::reset,
+           "Leave damping, clear the body reference and the lost leg, and latch the pose\n"
+           "again with the next good samples.\n\n"
+           "Real-time: yes.");
 }
 
 }  // namespace
 
 void bind_stand(nb::module_& m) {
   bind_body_reference(m);
-  bind_rung(m);
+  bind_fallback_level(m);
   bind_controller(m);
 }

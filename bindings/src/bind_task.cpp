@@ -29,13 +29,13 @@ struct PythonTask : Task {
     if (nb::try_cast<int>(answer, rows)) return rows;
     const nb::str name = nb::cast<nb::str>(nb_trampoline.base().type().attr("__name__"));
     throw Error("task " + std::string(name.c_str()) + ": rows() returned " +
-                nb::repr(answer).c_str() + ", expected a whole number");
+                nb::repr(answer).c_str() + ", expected an integer 1 .. 1000");
   }
   bool write(const RobotState& state, TaskRows& out) noexcept override {
     try {
       constexpr std::uint64_t hash = nb::detail::str_hash("write");
       const nb::detail::ticket ticket(nb_trampoline, "write", hash, true);
-      // Pointers, so that Python writes into these rows and not into a copy.
+      // Pass pointers, so that Python writes into these rows and not into a copy.
       const nb::object result = nb_trampoline.base().attr(ticket.key)(&state, &out);
       if (result.is_none()) return true;
       const int truth = PyObject_IsTrue(result.ptr());
@@ -55,28 +55,45 @@ void raise_pending_error() {
 }
 
 void bind_task(nb::module_& m) {
-  nb::class_<TaskRows>(m, "TaskRows",
-                       "Rows of a task: A_a a + A_f f = b is wanted, missed as cheaply as weight "
-                       "says.\n\nThe arrays are views: write into them, A_a[:] = ...")
+  nb::class_<TaskRows>(
+      m, "TaskRows",
+      "Rows of a custom task. The arrays are views: write into them, A_a[:] = ...\n\n"
+      "The QP minimises, beside its own tasks, over generalised accelerations a and\n"
+      "contact forces f:\n\n"
+      "    1/2 sum_i weight_i (A_a a + A_f f - b)_i^2\n\n"
+      "For scale: with gain weight_com_vertical = 1, an error of g/2 in the\n"
+      "acceleration of the centre of mass costs 1/2. Rows that outweigh the QP's own\n"
+      "tasks by more than 1e5 end the tick with BAD_TASK.")
       .def_prop_ro(
           "A_a", [](TaskRows& r) -> Eigen::Ref<Eigen::MatrixXd> { return r.A_a; },
-          nb::rv_policy::reference_internal, "(rows, nv) on the acceleration, Pinocchio's order.")
+          nb::rv_policy::reference_internal,
+          "(rows, nv) for the generalised acceleration, Pinocchio's order.")
       .def_prop_ro(
           "A_f", [](TaskRows& r) -> Eigen::Ref<Eigen::MatrixXd> { return r.A_f; },
-          nb::rv_policy::reference_internal, "(rows, 12) on the contact forces, world axes.")
+          nb::rv_policy::reference_internal,
+          "(rows, 12) for the contact forces [N], world axes, FR FL RR RL.")
       .def_prop_ro(
           "b", [](TaskRows& r) -> Eigen::Ref<Eigen::VectorXd> { return r.b; },
-          nb::rv_policy::reference_internal, "(rows,)")
+          nb::rv_policy::reference_internal, "(rows,) desired values.")
       .def_prop_ro(
           "weight", [](TaskRows& r) -> Eigen::Ref<Eigen::VectorXd> { return r.weight; },
-          nb::rv_policy::reference_internal, "(rows,) 0 or more; 1 to begin with.");
-  nb::class_<Task, PythonTask>(m, "Task",
-                               "A task of your own: subclass it and give it to add_task().\n\n"
-                               "What write() raises stops the tick with BAD_TASK and is raised by "
-                               "update().")
+          nb::rv_policy::reference_internal, "(rows,) 0 or more; initially 1.");
+  nb::class_<Task, PythonTask>(
+      m, "Task",
+      "Base class of custom tasks: subclass it and pass an instance to add_task().\n\n"
+      "An exception in write() ends the tick with BAD_TASK; update() raises it after\n"
+      "the tick. See examples/custom_task.py.")
       .def(nb::init<>())
-      .def("rows", &Task::rows, "How many rows it has; asked once.")
+      .def("rows", &Task::rows, "Return the number of rows, 1 .. 1000. Called once, by add_task().")
       .def("write", &Task::write, "state"_a, "rows"_a,
-           "Write the rows for this state; they keep what was written the tick before.\n\n"
-           "Return False to stop the tick with BAD_TASK.");
+           "Write the rows for a state. Rows keep the values of the last tick until written\n"
+           "again.\n\n"
+           "The acceleration of a frame is J a + Jdot v with v from state, in Pinocchio's\n"
+           "conventions. Called in every tick.\n\n"
+           "Args:\n"
+           "    state: RobotState of this tick; valid during the call only.\n"
+           "    rows: TaskRows to write; valid during the call only.\n\n"
+           "Returns:\n"
+           "    False to end the tick with BAD_TASK; True or None to go on. A number that is\n"
+           "    not finite, or a negative weight, also ends the tick with BAD_TASK.");
 }

@@ -13,35 +13,49 @@ using namespace surefoot;
 namespace {
 
 void bind_status(nb::module_& m) {
-  nb::enum_<Status>(m, "Status", "What became of a tick.")
-      .value("OK", Status::kOk, "Fresh command.")
-      .value("WAITING", Status::kWaiting, "No valid state has come yet.")
-      .value("NON_FINITE", Status::kNonFinite, "A used field is NaN, infinite or absurd.")
-      .value("IMPLAUSIBLE", Status::kImplausible, "A used field is beyond what the robot can say.")
+  nb::enum_<Status>(m, "Status", "Result of a tick. Ticks report errors by it and never raise.")
+      .value("OK", Status::kOk, "A command, or a solution, was computed.")
+      .value("WAITING", Status::kWaiting, "No valid sample has arrived yet, or no tick has run.")
+      .value("NON_FINITE", Status::kNonFinite,
+             "A used field is NaN or infinite, or in a LowState beyond 1e4.")
+      .value("IMPLAUSIBLE", Status::kImplausible,
+             "A used field is beyond what the robot can do or measure.")
       .value("FALLEN", Status::kFallen, "The base is tilted beyond the gain fall_tilt.")
-      .value("BAD_REFERENCE", Status::kBadReference, "No unit quaternion or upward unit normal.")
-      .value("WRONG_SIZE", Status::kWrongSize, "q or v is not of the robot's size.")
-      .value("BAD_QUATERNION", Status::kBadQuaternion, "Zero, or far from unit length.")
-      .value("STALE_TICK", Status::kStaleTick, "tick did not advance.")
-      .value("MAX_ITERATIONS", Status::kMaxIterations, "The solver hit its cap.")
-      .value("INFEASIBLE", Status::kInfeasible, "The solver called the program infeasible.")
-      .value("SINGULAR", Status::kSingular, "A leg is straight or its foot near hip height.")
+      .value("BAD_REFERENCE", Status::kBadReference,
+             "The reference needs a unit quaternion and an upward unit ground normal.")
+      .value("WRONG_SIZE", Status::kWrongSize,
+             "q, v or the posture does not have the robot's size.")
+      .value("BAD_QUATERNION", Status::kBadQuaternion,
+             "A quaternion (the IMU's, or q's) is zero or far from unit length.")
+      .value("STALE_TICK", Status::kStaleTick, "LowState.tick did not advance, or jumped ahead.")
+      .value("MAX_ITERATIONS", Status::kMaxIterations,
+             "The solver found no solution that passes the residual check.")
+      .value("INFEASIBLE", Status::kInfeasible, "The solver reported that the QP is infeasible.")
+      .value("SINGULAR", Status::kSingular,
+             "Condensed form: a leg is nearly straight, or a foot near hip height.")
       .value("DAMPING", Status::kDamping, "Latched: the motors brake until reset().")
-      .value("BAD_TASK", Status::kBadTask, "A task of yours failed or wrote no number.")
+      .value("BAD_TASK", Status::kBadTask,
+             "A custom task failed, or wrote invalid or far too heavy rows.")
       .value("SATURATED", Status::kSaturated,
-             "Good to send; a motor, or the power, is at its limit.")
-      .value("DIVERGED", Status::kDiverged, "The state estimate ran away.");
-  m.def("is_usable", &is_usable, "status"_a, "Does this status come with a command to send?");
-  nb::enum_<QpForm>(m, "QpForm", "How the program eliminates the equations of motion.")
-      .value("AUTO", QpForm::kAuto, "Condensed where it holds, general elsewhere.")
-      .value("CONDENSED", QpForm::kCondensed, "Contact forces alone.")
-      .value("GENERAL", QpForm::kGeneral, "Accelerations and contact forces.");
-  nb::enum_<BodyPoint>(m, "BodyPoint", "Which point of the body the position task moves.")
-      .value("CENTER_OF_MASS", BodyPoint::kCenterOfMass, "The centre of mass.")
+             "The command may be sent; a motor or the power is at its limit.")
+      .value("DIVERGED", Status::kDiverged,
+             "The state estimate diverged: no motion explains the samples.");
+  m.def("is_usable", &is_usable, "status"_a,
+        "Return whether a tick with this status gave a command to send. Real-time: yes.");
+  nb::enum_<QpForm>(m, "QpForm",
+                    "Form of the whole-body QP: how the equations of motion are eliminated.")
+      .value("AUTO", QpForm::kAuto, "Condensed where it is valid, else general, with hysteresis.")
+      .value("CONDENSED", QpForm::kCondensed,
+             "Variables: contact forces. SINGULAR where a leg is nearly singular.")
+      .value("GENERAL", QpForm::kGeneral,
+             "Variables: accelerations and contact forces. Any pose, further joints.");
+  nb::enum_<BodyPoint>(m, "BodyPoint", "Point of the body that the position task moves.")
+      .value("CENTER_OF_MASS", BodyPoint::kCenterOfMass, "The centre of mass of the robot.")
       .value("BASE", BodyPoint::kBase, "The origin of the base.");
 }
 
-// Vectors: handed out as views; taken from anything that numpy makes one of, or refused by name.
+// Vectors are returned as views. They can be set from anything that numpy converts to a vector of
+// the right size; else the error names the field.
 template <typename Struct, typename Vector>
 auto get(Vector Struct::* member) {
   return [member](Struct& s) -> Vector& { return s.*member; };
@@ -72,116 +86,161 @@ Quaternion from_xyzw(const Eigen::Vector4d& q) {
 }
 
 void bind_robot_state(nb::module_& m) {
-  nb::class_<RobotState>(m, "RobotState",
-                         "Where the robot is and how it moves.\n\n"
-                         "q and v are Pinocchio's; contact is the belief per foot, 0 .. 1.")
+  nb::class_<RobotState>(
+      m, "RobotState",
+      "State of the robot: pose, motion, contacts and external wrench.\n\n"
+      "RobotState(nq, nv) is at rest, base level at the world origin; raises Error\n"
+      "unless nq >= 7 and nv >= 6. Arrays are writable numpy views; an assignment of\n"
+      "another shape raises ValueError.")
       .def(nb::init<int, int>(), "nq"_a = 19, "nv"_a = 18)
       .def_prop_rw("q", get(&RobotState::q), set("q", &RobotState::q),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Position, quaternion x y z w, joints; shape (nq,).")
+                   "Pinocchio's q: position [m], quaternion x y z w, joints [rad]; shape (nq,).")
       .def_prop_rw("v", get(&RobotState::v), set("v", &RobotState::v),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Base twist in base axes, joint velocities; shape (nv,).")
+                   "Pinocchio's v: twist of the base in base axes, joint velocities; shape (nv,).")
       .def_prop_rw("contact", get(&RobotState::contact), set("contact", &RobotState::contact),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Belief 0 .. 1 that the foot stands, FR FL RR RL: gains force_lost_contact and "
-                   "share_lost_contact say what is left of its load at 0. To lift a foot see "
-                   "FootReference.stance.")
+                   "Contact confidence of each foot, 0 .. 1, FR FL RR RL, shape (4,).\n\n"
+                   "At 0 the gains force_lost_contact and share_lost_contact limit the load of a\n"
+                   "stance foot. To lift a foot, use FootReference.stance.")
       .def_prop_rw("f_external", get(&RobotState::f_external),
                    set("f_external", &RobotState::f_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Force from outside through the CoM [N], world.")
+                   "External force through the centre of mass [N], world axes, shape (3,): pushes\n"
+                   "and payload.")
       .def_prop_rw("f_sustained", get(&RobotState::f_sustained),
                    set("f_sustained", &RobotState::f_sustained),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "The part of f_external that lasts, a payload [N].")
+                   "Sustained part of f_external [N], world axes, shape (3,): a payload.\n\n"
+                   "The torques that hold the robot take it into account.")
       .def_prop_rw("moment_external", get(&RobotState::moment_external),
                    set("moment_external", &RobotState::moment_external),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Moment from outside about the CoM [N.m], world.")
-      .def_prop_rw("friction", get(&RobotState::friction), set("friction", &RobotState::friction),
-                   nb::for_getter(nb::rv_policy::reference_internal),
-                   "What is left of each foot's friction coefficient, 0 .. 1, FR FL RR RL.");
+                   "External moment about the centre of mass [N.m], world axes, shape (3,).\n\n"
+                   "The estimator reports its sustained part.")
+      .def_prop_rw(
+          "friction", get(&RobotState::friction), set("friction", &RobotState::friction),
+          nb::for_getter(nb::rv_policy::reference_internal),
+          "Share of RobotConfig.friction that each foot may use, 0 .. 1, shape (4,), FR FL\n"
+          "RR RL.\n\n"
+          "Less than 1 while the foot slips.");
 }
 
 void bind_reference(nb::module_& m) {
-  nb::class_<FootReference>(m, "FootReference", "What one foot is asked to do, world frame.")
+  nb::class_<FootReference>(
+      m, "FootReference",
+      "Reference of one foot, in the world frame of RobotState. Arrays are writable\n"
+      "views.")
       .def(nb::init<>())
-      .def_rw("stance", &FootReference::stance, "False: swing, carries no force.")
-      .def_rw("load", &FootReference::load, "Planned share 0 .. 1; ramp it to open or close.")
+      .def_rw("stance", &FootReference::stance, "False: swing foot, carries no force.")
+      .def_rw("load", &FootReference::load,
+              "Planned load 0 .. 1; ramp it to make or break contact.")
       .def_prop_rw("p_world", get(&FootReference::p_world), set("p_world", &FootReference::p_world),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Where its contact point belongs [m].")
+                   "Desired position of the contact point [m], shape (3,).")
       .def_prop_rw("v_world", get(&FootReference::v_world), set("v_world", &FootReference::v_world),
-                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s].")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Desired velocity of the contact point [m/s], shape (3,).")
       .def_prop_rw("a_world", get(&FootReference::a_world), set("a_world", &FootReference::a_world),
-                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s^2].")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Feed-forward acceleration of the contact point [m/s^2], shape (3,).")
       .def_prop_rw("f_world", get(&FootReference::f_world), set("f_world", &FootReference::f_world),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Ground on foot [N]; see use_forces.");
-  nb::class_<Reference>(m, "Reference", "What the robot is asked to do, world frame of RobotState.")
+                   "Desired force of the ground on the foot [N], shape (3,); used if\n"
+                   "Reference.use_forces.");
+  nb::class_<Reference>(m, "Reference",
+                        "Desired motion of the robot in the world frame of RobotState.\n\n"
+                        "A planner writes one in each tick. Arrays are writable numpy views.")
       .def(nb::init<>())
-      .def_rw("body_point", &Reference::body_point, "Which point the position task moves.")
+      .def_rw("body_point", &Reference::body_point, "Point that the position task moves.")
       .def_prop_rw("p_com", get(&Reference::p_com), set("p_com", &Reference::p_com),
-                   nb::for_getter(nb::rv_policy::reference_internal), "Centre of mass [m].")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Centre of mass [m], shape (3,); used if it is the body point.")
       .def_prop_rw("v_com", get(&Reference::v_com), set("v_com", &Reference::v_com),
-                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s].")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Velocity of the centre of mass [m/s], shape (3,).")
       .def_prop_rw("a_com", get(&Reference::a_com), set("a_com", &Reference::a_com),
-                   nb::for_getter(nb::rv_policy::reference_internal), "Feed-forward [m/s^2].")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Feed-forward acceleration of the centre of mass [m/s^2], shape (3,).")
       .def_prop_rw("p_base", get(&Reference::p_base), set("p_base", &Reference::p_base),
-                   nb::for_getter(nb::rv_policy::reference_internal), "Origin of the base [m].")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Origin of the base [m], shape (3,); used if it is the body point.")
       .def_prop_rw("v_base", get(&Reference::v_base), set("v_base", &Reference::v_base),
-                   nb::for_getter(nb::rv_policy::reference_internal), "[m/s], world axes.")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Velocity of the base origin [m/s], world axes, shape (3,).")
       .def_prop_rw("a_base", get(&Reference::a_base), set("a_base", &Reference::a_base),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Feed-forward [m/s^2], world axes.")
+                   "Feed-forward acceleration of the base origin [m/s^2], world axes, shape (3,).")
       .def_prop_rw(
           "quat_world_base",
           [](const Reference& r) { return Eigen::Vector4d(r.R_world_base.coeffs()); },
           [](Reference& r, const Eigen::Vector4d& q) { r.R_world_base = from_xyzw(q); },
-          "Orientation of the base, quaternion x y z w as in RobotState.q[3:7].")
+          "Orientation of the base, quaternion x y z w as in RobotState.q[3:7]; a copy.\n\n"
+          "Raises Error unless it has unit length.")
       .def_prop_rw("w_world_base", get(&Reference::w_world_base),
                    set("w_world_base", &Reference::w_world_base),
-                   nb::for_getter(nb::rv_policy::reference_internal), "[rad/s], world axes.")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Angular velocity of the base [rad/s], world axes, shape (3,).")
       .def_prop_rw("alpha_world_base", get(&Reference::alpha_world_base),
                    set("alpha_world_base", &Reference::alpha_world_base),
-                   nb::for_getter(nb::rv_policy::reference_internal), "Feed-forward [rad/s^2].")
-      .def_prop_rw("L_com", get(&Reference::L_com), set("L_com", &Reference::L_com),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Angular momentum [kg.m^2/s], world axes.")
+                   "Feed-forward angular acceleration [rad/s^2], world axes, shape (3,).")
+      .def_prop_rw(
+          "L_com", get(&Reference::L_com), set("L_com", &Reference::L_com),
+          nb::for_getter(nb::rv_policy::reference_internal),
+          "Angular momentum about the centre of mass [kg.m^2/s], world axes, shape (3,).\n\n"
+          "Used if gain weight_momentum is above 0.")
       .def_prop_rw("Ldot_com", get(&Reference::Ldot_com), set("Ldot_com", &Reference::Ldot_com),
-                   nb::for_getter(nb::rv_policy::reference_internal), "Feed-forward [N.m].")
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Feed-forward rate of L_com [N.m], world axes, shape (3,).")
       .def(
           "foot",
           [](Reference& r, int leg) -> FootReference& {
-            if (leg < 0 || leg >= kLegs) throw nb::index_error("leg out of range: 0 .. 3");
+            if (leg < 0 || leg >= kLegs) throw nb::index_error("leg out of range, expected 0 .. 3");
             return r.feet[leg];
           },
-          "leg"_a, nb::rv_policy::reference_internal, "Reference of a foot: FR FL RR RL = 0 .. 3.")
-      .def_rw("use_forces", &Reference::use_forces, "Draw forces to foot(i).f_world, not to even.")
+          "leg"_a, nb::rv_policy::reference_internal,
+          "Return the FootReference of a leg, a reference: FR FL RR RL = 0 .. 3.\n\n"
+          "Raises IndexError for another number.")
+      .def_rw("use_forces", &Reference::use_forces,
+              "True: regularise towards foot(i).f_world, not towards even forces.")
       .def_prop_rw("posture", get(&Reference::posture), set("posture", &Reference::posture),
                    nb::for_getter(nb::rv_policy::reference_internal),
-                   "Joints [rad], (nv - 6,), or empty: standing pose.")
+                   "Joint angles of the posture task [rad], shape (nv - 6,), order of v[6:].\n\n"
+                   "Empty: the standing pose.")
       .def_prop_rw("ground_normal", get(&Reference::ground_normal),
                    set("ground_normal", &Reference::ground_normal),
-                   nb::for_getter(nb::rv_policy::reference_internal), "Unit, out of the ground.");
+                   nb::for_getter(nb::rv_policy::reference_internal),
+                   "Ground normal for all feet, unit length, out of the ground, shape (3,).");
 }
 
 void bind_solution(nb::module_& m) {
-  nb::class_<Solution>(m, "Solution", "What the whole-body program decided.")
-      .def_ro("status", &Solution::status, "OK or SATURATED; else the rest is that of before.")
-      .def_ro("form", &Solution::form, "Which form was solved.")
-      .def_ro("accelerations", &Solution::accelerations, "Shape (nv,), Pinocchio's order.")
-      .def_ro("forces", &Solution::forces, "Ground on foot [N], world, (3, 4), FR FL RR RL.")
-      .def_ro("torques", &Solution::torques, "[N.m] shape (nv - 6,), order of v[6:].")
-      .def_ro("clipped_torque", &Solution::clipped_torque, "Most the final clip took [N.m].")
+  nb::class_<Solution>(m, "Solution",
+                       "Solution of the whole-body QP.\n\n"
+                       "For a status other than OK and SATURATED, all fields but iterations and\n"
+                       "residuals are those of the last good tick.")
+      .def_ro("status", &Solution::status, "Result of the tick.")
+      .def_ro("form", &Solution::form, "Form that was solved: CONDENSED or GENERAL.")
+      .def_ro("accelerations", &Solution::accelerations,
+              "Generalised accelerations, shape (nv,), Pinocchio's order and base axes.")
+      .def_ro("forces", &Solution::forces,
+              "Force of the ground on each foot [N], world axes, shape (3, 4), FR FL RR RL.")
+      .def_ro("torques", &Solution::torques,
+              "Joint torques [N.m], shape (nv - 6,), order of v[6:].")
+      .def_ro("clipped_torque", &Solution::clipped_torque,
+              "Largest torque cut off at a motor limit [N.m].")
       .def_ro("torque_limit_violation", &Solution::torque_limit_violation,
-              "Most torque limits gave, of tau_max.")
-      .def_ro("joint_limit_violation", &Solution::joint_limit_violation, "Same, joints [rad/s^2].")
-      .def_ro("hold_down_violation", &Solution::hold_down_violation, "Same, feet held down [N].")
+              "Largest slack of torque limits, share of tau_max.")
+      .def_ro("joint_limit_violation", &Solution::joint_limit_violation,
+              "Largest slack of joint position and velocity limits [rad/s^2].")
+      .def_ro("hold_down_violation", &Solution::hold_down_violation,
+              "Largest slack of the hold-down forces [N].")
       .def_ro("iterations", &Solution::iterations, "Inner iterations of the solver.")
-      .def_ro("primal_residual", &Solution::primal_residual, "Our own check.")
-      .def_ro("dual_residual", &Solution::dual_residual, "Our own check.");
+      .def_ro("primal_residual", &Solution::primal_residual,
+              "Primal residual by our own check, in the scaling of the QP.")
+      .def_ro("dual_residual", &Solution::dual_residual,
+              "Dual residual by our own check, in the scaling of the QP.");
 }
 
 }  // namespace

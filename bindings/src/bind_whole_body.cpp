@@ -14,29 +14,32 @@ using namespace surefoot;
 namespace {
 
 void bind_options(nb::module_& m) {
-  nb::class_<WholeBodyOptions>(m, "WholeBodyOptions", "What is set once, as opposed to tuned.")
+  nb::class_<WholeBodyOptions>(
+      m, "WholeBodyOptions",
+      "Options of a WholeBodyController: fixed at construction, unlike gains.")
       .def(
           "__init__",
           [](WholeBodyOptions* o, QpForm form, double tolerance) {
             new (o) WholeBodyOptions{form, tolerance};
           },
           "form"_a = QpForm::kAuto, "tolerance"_a = 1e-6)
-      .def_rw("form", &WholeBodyOptions::form, "AUTO, CONDENSED or GENERAL.")
-      .def_rw("tolerance", &WholeBodyOptions::tolerance, "Of the program's scaled residuals.");
+      .def_rw("form", &WholeBodyOptions::form, "Form of the QP: AUTO, CONDENSED or GENERAL.")
+      .def_rw("tolerance", &WholeBodyOptions::tolerance,
+              "Tolerance of the QP residuals, in the scaling of the QP; 1e-14 .. 1e-3.");
 }
 
 void bind_qp_problem(nb::module_& m) {
   nb::class_<QpProblem>(m, "QpProblem",
-                        "A quadratic program: minimise 1/2 x'H x + g'x  subject to  A x = b,  "
-                        "l <= C x <= u.\n\n"
-                        "Bounds of 1e20 and beyond are none. Arrays are copies.")
+                        "Quadratic program.\n\n"
+                        "    minimise  1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u\n\n"
+                        "Bounds of at least 1e20 in magnitude mean no bound. Arrays are copies.")
       .def_ro("H", &QpProblem::H, nb::rv_policy::copy, "Shape (n, n), symmetric.")
       .def_ro("g", &QpProblem::g, nb::rv_policy::copy, "Shape (n,).")
-      .def_ro("A", &QpProblem::A, nb::rv_policy::copy, "Shape (equalities, n).")
-      .def_ro("b", &QpProblem::b, nb::rv_policy::copy, "Shape (equalities,).")
-      .def_ro("C", &QpProblem::C, nb::rv_policy::copy, "Shape (inequalities, n).")
-      .def_ro("l", &QpProblem::l, nb::rv_policy::copy, "Shape (inequalities,).")
-      .def_ro("u", &QpProblem::u, nb::rv_policy::copy, "Shape (inequalities,).");
+      .def_ro("A", &QpProblem::A, nb::rv_policy::copy, "Shape (n_eq, n).")
+      .def_ro("b", &QpProblem::b, nb::rv_policy::copy, "Shape (n_eq,).")
+      .def_ro("C", &QpProblem::C, nb::rv_policy::copy, "Shape (n_in, n).")
+      .def_ro("l", &QpProblem::l, nb::rv_policy::copy, "Shape (n_in,).")
+      .def_ro("u", &QpProblem::u, nb::rv_policy::copy, "Shape (n_in,).");
 }
 
 }  // namespace
@@ -44,9 +47,24 @@ void bind_qp_problem(nb::module_& m) {
 void bind_whole_body(nb::module_& m) {
   bind_options(m);
   bind_qp_problem(m);
-  nb::class_<WholeBodyController>(m, "WholeBodyController",
-                                  "State and reference in, joint torques out.\n\n"
-                                  "For people who bring their own estimator or planner.")
+  nb::class_<WholeBodyController>(
+      m, "WholeBodyController",
+      "Whole-body controller for users with their own estimator or planner: RobotState\n"
+      "and Reference in, joint torques out.\n\n"
+      "Each tick solves one QP. Cost: errors in the desired accelerations of the body\n"
+      "(centre of mass or base, orientation, angular momentum), of the posture and of\n"
+      "custom tasks, and the distance of the contact forces from the even forces.\n"
+      "Equality constraints: rigid-body dynamics with armature, and the desired\n"
+      "accelerations of the contact points. Two exceptions: near the support edge, an\n"
+      "unloaded leg is released and keeps its own joint limits; in the general form,\n"
+      "the foot row of a nearly singular leg is part of the cost. Hard constraints:\n"
+      "friction and largest normal force of each foot, which always allow f = 0.\n"
+      "Elastic constraints with exact penalties: motor torque by the torque-speed\n"
+      "curve, joint position and velocity, and hold-down; so the QP is always feasible.\n"
+      "Finally the torques are clipped to the motor limits; Solution.clipped_torque\n"
+      "reports by how much. docs/condensed-qp.md has the equations.\n\n"
+      "Assumes spherical feet that roll, and one ground normal for all feet. Not\n"
+      "thread-safe.")
       .def(
           "__init__",
           [](WholeBodyController* self, const Robot& robot, const Gains* gains,
@@ -54,7 +72,14 @@ void bind_whole_body(nb::module_& m) {
             new (self) WholeBodyController(robot, gains ? *gains : robot.config().gains, options);
           },
           "robot"_a, "gains"_a = nb::none(), "options"_a = WholeBodyOptions(),
-          "gains: None for the robot's own. Raise Error if one or an option is invalid.")
+          "Create a controller.\n\n"
+          "Args:\n"
+          "    robot: Model and configuration.\n"
+          "    gains: None: those of robot.config.\n"
+          "    options: Fixed at construction.\n\n"
+          "Raises:\n"
+          "    Error: The robot does not fit the form of the QP, a leg is singular in its\n"
+          "        standing pose, or a gain or an option is invalid.")
       .def(
           "update",
           [](WholeBodyController& c, const RobotState& s, const Reference& r) {
@@ -63,17 +88,36 @@ void bind_whole_body(nb::module_& m) {
             return solution;
           },
           "state"_a, "reference"_a,
-          "Compute one tick: Solution. Raises only what a task written in Python raised.")
+          "Compute one tick. Raises only what a Python task raised.\n\n"
+          "Real-time: yes, if the custom tasks are.\n\n"
+          "Args:\n"
+          "    state: q (nq,) and v (nv,) in Pinocchio's order; contact confidence 0 .. 1\n"
+          "        per foot.\n"
+          "    reference: In the world frame of state.\n\n"
+          "Returns:\n"
+          "    The solution, a copy. For a status other than OK and SATURATED, all fields\n"
+          "    but iterations and residuals are those of the last good tick.")
       .def("hold", &WholeBodyController::hold, "state"_a,
-           "Make the reference that asks the robot to stay as it is; raises Error on a wrong size.")
+           "Make the reference that keeps the robot as it is.\n\n"
+           "Centre of mass, base pose, contact points and posture of state, at rest. Raises\n"
+           "Error if q or v has the wrong size, a value is not finite or out of range, or\n"
+           "the quaternion is not of unit length. Real-time: no.")
       .def("add_task", &WholeBodyController::add_task, "task"_a,
-           "Add a task of your own, from the next tick on; raises Error.")
+           "Add a custom task, in force from the next tick on.\n\n"
+           "Raises Error if task is None or its rows() is not 1 .. 1000. Real-time: no.")
       .def("set_gains", &WholeBodyController::set_gains, "gains"_a,
-           "Raise Error if one is invalid.")
+           "Set the gains, between ticks. Raises Error and changes nothing if a gain is\n"
+           "invalid.")
       .def_prop_ro(
-          "gains", [](const WholeBodyController& c) { return Gains(c.gains()); }, "A copy.")
+          "gains", [](const WholeBodyController& c) { return Gains(c.gains()); },
+          "Gains in force, a copy.")
       .def_prop_ro(
           "qp", [](const WholeBodyController& c) { return QpProblem(c.qp()); },
-          "The program that the last tick solved, with slacks where something gave: a copy.")
-      .def("reset", &WholeBodyController::reset, "Forget the warm start.");
+          "QP that the last tick solved, in its scaling, a copy.\n\n"
+          "It is the hard QP, or the elastic one with slacks while a constraint is\n"
+          "violated.")
+      .def("reset", &WholeBodyController::reset,
+           "Discard the warm start and the last contact forces; Solution.status becomes\n"
+           "WAITING.\n\n"
+           "Real-time: yes.");
 }

@@ -5,12 +5,17 @@
 namespace nb = nanobind;
 
 NB_MODULE(_core, m) {
-  // A task written in Python and the controller that holds it may outlive the interpreter together.
+  // A Python task and the controller that holds it may both outlive the interpreter.
   nb::set_leak_warnings(false);
-  m.doc() = "Surefoot's C++ core; import surefoot instead.";
+  m.doc() =
+      "C++ core of Surefoot; import surefoot instead.\n\n"
+      "Real-time marks in these docstrings apply to the C++ functions; calls from\n"
+      "Python allocate. An object that is called a copy does not change with later\n"
+      "ticks. Its arrays are numpy views of that object.";
   nb::exception<surefoot::Error>(m, "Error").doc() =
-      "Raised while building, loading or configuring, never by a tick.\n\n"
-      "The message says what is wrong, what was got, what was expected, and the valid names.";
+      "Error while building, loading or configuring. A tick never raises it.\n\n"
+      "The message says what is wrong, what was got, what was expected, and which names\n"
+      "are valid.";
   bind_low_level(m);
   bind_frames(m);
   bind_robot(m);

@@ -6,15 +6,15 @@
 #include <array>
 #include <cstring>
 
-// Fields of packed structs for Python. Array fields are numpy views on the struct, so that
-// `state.imu.quaternion[0] = 1` writes to the struct instead of to a copy.
+// Binds fields of packed structs. Array fields are numpy views of the struct, so that
+// `state.imu.quaternion[0] = 1` writes to the struct and not to a copy.
 
 namespace nb = nanobind;
 
 template <typename T, std::size_t N>
 using View = nb::ndarray<nb::numpy, T, nb::shape<static_cast<nb::ssize_t>(N)>>;
 
-// Packed fields are not aligned and must not be bound to references: go through their address.
+// Packed fields are not aligned, so references to them are invalid: use their addresses.
 template <typename Struct, typename T, std::size_t N>
 void def_array(nb::class_<Struct>& c, const char* name, std::array<T, N> Struct::* member,
                const char* doc) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// The tick is noexcept: what a task written in Python raises inside it is kept, and raised here
-/// when the tick is over.
+/// Raise the exception that a Python task raised in the last tick of this thread, if there is one.
+/// A tick is noexcept, so the exception is stored and raised after the tick.
 void raise_pending_error();

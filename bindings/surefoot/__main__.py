@@ -1,4 +1,4 @@
-"""``python -m surefoot`` is the command ``surefoot``."""
+"""Entry point of ``python -m surefoot``, which is the command ``surefoot``."""
 
 import sys
 

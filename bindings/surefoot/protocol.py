@@ -1,8 +1,8 @@
-"""Frames of unitree_legged_sdk as they travel: what UDP carries to and from the robot.
+"""UDP frames of unitree_legged_sdk: encoding and decoding of LowCmd and LowState.
 
-A frame is shorter than its struct: tau, Kp, Kd and tauEst travel as 16-bit fixed point. Four
-generations of SDK and robots each have their own; none understands another. Not for the tick: in
-C++ surefoot/frames.hpp does the same without allocating.
+A frame is shorter than its struct: it carries tau, Kp, Kd and tauEst as 16-bit fixed-point numbers.
+There are four generations of SDK and robots, whose frames are not compatible. Real-time: no;
+surefoot/frames.hpp does the same in C++ without allocation.
 
 generation  robots, SDK releases               LowCmd  LowState
 a1-v3.3     A1 v3.2 - v3.3.4, Aliengo             610       771
@@ -41,20 +41,21 @@ _DEFAULT_GENERATIONS = {"a1": "a1-v3.3", "go1": "go1-v3.8", "b1": "b1-v3.8"}
 
 
 class Frame(bytes):
-    """The bytes of one frame.
+    """Bytes of one frame.
 
     Attributes:
-        saturated: What was out of the frame's range and put at its limit, in words; "" if nothing.
+        saturated: Text that names the values that were out of the frame's range and are now at its
+            limit; "" if none.
     """
 
     saturated: str = ""
 
 
 class ReceivedLowCmd(LowCmd):
-    """A LowCmd that came in a frame.
+    """LowCmd decoded from a frame.
 
     Attributes:
-        extras: What its generation carries beyond LowCmd; encode_low_cmd() takes it along.
+        extras: Fields of the generation that LowCmd lacks; encode_low_cmd() encodes them again.
     """
 
     def __init__(self) -> None:
@@ -63,10 +64,10 @@ class ReceivedLowCmd(LowCmd):
 
 
 class ReceivedLowState(LowState):
-    """A LowState that came in a frame.
+    """LowState decoded from a frame.
 
     Attributes:
-        extras: What its generation carries beyond LowState; encode_low_state() takes it along.
+        extras: Fields of the generation that LowState lacks; encode_low_state() encodes them again.
     """
 
     def __init__(self) -> None:
@@ -77,19 +78,19 @@ class ReceivedLowState(LowState):
 def encode_low_cmd(
     cmd: LowCmd, generation: str = "go1-v3.8", extras: FrameExtras | None = None
 ) -> Frame:
-    """Return a command as it travels, CRC included.
+    """Encode a command as a frame with CRC.
 
-    tau is truncated to 1/256 N.m (b1-v3.8: 1/128), Kp to 1/32, Kd to 1/16. Where the vendor's
-    library wraps (128 N.m becomes -128 N.m) values saturate, and Frame.saturated says so. cmd.crc
-    is not looked at.
+    tau is truncated to multiples of 1/256 N.m (b1-v3.8: 1/128), Kp of 1/32, Kd of 1/16. Values out
+    of range saturate, and Frame.saturated names them; the vendor's library wraps them instead
+    (128 N.m becomes -128 N.m). cmd.crc is ignored.
 
     Args:
         cmd: The command.
         generation: One of GENERATIONS.
-        extras: What the generation carries beyond LowCmd; None takes cmd.extras if it has some.
+        extras: Fields of the generation that LowCmd lacks; None uses cmd.extras if cmd has them.
 
     Raises:
-        Error: An unknown generation; a number that is not finite, by name.
+        Error: The generation is unknown, or a number is NaN or infinite; the message names it.
     """
     return _frame(*_core._encode_low_cmd(cmd, _extras_of(cmd, extras), generation))
 
@@ -97,24 +98,24 @@ def encode_low_cmd(
 def encode_low_state(
     state: LowState, generation: str = "go1-v3.8", extras: FrameExtras | None = None
 ) -> Frame:
-    """Return a report as it travels, CRC included.
+    """Encode a LowState as a frame with CRC.
 
-    As encode_low_cmd(); besides, ddq travels in whole rad/s^2 and cell voltages in 32 mV.
+    As encode_low_cmd(). ddq has a resolution of 1 rad/s^2, cell voltages of 32 mV.
     """
     return _frame(*_core._encode_low_state(state, _extras_of(state, extras), generation))
 
 
 def decode_low_cmd(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowCmd:
-    """Return the command in a frame.
+    """Decode the command in a frame.
 
     Args:
-        frame: The bytes of one datagram.
+        frame: Bytes of one datagram.
         generation: One of GENERATIONS.
 
     Raises:
-        Error: An unknown generation; a frame of another generation or of no known length; one that
-            is all zero, begins with something else than FE EF (v3.8), is not low-level (v3.8), has
-            a wrong CRC or a number that is not finite. The message says which.
+        Error: The generation is unknown; the frame is of another generation or length, is all
+            zero, does not begin with FE EF (v3.8), is not low-level (v3.8), has a wrong CRC, or
+            contains a number that is NaN or infinite. The message says which.
     """
     cmd = ReceivedLowCmd()
     _core._decode_low_cmd(_as_bytes(frame), generation, cmd, cmd.extras)
@@ -122,7 +123,7 @@ def decode_low_cmd(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowCmd
 
 
 def decode_low_state(frame: Bytes, generation: str = "go1-v3.8") -> ReceivedLowState:
-    """Return the report in a frame; errors as decode_low_cmd()."""
+    """Decode the LowState in a frame; errors as decode_low_cmd()."""
     state = ReceivedLowState()
     _core._decode_low_state(_as_bytes(frame), generation, state, state.extras)
     return state
@@ -134,25 +135,25 @@ def frame_sizes(generation: str) -> tuple[int, int]:
 
 
 def crc32(data: Bytes) -> int:
-    """Return the wire's CRC-32 of all whole 32-bit words in data.
+    """Return the CRC-32 of the frames, over all complete 32-bit words of `data`.
 
-    Polynomial 0x04C11DB7, initial value 0xFFFFFFFF, nothing reflected, no final xor; the words are
-    little-endian and enter most significant bit first.
+    Polynomial 0x04C11DB7, initial value 0xFFFFFFFF, no reflection, no final xor. Words are
+    little-endian and are processed most significant bit first.
     """
     return _core._crc32(_as_bytes(data))
 
 
 def default_generation(robot: str) -> str:
-    """Return the generation that a robot's newest UDP firmware speaks.
+    """Return the generation of the newest UDP firmware of a robot.
 
     Raises:
-        Error: The robot does not speak UDP frames (go2), or is none we know: name a generation.
+        Error: The robot has no UDP frames (go2), or is unknown.
     """
     if robot in _DEFAULT_GENERATIONS:
         return _DEFAULT_GENERATIONS[robot]
     raise Error(
-        f"robot '{robot}' has no UDP frames of its own that are known (a Go2 speaks DDS); name a "
-        f"generation: {', '.join(GENERATIONS)}"
+        f"robot '{robot}': has no known UDP frames (a Go2 uses DDS); choose a generation: "
+        f"{', '.join(GENERATIONS)}"
     )
 
 

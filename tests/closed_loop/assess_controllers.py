@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Controllers for the assessment: one that is good, and every way to be none."""
+"""Controllers for the tests of surefoot assess: one works, the others are faulty."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def kills_process(robot: surefoot.Robot):
 
 
 def dies_between_runs(robot: surefoot.Robot):
-    """Holds still, and ends its process a while after its last update."""
+    """Return a controller that ends its process 0.3 s after its last command."""
     called = [0.0]
 
     def watch():
@@ -118,7 +118,7 @@ def zero_command(robot: surefoot.Robot):
 
 
 def stalls_once(robot: surefoot.Robot):
-    """Stands still for ever in the first run after some that went well, and never again."""
+    """Return a controller; the fourth one, counted by files in STALLS, never returns."""
     marks = Path(os.environ["STALLS"])
     runs = len(list(marks.iterdir()))
     (marks / str(runs)).touch()

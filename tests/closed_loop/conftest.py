@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a test that failed half way leaves behind must not disturb the next."""
+"""Cleanup after real-time tests: leftover processes must not disturb the next test."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ import pytest
 
 
 def children() -> set[int]:
-    """Return the processes that this one has started."""
+    """Return the ids of this process's child processes."""
     found = set()
     for folder in Path("/proc").glob("[0-9]*"):
-        with contextlib.suppress(OSError):  # it has just ended
+        with contextlib.suppress(OSError):  # the process has just ended
             parent = (folder / "stat").read_text().rpartition(") ")[2].split()[1]
             if int(parent) == os.getpid():
                 found.add(int(folder.name))
@@ -25,7 +25,7 @@ def children() -> set[int]:
 
 @pytest.fixture(autouse=True)
 def kill_leftover_processes(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Kill the robots and controllers that a test which keeps real time did not come to end."""
+    """Kill the robot and controller processes that a real-time test left running."""
     if request.node.get_closest_marker("real_time") is None:
         yield
         return

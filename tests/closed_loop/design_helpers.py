@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A standing robot is kicked along one direction: does it come to rest?"""
+"""Simulation of a standing robot after a short push: does it come to rest?"""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from surefoot.sim import Plant, PlantSettings
 from surefoot.tune.design import AXES, Direction, Goal, StandingBody, compute_standing_body
 
 DIRECTION_NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
-GOAL = Goal(2.0, 0.8)  # of every axis; one at a time gets a factor
+GOAL = Goal(2.0, 0.8)  # of every axis; the gains of one axis get a factor
 PUSH_TIME, PUSH_DURATION, RUN_TIME = 0.6, 0.01, 2.6  # [s]
-REST_TIME = 0.6  # [s] at the end in which it has to be quiet
+REST_TIME = 0.6  # [s] final time in which the robot must be at rest
 MAX_REST_RMS = np.array(
     [0.15, 0.15, 0.15, 1.0, 1.0, 1.0]
-)  # [m/s^2, rad/s^2] RMS; noise is 0.02 and 0.1
+)  # [m/s^2, rad/s^2] RMS at rest; noise is 0.02 and 0.1
 
 
 @functools.cache
@@ -31,7 +31,7 @@ def plant_of(robot: str, delay: float, friction: float) -> Plant:
 
 
 def gains_with_factor(robot: str, axis: str, factor: float) -> Gains:
-    """All axes as GOAL has them, one with a factor on kp and kd."""
+    """Return gains for GOAL on all axes, with a factor on kp and kd of one axis."""
     gains = body_of(robot).robot.config.gains
     for name, (kp, kd, _) in AXES.items():
         times = factor if name == axis else 1.0
@@ -43,9 +43,16 @@ def gains_with_factor(robot: str, axis: str, factor: float) -> Gains:
 def comes_to_rest(
     robot: str, delay: float, gains: Gains, direction: Direction, friction: float = 1.0
 ) -> bool:
-    """Whether all six accelerations are quiet in the end; a robot that fell is not.
+    """Push a standing robot; return whether all six accelerations are small at the end.
 
-    friction is a factor on that of the joints.
+    A fall counts as not at rest.
+
+    Args:
+        robot: Name of the robot.
+        delay: Further delay of the commands [s].
+        gains: Gains of the controller.
+        direction: Direction of the push.
+        friction: Factor on the joint friction.
     """
     plant = plant_of(robot, delay, friction)
     controller = StandController(plant.robot, gains)

@@ -17,7 +17,7 @@ CMAKE = Path(sys.executable).with_name("cmake")
 
 @cache
 def build_examples() -> Path:
-    """Return the folder with every example's program, and go1.robot for them."""
+    """Build the C++ examples; return the folder with their executables and go1.robot."""
     build = EXAMPLES.parent / "build" / "examples"
     path = {"PATH": f"{CMAKE.parent}:{os.environ['PATH']}"}
     prefix = f"-DCMAKE_PREFIX_PATH={surefoot.__path__[0]}"

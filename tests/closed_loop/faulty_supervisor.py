@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Supervisors that do one thing wrong, for the judge of the fault matrix to see."""
+"""Supervisors with one defect each, which the judge of the fault matrix must detect."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ Change = Callable[[surefoot.LowCmd, "FaultySupervisor"], None]
 
 
 class FaultySupervisor:
-    """A supervisor whose commands are changed on their way out.
+    """A supervisor whose commands are changed before they are sent.
 
     Attributes:
-        ticks: So far.
-        damping: Ticks since it latched.
-        not_ready: Ticks since arming checks failed.
-        torques: The last command that was not damping.
-        accepts_all: Whether it says yes to every request.
+        ticks: Number of ticks so far.
+        damping: Number of ticks since damping latched; 0 in other modes.
+        not_ready: Number of ticks since arming checks failed; 0 while ready.
+        torques: Last command sent in the modes RISE and STAND.
+        accepts_all: True if every request is accepted.
     """
 
     def __init__(self, supervisor: surefoot.Supervisor, change: Change) -> None:
@@ -74,7 +74,7 @@ def resumes_torque(command: surefoot.LowCmd, faulty: FaultySupervisor) -> None:
 
 def exceeds_torque_limit(command: surefoot.LowCmd, faulty: FaultySupervisor) -> None:
     if faulty.ticks == 400:
-        command.motorCmd[4].tau = 24.0  # of 23.7 that a go1's thigh has
+        command.motorCmd[4].tau = 24.0  # the limit of a go1's thigh is 23.7 N.m
 
 
 def steps_torque(command: surefoot.LowCmd, faulty: FaultySupervisor) -> None:
@@ -92,7 +92,7 @@ def always_damps(command: surefoot.LowCmd, faulty: FaultySupervisor) -> None:
 
 
 def accepts_briefly(command: surefoot.LowCmd, faulty: FaultySupervisor) -> None:
-    faulty.accepts_all = faulty.not_ready == 15  # for one period, some 30 ms after the fault
+    faulty.accepts_all = faulty.not_ready == 15  # for one tick, 30 ms after arming checks fail
 
 
 STALE, HEALTHY = "stale_tick/stuck/standing", "healthy/off/lying"

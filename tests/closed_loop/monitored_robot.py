@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A supervised robot on its plant: one tick at a time, watched."""
+"""A simulated robot with its supervisor, whose power and torque steps are monitored."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def plant_of(name: str, seed: int) -> Plant:
 
 @cache
 def lying_qpos(name: str, seed: int) -> np.ndarray:
-    """Return MuJoCo's qpos of a robot that was dropped until it lay well."""
+    """Return MuJoCo's qpos of a robot that lies at rest after a drop."""
     plant = plant_of(name, seed)
     plant.reset_lying(np.random.default_rng([seed, 99]))
     return plant.data.qpos.copy()
@@ -30,13 +30,13 @@ class MonitoredRobot:
     """A lying robot with its supervisor.
 
     Attributes:
-        faults: What is wrong with it, from now on.
-        protection_trips: Ticks that the power protection would have stopped.
-        power: Greatest it judged, while torques were on [W].
-        torque_step_at_mode_change: Greatest change of a motor's torque in the two ticks after a change of mode, as
-            a share of its limit; torque is what motors are told, their own damping included.
-        max_torque_step: The same, over all ticks.
-        tilt_deg: Greatest true tilt of the body [deg].
+        faults: Faults that are injected from now on.
+        protection_trips: Number of ticks in which the power protection tripped.
+        power: Largest power that the power protection computed [W].
+        torque_step_at_mode_change: Largest change of a motor's torque in the two ticks from a mode
+            change on, as a share of its limit; the torque includes the motor's own damping.
+        max_torque_step: The same over all ticks.
+        tilt_deg: Largest true tilt of the body [deg].
     """
 
     def __init__(self, name: str, seed: int) -> None:
@@ -63,7 +63,7 @@ class MonitoredRobot:
         self.tilt_deg = 0.0
 
     def hold_by_position_control(self, seconds: float) -> None:
-        """Let position control hold the robot as it is, and a new supervisor look on meanwhile."""
+        """Hold the robot by position control while a new supervisor receives its samples."""
         hold = surefoot.LowCmd()
         stiffness = 3.0 * self.plant.robot.mass * 9.81
         for i in range(12):
@@ -92,7 +92,7 @@ class MonitoredRobot:
         self.tilt_deg = max(self.tilt_deg, float(np.degrees(np.arccos(min(upright, 1.0)))))
 
     def run(self, seconds: float, until: Callable[[], bool] = lambda: False) -> bool:
-        """Go on until a condition; return whether it came true."""
+        """Run until the condition is true or the time is over; return whether it is true."""
         for _ in range(round(500 * seconds)):
             if until():
                 return True
@@ -130,6 +130,6 @@ class MonitoredRobot:
 
 
 def is_damping(command: surefoot.LowCmd) -> bool:
-    """Return whether the motors brake by themselves and nothing else."""
+    """Return whether the command is damping: Kd > 0, dq = 0, Kp = 0 and no torque."""
     motors = [command.motorCmd[i] for i in range(12)]
     return all(m.Kd > 0 and m.dq == 0 and m.tau == 0 and m.Kp == 0 for m in motors)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Programs that are stopped for a while, on purpose."""
+"""Processes that a test stops for a while."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
-_EXEMPT_OFFSET = 8  # [bytes] into the stall-tolerant clock's file: stall_tolerant_clock.cpp
+_EXEMPT_OFFSET = 8  # [bytes] of exempt_process in the file of stall_tolerant_clock.cpp
 
 
 @contextlib.contextmanager
 def paused_process(process: subprocess.Popen[str]) -> Iterator[None]:
-    """Stop a process for a while; the stall-tolerant clock, where there is one, does not wait for it."""
+    """Stop a process; a stall-tolerant clock, if loaded, does not wait for it."""
     _exempt(process.pid)
     process.send_signal(signal.SIGSTOP)
     try:

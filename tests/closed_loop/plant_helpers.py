@@ -9,7 +9,7 @@ ROBOTS = ["a1", "go1", "go2", "b1"]
 
 
 def pd_command(plant: Plant, kp: float = 5.0, kd: float = 0.2) -> surefoot.LowCmd:
-    """Position mode at the standing pose; gains are per kilogram of robot."""
+    """Return a position-mode command for the standing pose; gains per kilogram of robot."""
     cmd, config, mass = surefoot.LowCmd(), plant.robot.config, plant.robot.mass
     for i, angle in enumerate(config.q_standing):
         motor = cmd.motorCmd[i]
@@ -22,4 +22,4 @@ def float_without_gravity(plant: Plant) -> None:
     plant.model.opt.gravity[:] = 0.0
     plant.data.qpos[2] += 1.0
     plant.data.qvel[:] = 0.0
-    mujoco.mj_step1(plant.model, plant.data)  # a step begins in mj_step2
+    mujoco.mj_step1(plant.model, plant.data)  # Plant.step() begins with mj_step2

@@ -1,4 +1,4 @@
-"""Logs whose numbers are known by construction."""
+"""Stand logs with known contents."""
 
 import math
 
@@ -12,7 +12,7 @@ ROBOT = surefoot.load_robot("go1")
 
 
 def still_log(**changes):
-    """Return a log of four seconds in which nothing happens."""
+    """Return a log of 4 s without any motion."""
     q = np.tile(ROBOT.q_standing(), (TICKS, 1))
     q[:, 2] = 0.3
     rows, motors = np.zeros((TICKS, ROBOT.nv)), np.zeros((TICKS, 12))
@@ -33,7 +33,7 @@ def still_log(**changes):
 
 
 def turn_base(q, axis, degrees):
-    """Return q with the base turned about one of its own axes, from level."""
+    """Return q with the base rotated from level about one of its axes."""
     q = q.copy()
     q[3:7] = 0.0
     q[3 + axis], q[6] = math.sin(math.radians(degrees / 2)), math.cos(math.radians(degrees / 2))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The assessment: its sweep, its card, its store, and controllers that are good, bad and none."""
+"""surefoot assess: sweep, scorecard, result store, working and faulty controllers."""
 
 from __future__ import annotations
 
@@ -33,6 +33,8 @@ from surefoot.assess.rollout import roll_out
 from surefoot.assess.scorecard import standard_scorecard
 from surefoot.assess.sweep import first_level, outcome_rows, rows_to_sweep, run_sweep
 from surefoot.assess.work_units import PushUnit, StandUnit, run_unit
+
+pytestmark = pytest.mark.slow
 
 LEVEL_GROUND = Condition("level ground")
 FEW = Scorecard(
@@ -68,7 +70,7 @@ def test_sweep_finds_the_highest_level_below_the_first_failure(
     assert done.largest_passed("survived") == survives
     assert strict - 2.5 < done.largest_passed("in_place") <= strict
     assert set(np.arange(first, min(survives + 20.0, 200.0), 20.0)) <= set(done.outcomes)
-    # A sweep that begins above what passes goes up from nothing.
+    # A sweep that starts above the largest passed level continues upward from 0 %.
     missed = ((survives < first) + (strict < first)) * first / 5.0
     assert len(done.outcomes) <= max(0.0, survives - first) / 20.0 + 10 + missed
 
@@ -107,7 +109,7 @@ def test_sweep_of_a_robot_that_always_falls_is_zero() -> None:
     )
 
 
-# The card.
+# The scorecard.
 
 
 @pytest.mark.parametrize(
@@ -155,7 +157,7 @@ def test_standard_scorecards_match_the_protocol() -> None:
     assert not any(c.pushes for c in quick.conditions)
 
 
-# Contestants.
+# Controllers under test.
 
 
 @pytest.mark.parametrize(
@@ -168,9 +170,9 @@ def test_standard_scorecards_match_the_protocol() -> None:
         ("returns_infinity", "returned Kd = inf for motor 11"),
         ("returns_wrong_shape", "returned ndarray of shape (11,), expected a LowCmd"),
         ("returns_none", "returned NoneType, expected a LowCmd"),
-        ("factory_returns_int", "making it gave int"),
-        ("factory_returns_dict", "making it gave dict"),
-        ("factory_raises", "making it threw RuntimeError: cannot be made"),
+        ("factory_returns_int", "the factory returned int"),
+        ("factory_returns_dict", "the factory returned dict"),
+        ("factory_raises", "the factory threw RuntimeError: cannot be made"),
     ],
 )
 def test_invalid_controller_is_recorded_as_broken_with_the_reason(name: str, words: str) -> None:
@@ -216,7 +218,10 @@ def test_module_import_beyond_the_deadline_is_refused() -> None:
     ("what", "words"),
     [
         ({"factory": surefoot.StandController}, "got a factory called 'surefoot'"),
-        ({"name": "pd", "gains": {"edge_tilt": 0.1}}, "'pd': got gains, which are for surefoot"),
+        (
+            {"name": "pd", "gains": {"edge_tilt": 0.1}},
+            "'pd': got gains, expected none: only surefoot",
+        ),
         ({"gains": {"edge_tlit": 0.1}}, "unknown gain: got 'edge_tlit'"),
         ({"name": None}, "controller: got None"),
     ],
@@ -232,8 +237,11 @@ def test_ambiguous_controller_under_test_is_refused(what: dict[str, Any], words:
         ({"jobs": 1.5}, r"jobs: got 1\.5, expected a whole number 1 \.\. 256"),
         ({"jobs": "2"}, "jobs: got '2'"),
         ({"deadline": "2"}, "deadline: got '2', expected a number"),
-        ({"card": "quick"}, "card: got 'quick', expected a Card"),
-        ({"controller_under_test": "pd"}, "contestant: got 'pd', expected a Contestant"),
+        ({"card": "quick"}, "card: got 'quick', expected a Scorecard"),
+        (
+            {"controller_under_test": "pd"},
+            "controller_under_test: got 'pd', expected a ControllerUnderTest",
+        ),
     ],
 )
 def test_invalid_settings_are_refused(what: dict[str, Any], words: str) -> None:

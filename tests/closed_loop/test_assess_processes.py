@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Controllers that take their process along, processes that cannot start, and who goes on later."""
+"""surefoot assess: controllers that end their process, failed starts, resumed runs."""
 
 from __future__ import annotations
 
@@ -23,6 +23,8 @@ from surefoot.assess.push_limits import PushLimits
 from surefoot.assess.work_units import StandUnit
 from surefoot.assess.worker import WorkItem
 from surefoot.assess.worker_pool import run_work
+
+pytestmark = pytest.mark.slow
 
 LEVEL_GROUND = Condition("level ground", quiet_s=0.1)
 QUIET = {"directions": 1, "seeds": 1, "condition_seeds": 1, "faults": "none"}
@@ -58,7 +60,7 @@ def test_single_stall_of_a_working_controller_is_retried(
         AssessSettings("go1", controller_under_test("stalls_once"), card, deadline=2.0)
     )
     assert result["push"]["broken"] == []
-    assert len(list(tmp_path.iterdir())) == 10  # three a unit; the second unit began again
+    assert len(list(tmp_path.iterdir())) == 10  # three per unit, and the one that stalled
 
 
 def test_worker_that_dies_between_units_affects_no_result() -> None:
@@ -69,7 +71,7 @@ def test_worker_that_dies_between_units_affects_no_result() -> None:
     found = []
     for _, result in run_work(units, "go1", 1, 20.0):
         found.append(result)
-        time.sleep(1.0)  # a slow disk, say: the process is dead by the time it is given more
+        time.sleep(1.0)  # as with a slow disk: the process has ended before it gets the next unit
     assert len(found) == 3 and not any("broken" in result for result in found)
 
 
@@ -79,15 +81,15 @@ def test_unguarded_main_module_is_reported_without_blaming_the_controller(
     (tmp_path / "card.toml").write_text("directions = 1\nseeds = 1\nfaults = 'none'\n")
     script = tmp_path / "unguarded.py"
     script.write_text(
-        "from surefoot.assess import AssessSettings, Contestant, read_scorecard, run_assess\n"
-        "run_assess(AssessSettings('go1', Contestant('pd'), read_scorecard('card.toml')))\n"
+        "from surefoot.assess import AssessSettings, ControllerUnderTest, "
+        "read_scorecard, run_assess\n"
+        "run_assess(AssessSettings('go1', ControllerUnderTest('pd'), "
+        "read_scorecard('card.toml')))\n"
     )
     words = [sys.executable, str(script)]
     ended = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=120)
     assert ended.returncode != 0
-    assert (
-        "expected a main module that others can import, with all it does under if" in ended.stderr
-    )
+    assert "expected a main module that can be imported, with its code under if" in ended.stderr
 
 
 @pytest.mark.parametrize(("name", "again"), [("throws", 0), ("kills_process", 2)])
@@ -114,7 +116,7 @@ def test_failed_stand_is_filmed_when_no_push_has_a_result(tmp_path: Path) -> Non
         for work in planned_work(settings, limits)
     }
     films = list(films_of_failures(settings, limits, found, tmp_path))
-    assert [film.caption for film in films] == ["not passed: level ground, heading 0 deg, seed 0"]
+    assert [film.caption for film in films] == ["failed stand: level ground, heading 0 deg, seed 0"]
 
 
 def test_scorecard_is_read_from_a_string_path(tmp_path: Path) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is made of results: percentiles, worst directions, conditions, faults, references."""
+"""Scores from results: percentiles, worst directions, conditions, faults, references."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def pushed(survives: float, strict: float) -> dict[str, Any]:
 
 
 def result_of(unit: PushUnit | StandUnit | FaultUnit) -> dict[str, Any]:
-    """Seed 0 is bad, direction 90 worse; one heading fails once; one fault fails."""
+    """Return a result: seed 0 and direction 90 are worse, one stand and one fault cell fail."""
     if isinstance(unit, PushUnit):
         bad = 50.0 * (unit.seed == 0) + 10.0 * (unit.direction_deg == 90.0)
         return pushed(110.0 - bad, 80.0 - bad)
@@ -164,7 +164,7 @@ def test_full_scorecard_has_5244_units_and_fine_steps_for_its_summary() -> None:
     settings = AssessSettings("go1", card=standard_scorecard("full"))
     units = [w.unit for w in planned_work(settings, LIMITS)]
     pushed = [u for u in units if isinstance(u, PushUnit)]
-    assert (len(units), len(pushed)) == (5244, 4640)  # docs/assess.md says so
+    assert (len(units), len(pushed)) == (5244, 4640)  # as in docs/assess.md
     assert all(
         (u.finest_step == 2.5) == ((u.duration, u.push_height) == (0.1, 0.0)) for u in pushed
     )
@@ -204,7 +204,7 @@ def test_factory_with_delay_parameter_receives_the_delay() -> None:
         told.append(delay)
         return surefoot.StandController(robot)
 
-    for latency in (0.0, 1.6, 20.0):  # the plant delays by whole steps of its physics
+    for latency in (0.0, 1.6, 20.0):  # the plant delays by whole physics steps
         unit = StandUnit(Condition("late", latency_ms=latency, quiet_s=0.1), 0.0, 1)
         run_unit(unit, "go1", ControllerUnderTest("factory_with_delay", factory=factory_with_delay))
     np.testing.assert_allclose(told, [0.004, 0.006, 0.024])

@@ -19,9 +19,11 @@ from surefoot.bench.peers.worker import Worker
 from surefoot.cli import main
 from surefoot.robot.description import describe_robot
 
-TICKS = 600  # with the first push in it, at 1 s
+pytestmark = pytest.mark.build
+
+TICKS = 600  # includes the first push, at 1 s
 WORKERS = Path(peers.__file__).parent / "workers"
-# A peer that has the answers from a file, and spoils them from tick 60 on in a way of its own.
+# A fake peer: it reads the solutions from a file and corrupts them after tick 60.
 FAKE_PEER_SCRIPT = """
 import os, sys, time
 sys.path.insert(0, {workers!r})
@@ -46,7 +48,7 @@ serve(Fake, ["numpy"])
 
 
 class CurrentInterpreter(Environment):
-    """This interpreter as a peer's environment."""
+    """A peer's environment that is this interpreter."""
 
     def prepare(self, options):
         return Path(sys.executable)
@@ -134,11 +136,14 @@ def test_peer_failure_is_reported_and_other_peers_continue(
 @pytest.mark.parametrize(
     ("corruption", "verdict"),
     [
-        ("self.row[3:] = 0.0", "another answer: a foot's force differs by up to"),
-        # The sum of all feet stays: dynamics fix that, and not how the feet share it.
-        ("self.row[5] += 20.0; self.row[8] -= 20.0", "another answer: a foot's .* up to 20 N"),
+        ("self.row[3:] = 0.0", "another answer: a foot force differs by up to"),
+        # The total force does not change: dynamics determine it, but not the share of each foot.
+        ("self.row[5] += 20.0; self.row[8] -= 20.0", "another answer: a foot force .* up to 20 N"),
         # At a single tick.
-        ("self.row[3] += 20.0 * (self.k % 600 == 99)", "another answer: a foot's .* up to 20 N"),
+        (
+            "self.row[3] += 20.0 * (self.k % 600 == 99)",
+            "another answer: a foot force .* up to 20 N",
+        ),
         ("self.row[15:] += 2.0", "another answer: torques differ by up to 2 N.m"),
     ],
 )
@@ -161,7 +166,7 @@ def test_unsolved_ticks_of_a_peer_are_counted_and_give_no_ratio(recording, make_
     assert failures == TICKS // 2
     for ratio in ("ratio_state_to_torque_over_tsid", "ratio_tick_over_tsid"):
         assert result[ratio] is None
-        assert result[f"{ratio}_reason"] == f"ticks that were not solved: {failures} of theirs"
+        assert result[f"{ratio}_reason"] == f"unsolved ticks: {failures} of theirs"
 
 
 def test_environment_creation_failure_is_reported_as_reason(
@@ -247,4 +252,4 @@ def test_bench_command_adds_peer_ratios_to_the_result(monkeypatch, capsys, make_
     figures = json.loads(capsys.readouterr().out)
     assert figures["ratio_tick_over_tsid"] == figures["peers"]["ratio_tick_over_tsid"] > 0.0
     assert figures["ratio_state_to_torque_over_placo"] is None
-    assert figures["ratio_reason"] == "not asked for"
+    assert figures["ratio_reason"] == "not requested"

@@ -1,4 +1,4 @@
-"""The solver benchmark tells the truth: of right answers, wrong ones, silence and crashes."""
+"""The solver benchmark detects right and wrong solutions, missing statuses and crashes."""
 
 import json
 from pathlib import Path
@@ -14,13 +14,15 @@ from surefoot.bench.solvers.solver_build import SolverBuilder
 from surefoot.bench.solvers.solver_process import SolverFiles, run_program
 from surefoot.bench.solvers.solver_statistics import solver_statistics
 
+pytestmark = pytest.mark.build
+
 ADAPTERS = Path(__file__).parent / "solver_adapters"
 TEST_ADAPTERS = ["correct", "crashing", "wrong_status"]
 TICKS, SIZE = 8, 3
 
 
 def box_sequence() -> QpSequence:
-    """Minimise 1/2 |x|^2 + g'x, l <= x <= u: the answer is -g, clamped."""
+    """Return QPs: minimise 1/2 |x|^2 + g'x subject to l <= x <= u; x = clamp(-g, l, u)."""
     g = np.array([[(-1.0) ** t * (t + 1), 0.5, -4.0] for t in range(TICKS)])
     eye = np.tile(np.eye(SIZE), (TICKS, 1, 1))
     meta = {"format": FORMAT, "robot": "none", "scenario": "hand", "form": "made", "elastic": False}
@@ -38,7 +40,7 @@ def box_sequence() -> QpSequence:
 
 
 def known_solution_sequence() -> tuple[QpSequence, np.ndarray]:
-    """Programs made from their answers: x, y and z first, g and the bounds that belong to them."""
+    """Return QPs built from chosen x and multipliers y, z; also return x, (ticks, n)."""
     rng = np.random.default_rng(1)
     n, n_eq, n_in = 6, 2, 5
     root = rng.normal(size=(TICKS, n, n))
@@ -47,7 +49,7 @@ def known_solution_sequence() -> tuple[QpSequence, np.ndarray]:
     x, y, z = (rng.normal(size=(TICKS, size)) for size in (n, n_eq, n_in))
     z = (
         np.sign(z) * (0.5 + np.abs(z)) * [1, 1, 0, 0, 0]
-    )  # the first two rows push, from either side
+    )  # the first two constraints are active, at either bound
     Ax, Cx = (np.einsum("tij,tj->ti", rows, x) for rows in (A, C))
     low, high = np.where(z < 0, Cx, Cx - 1.0), np.where(z > 0, Cx, Cx + 1.0)
     low[:, 3], high[:, 4] = -np.inf, np.inf
@@ -102,7 +104,7 @@ def test_correct_solvers_are_scored_as_correct(solvers, name, mode):
     assert found["reason"] is None
     assert (found["n"], found["failures"], found["wrong"]) == (TICKS, 0, 0)
     assert found["allocations"]["max"] == 0
-    assert found["worst"]["distance"] < 1e-9, "the reference is the answer that we know"
+    assert found["worst"]["distance"] < 1e-9, "the reference differs from the known solution"
     assert 0.0 < found["wall_us"]["p50"] <= found["wall_us"]["max"]
 
 
@@ -133,8 +135,8 @@ def test_solver_allocations_are_counted(solvers):
 def test_result_is_valid_json_and_prints_as_a_table(result):
     assert json.loads(json.dumps(result, allow_nan=False)) == result
     text = solvers_text(result)
-    assert "crasher warm: SIGSEGV after 2 of 8 ticks" in text
-    assert "8 programs, 3 variables, 0 equalities, 3 two-sided rows" in text
+    assert "crashing warm: SIGSEGV after 2 of 8 ticks" in text
+    assert "8 QPs, 3 variables, 0 equalities, 3 two-sided constraints" in text
 
 
 def test_an_unknown_solver_is_refused():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The delay is found in the log of a body that wiggles, and predicted away."""
+"""Delay identification from a log of a moving body, and prediction with that delay."""
 
 from __future__ import annotations
 
@@ -11,12 +11,14 @@ from surefoot import BodyReference, Error, StandController, StandOptions, identi
 from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim.truth import Truth
 
+pytestmark = pytest.mark.slow
+
 
 def log_excitation(settings: PlantSettings, seconds: float = 2.5) -> tuple[np.ndarray, np.ndarray]:
-    """Torques sent and reported while the body moves a little, the first half second left out."""
+    """Return the torques sent and reported while the body moves, from 0.5 s on [N.m]."""
     plant = Plant("go1", settings)
     gains = plant.robot.config.gains
-    gains.reference_acceleration, gains.reference_turn_acceleration = 10.0, 100.0  # lively
+    gains.reference_acceleration, gains.reference_turn_acceleration = 10.0, 100.0  # fast
     controller = StandController(plant.robot, gains)
     state = plant.reset()
     sent, reported = [], []
@@ -45,7 +47,7 @@ def test_added_plant_delay_is_identified_within_2_ms(rate: float, lag: float) ->
         )
         for extra in (0.0, 0.01)
     ]
-    # A period each way, the motor's lag, and the hold between two commands.
+    # One period each way, the motor lag, and the hold between two commands.
     assert 2.0 / rate < found[0] < 4.0 / rate + lag
     assert abs(found[1] - found[0] - 0.01) <= 0.002 + 1e-9
 
@@ -63,7 +65,7 @@ def test_synthetic_delay_between_two_ticks_is_identified() -> None:
     [
         (np.zeros((500, 12)), np.zeros((400, 12)), "shapes"),
         (np.zeros((500, 12)), np.zeros((500, 12)), "move the body"),
-        (np.full((500, 12), np.nan), np.zeros((500, 12)), "not finite"),
+        (np.full((500, 12), np.nan), np.zeros((500, 12)), "NaN or infinite"),
         (np.zeros((10, 12)), np.zeros((10, 12)), "ticks"),
         (
             np.random.default_rng(0).normal(size=(500, 12)),
@@ -80,7 +82,15 @@ def test_uninformative_log_is_refused(sent: np.ndarray, reported: np.ndarray, sa
 def pushed(
     direction: str, share: float, late: float, predicted_delay: float, seconds: float
 ) -> tuple[Truth, ...]:
-    """What a go1 does whose commands are late, pushed by a share of its limit; () if it falls."""
+    """Push a go1 whose commands are delayed; return its true states, () if it falls.
+
+    Args:
+        direction: Direction of the push.
+        share: Impulse as a share of the LIP push limit.
+        late: Further delay of the plant [s].
+        predicted_delay: Delay that the controller predicts [s].
+        seconds: Duration of the run [s].
+    """
     plant = Plant("go1", PlantSettings(extra_delay=late, foot_force="dead", seed=1))
     plant.add_push(Push(direction, share * plant.lip_push_limit(direction), 0.1, 1.0))
     controller = StandController(plant.robot, options=StandOptions(delay=predicted_delay))
@@ -94,7 +104,7 @@ def pushed(
 
 
 def joint_speed_after_push(delay: float) -> float:
-    """RMS joint velocity [rad/s] 2.5 .. 3 s after a push, with commands 20 ms late."""
+    """Return the RMS joint velocity 2.5 .. 3 s after a push, with commands 20 ms late [rad/s]."""
     truths = pushed("lateral", 0.6, 0.02, delay, 4.0)
     return float(np.sqrt(np.mean([t.dq**2 for t in truths[-250:]]))) if truths else math.inf
 
@@ -106,7 +116,7 @@ def test_prediction_damps_a_push_with_commands_20_ms_late() -> None:
 
 
 def test_push_with_16_ms_unmodelled_delay_ends_at_rest() -> None:
-    # All of it surprises, and so would the sway that comes of believing that soon for good.
+    # All motion differs from the plan. A push observer that stayed fast would cause a lasting sway.
     truths = pushed("forward", 0.5, 0.016, 0.0, 5.0)
     assert truths
     assert np.sqrt(np.mean([t.v[:2] ** 2 for t in truths[-250:]])) < 0.002  # [m/s]

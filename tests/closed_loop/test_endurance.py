@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The short form of benchmarks/endurance.py: a few seconds across the clock's wrap."""
+"""Short form of benchmarks/endurance.py: a few seconds across the wrap of LowState.tick."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ import endurance
 from endurance import LIMITS, DriftMonitor, Pose, run_endurance
 from surefoot.sim import Plant, PlantSettings, Push
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("robot", ["go1", "b1"])
 def test_quiet_standing_continues_across_the_tick_wrap(monkeypatch, robot: str) -> None:
@@ -24,8 +26,8 @@ def test_quiet_standing_continues_across_the_tick_wrap(monkeypatch, robot: str) 
     assert result["wraps"] == 1
     assert result["hours"] == pytest.approx(6.0 / 3600.0)
     for name, limit in LIMITS.items():
-        if name != "memory_mb":  # other tests' doing
-            share = 1.0 if name == "believed_tilt_deg" else 0.2  # the sensors' biases are in it
+        if name != "memory_mb":  # other tests change it
+            share = 1.0 if name == "believed_tilt_deg" else 0.2  # includes the sensors' biases
             assert 0.0 < result["worst"][name] < share * limit, name
 
 

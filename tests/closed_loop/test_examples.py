@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples over UDP against a hung virtual robot, judged from the robot's side."""
+"""The examples over UDP with a virtual robot, judged by the robot's log."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ def command(name: str, language: str) -> list[str]:
 def run_example(
     name: str, language: str, tmp_path: Path, seconds: float, *robot_words: str
 ) -> tuple[int, str, dict[str, np.ndarray], dict[str, Any]]:
-    """Exit status, what it said, the robot's log as arrays and its record."""
-    words = command(name, language)  # built before a robot waits
+    """Run an example; return exit status, output, the robot's log as arrays, and its record."""
+    words = command(name, language)  # build before the robot starts
     file = tmp_path / "robot.json"
     robot, port = start_robot(*robot_words, "--json", str(file))
     done = subprocess.run(
@@ -64,11 +64,11 @@ def test_position_example_reaches_the_pose_and_swings_the_calf(
     status, said, log, record = run_example("example_position", language, tmp_path, 5.0, "--hung")
     assert status == 0, said
     assert record["rejected"] == {}
-    # Straight towards the pose: no step of the target is larger than its share.
+    # The target moves to the pose in small steps.
     steps = np.abs(np.diff(log["command_q"][log["time"] < 0.75, :3], axis=0))
     steps = steps[(steps < 10).all(axis=1)]
     assert steps.max() < 0.05
-    # 5 N.m/rad against the leg's weight and friction leaves it some way off.
+    # With 5 N.m/rad, the leg's weight and friction leave a position error.
     assert np.abs(log["q"][(log["time"] > 0.7) & (log["time"] < 0.78), 1] - 1.2).max() < 0.25
     late = (log["time"] > 1.0) & (log["time"] < 4.9)
     target, calf = log["command_q"][late, 2], log["q"][late, 2]
@@ -76,7 +76,7 @@ def test_position_example_reaches_the_pose_and_swings_the_calf(
     assert target.max() == pytest.approx(-1.4, abs=0.01)
     assert calf.min() < -2.4 and calf.max() > -1.6
     turns = np.flatnonzero(np.diff(np.sign(target + 2.0)))
-    # In periods of its own, of which it loses some on a machine that has just compiled.
+    # The example counts its own periods and loses some on a machine that has just compiled.
     assert np.diff(log["time"][late][turns]).mean() == pytest.approx(0.5 / 0.45, abs=0.08)
 
 
@@ -110,7 +110,7 @@ def test_shaken_leg_trips_the_power_protection_and_ends_the_example(
     )
     assert status == 255, said
     assert "power protection" in said
-    assert log["command_kd"][:, 0].max() > 0.0  # it damped before it went
+    assert log["command_kd"][:, 0].max() > 0.0  # the example sent damping before it ended
 
 
 @languages
@@ -127,7 +127,7 @@ def test_the_stand_example_stands(language: str, tmp_path: Path) -> None:
 def test_example_ends_with_a_damping_command(language: str, name: str, ending: str) -> None:
     hung = ["--hung"] if name == "example_torque" else []
     words = command(name, language)
-    # A StandRunner stays and damps; the others go.
+    # With a silent robot a StandRunner keeps damping; the other examples end.
     stays = "stand" in words[0] and ending != "Ctrl-C"
     seconds = "5" if stays else "30"
     robot, port = start_robot(*hung)
@@ -146,7 +146,7 @@ def test_example_ends_with_a_damping_command(language: str, name: str, ending: s
         else:
             robot.kill()
             robot.wait(timeout=20)
-            listener.bind(("127.0.0.1", port))  # in the robot's place
+            listener.bind(("127.0.0.1", port))  # receives in place of the robot
             example.wait(timeout=20)
             listener.setblocking(False)
             heard = b""

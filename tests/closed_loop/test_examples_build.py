@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The C++ examples build: not alone, so that what runs them alone does not wait for it.
+"""The C++ examples build and run.
 
-One test, as two processes must not build in one folder.
+This test runs in parallel with others, so that the real-time tests, which run alone, find the
+examples built. It is one test, because two processes must not build in one folder.
 """
 
 from __future__ import annotations
@@ -9,7 +10,10 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
+import pytest
 from example_builds import EXAMPLES, build_examples
+
+pytestmark = pytest.mark.build
 
 
 def output_of(program: Path) -> str:
@@ -28,4 +32,4 @@ def test_every_example_builds_and_those_that_need_no_robot_run() -> None:
     assert len(names) >= 4
     assert {name for name in names if (folder / name).is_file()} == names
     assert output_of(folder / "stand").startswith("ok:")
-    assert output_of(folder / "custom_task") == "camera at 0.080 m, wanted at 0.080 m\n"
+    assert output_of(folder / "custom_task") == "camera at 0.080 m, desired 0.080 m\n"

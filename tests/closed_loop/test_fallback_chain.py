@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A go1 whose solves fail while it stands and is pushed, and what its torques do meanwhile."""
+"""A pushed go1 whose QP solves fail: its torques and fallback levels."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ from surefoot import FallbackLevel, FaultId, Mode, StandController, Status
 from surefoot.sim import Plant, Push
 
 PERIOD = 0.002  # [s]
-MAX_SUPERVISED_STEP = 0.095  # of a motor's torque limit in a period: what a Supervisor lets through
-# Of a push that begins as solves fail: the ladder answers it evenly among the feet, in one tick,
-# the program softer, by STEP at most. (A Supervisor lets RATE through of either.)
+MAX_SUPERVISED_STEP = 0.095  # share of the torque limit per 2 ms that a Supervisor allows
+# Largest torque step when a push begins while solves fail: fallback level FORCES shares the load
+# evenly among the feet within one tick. The QP steps less, MAX_SOLVED_STEP at most. A Supervisor
+# limits both to MAX_SUPERVISED_STEP.
 MAX_FALLBACK_STEP = {"lateral": 0.095, "forward": 0.195}
 MAX_SOLVED_STEP = 0.15
 PUSHES = ("lateral", "forward")
 
 
 class FailingTask(surefoot.Task):
-    """A task of one row without weight, until it asks for what is no number."""
+    """A task of one row with zero weight, which can output NaN."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -40,11 +41,12 @@ class FailingTask(surefoot.Task):
 
 
 class PushedRun:
-    """A pushed go1, its commands and the rungs they came from.
+    """A pushed go1, its commands and their fallback levels.
 
     Args:
-        fails: Whether the solve of a tick fails.
-        push: Direction, of half of what the pendulum survives, at 1 s.
+        fails: Returns whether the solve of a tick fails.
+        push: Direction of a push of half the LIP push limit, at 1 s.
+        seconds: Duration of the run [s].
     """
 
     def __init__(self, fails: Callable[[int], bool], push: str, seconds: float = 4.0) -> None:
@@ -66,9 +68,9 @@ class PushedRun:
             report = self.plant.step(command)
 
     def jump(self) -> float:
-        """Greatest change of a torque, of its limit, to, from or between ticks of the ladder.
+        """Return the largest torque step at ticks of level FORCES, as a share of the limit.
 
-        Going over to the motors' own damping is at once by design and is not counted.
+        The step to damping is immediate by design and does not count.
         """
         steps = np.abs(np.diff(self.tau, axis=0)) / self.plant.robot.config.tau_max
         bridged = np.array(
@@ -95,7 +97,7 @@ def test_pushed_robot_stands_with_solve_failures_every_100_ms(push: str, burst: 
     assert failed == [k for k in range(50, len(run.fallback_levels)) if k % 50 < burst]
     assert {run.fallback_levels[k] for k in failed} == {FallbackLevel.FORCES}
     assert {run.statuses[k] for k in failed} == {Status.BAD_TASK}
-    assert run.controller.fallback_level_count(FallbackLevel.FORCES) == len(failed)
+    assert run.controller.fallback_count(FallbackLevel.FORCES) == len(failed)
     assert not any(run.damping_flags)
     assert run.jump() <= MAX_FALLBACK_STEP[push]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The short form of benchmarks/false_trips.py, and that it sees a trip."""
+"""Short form of benchmarks/false_trips.py, and trips that it must detect."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ import false_trips
 from false_trips import run_healthy, summary, text
 from surefoot import Mode
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("robot", ["go1", "b1"])
 def test_healthy_robot_completes_a_cycle_without_a_false_trip(robot: str) -> None:
@@ -27,7 +29,7 @@ def test_healthy_robot_completes_a_cycle_without_a_false_trip(robot: str) -> Non
 def test_fault_before_liftoff_counts_as_a_trip(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    # The supervisor lies down from there at once, and the next rise may go well.
+    # The supervisor lowers the robot at once, and the next rise may succeed.
     update, ticks = surefoot.Supervisor.update, itertools.count()
 
     def low_battery_update(
@@ -53,7 +55,7 @@ def test_push_beyond_the_limits_counts_as_a_trip(monkeypatch: pytest.MonkeyPatch
 
 def test_unfinished_run_is_reported_separately_from_trips(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(false_trips, "MAX_TRANSITION_TIME", 0.0)
-    run = run_healthy(("go1", 1), standing=0.5)  # [s] too short to get up
+    run = run_healthy(("go1", 1), standing=0.5)  # [s]; too short to get up
     result = summary("go1", [run])
     assert not result["trips"] and list(result["unfinished"]) == [1]
     assert "0 false trips, 1 did not end" in text(result)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A short form of the matrix of faults, and that its judge sees what is wrong."""
+"""Short form of the fault matrix, and defects that its judge must detect."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ from surefoot.faults.kinds.injections import INJECTIONS
 from surefoot.faults.matrix.matrix_setup import MatrixSetup, make_setup
 from surefoot.faults.matrix.run_cell import run_cell
 from surefoot.robot.loading import describe_robot
+
+pytestmark = pytest.mark.slow
 
 SHORT = (
     *("healthy/off/*", "nan_in_state/garbage/*", "stale_tick/stuck/*", "emergency_stop/wrong/*"),
@@ -39,7 +41,7 @@ def test_short_fault_matrix_passes_with_takeover_while_standing() -> None:
     result = run_faults(FaultSettings("go1", seed=1, only=only, taken_over=True))
     assert result["failures"] == []
     assert {cell["mode"] for cell in result["cells"]} == {"standing", "pushed"}
-    # It never lay: it stands at once, its rise takes no time.
+    # The robot stands from the start, so no rise takes time.
     assert all(cell["simulated_s"] < 15.0 for cell in result["cells"])
     assert {cell["ended"] for cell in result["cells"]} >= {"stand", "damping", "passive"}
 
@@ -93,9 +95,9 @@ def test_every_reported_fault_is_injected() -> None:
     expected = {cell.expectation.fault for cell in choose_cells()}
     expected |= {cell.expectation.alternative for cell in choose_cells()}
     missing = {info.name for info in surefoot.fault_table()} - expected
-    # None of these can be asked for alone: an angle beyond its stop has jumped there, a shove may
-    # trip the power protection first, torques jump only for something else, and the link's own
-    # state is known to surefoot run alone.
+    # None of these can be injected alone. An angle beyond its stop is also a jump, a push may trip
+    # the power protection first, a torque step follows from another fault, and only surefoot run
+    # knows the state of the link.
     assert missing == {"slip", "tilt", "joint_stop", "torque_rate", "link"}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""From lying to standing and back, under the power level in force."""
+"""Getting up, standing and lying down within the power level."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ from monitored_robot import MonitoredRobot, is_damping
 from plant_helpers import ROBOTS
 from surefoot import FaultId, Mode, RequestStatus
 from surefoot.robot.power_level import power_level
+
+pytestmark = pytest.mark.slow
 
 
 def standing_robot(name: str, seed: int) -> MonitoredRobot:
@@ -38,15 +40,15 @@ def test_lying_robot_gets_up_stands_and_lies_down_within_the_power_level(
     assert robot.reaches(Mode.PASSIVE, 8.0)
     robot.run(1.0)
     assert is_damping(robot.command)
-    assert np.abs(robot.plant.truth.v[:6]).max() < 0.05  # knees still sink, braked
+    assert np.abs(robot.plant.truth.v[:6]).max() < 0.05  # the knees may still sink, damped
     assert robot.protection_trips == 0
-    assert robot.power < 2.0 * 100.0 * power_level(name)  # for less than six reports
+    assert robot.power < 2.0 * 100.0 * power_level(name)  # for fewer than six samples
     assert robot.torque_step_at_mode_change < 0.05
     assert robot.max_torque_step < 0.3
 
 
-# A foot on the back; hips turned in, thighs across the body's edge; knees pinned below it; legs
-# drawn in under the body, which lift it until it rolls or falls back.
+# Lying poses with leg interference: a foot on the trunk; hips turned inward with thighs across the
+# trunk's edge; knees caught below the trunk; legs folded under it, which lift it until it rolls.
 @pytest.mark.parametrize(
     ("name", "seed"),
     [
@@ -219,7 +221,7 @@ def test_stop_damps_at_once_until_armed_again(mode: Mode, how: str) -> None:
 
 
 class FailingTask(surefoot.Task):
-    """A task that asks for nothing, or for what is no number."""
+    """A task with desired value 0, or NaN if it fails."""
 
     fails = False
 

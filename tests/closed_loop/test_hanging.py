@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot that hangs is told to get up: it comes back, and may be armed again."""
+"""A hanging robot that is requested to rise sits down and can be armed again."""
 
 from __future__ import annotations
 

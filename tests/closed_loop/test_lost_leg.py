@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A motor dies while the robot stands: on three feet it goes on, or it comes down slowly."""
+"""A motor fails while the robot stands: it stands on three legs, or comes down slowly."""
 
 from __future__ import annotations
 
@@ -13,18 +13,20 @@ from surefoot.faults.matrix.verdict import fall_speed
 from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
 
-SERVO = 0x0A  # the mode of a motor that works
+pytestmark = pytest.mark.slow
+
+SERVO = 0x0A  # mode of a working motor
 
 
 class Standing:
-    """A robot that has stood for a second, and whose motors may die."""
+    """A standing robot whose motors can fail."""
 
     def __init__(self, robot: str, lean: tuple[float, float] = (0.0, 0.0)) -> None:
         self.plant = Plant(robot, PlantSettings(seed=1))
         options = surefoot.SupervisorOptions(power_level=power_level(robot), start=Start.STANDING)
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self.dead: list[DeadMotor | SilentLeg] = []
-        self.max_sinking_speed = 0.0  # [m/s] greatest
+        self.max_sinking_speed = 0.0  # [m/s] largest
         self.state = self.plant.reset()
         self.run_for(0.1)
         self.supervisor.set_body_reference(surefoot.BodyReference(*lean, 0.0, 0.0, 0.0, 0.0))
@@ -69,7 +71,7 @@ def test_robot_with_a_dead_motor_stands_on_three_legs(robot: str, motor: int) ->
 
 
 class SilentLeg:
-    """A leg whose bus has died: it gets no command, and its report is the last one for good."""
+    """A leg whose bus has failed: it gets no commands, and its joint samples are frozen."""
 
     def __init__(self, leg: int) -> None:
         self.joints = range(3 * leg, 3 * leg + 3)
@@ -118,7 +120,7 @@ def test_dead_motor_in_servo_mode_is_detected_by_its_torque(robot: str, motor: i
 
 def test_support_margin_is_nan_for_invalid_legs_and_inf_after_a_loss() -> None:
     stand = surefoot.StandController(surefoot.load_robot("go1"))
-    assert np.isnan(stand.capture_margin_without(0))  # no report yet
+    assert np.isnan(stand.capture_margin_without(0))  # no sample yet
     scene = Standing("go1")
     stand = scene.supervisor.stand_controller
     assert all(np.isnan(stand.capture_margin_without(leg)) for leg in (-1, 4))
@@ -130,7 +132,7 @@ def test_support_margin_is_nan_for_invalid_legs_and_inf_after_a_loss() -> None:
     assert stand.lost_leg == 2
     assert stand.capture_margin_without(1) == np.inf
     scene.run_for(0.1)
-    assert scene.has(FaultId.LEG_LOST)  # whoever gave it up
+    assert scene.has(FaultId.LEG_LOST)  # also after give_up_leg()
     assert scene.supervisor.faults.motor(FaultId.LEG_LOST) == 6
 
 

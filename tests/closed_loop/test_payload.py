@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the robot was not told of: a load is carried without an offset, and said."""
+"""An unknown payload causes no pose error, and its mass and position are estimated."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ POSITION = (0.08, -0.03, 0.1)  # [m] from the trunk's origin
 
 
 def stand_with_payload(zero_tau_est: bool) -> tuple[Plant, StandController, float, float]:
-    """Stand for four seconds; errors of height [m] and tilt [rad] at the end."""
+    """Stand for 4 s; return plant, controller, and final errors of height [m] and tilt [rad]."""
     plant = Plant("go1", PlantSettings(payload_kg=KILOGRAMS, payload_position=POSITION))
     controller = StandController(plant.robot)
     state = plant.reset()
@@ -29,7 +29,7 @@ def stand_with_payload(zero_tau_est: bool) -> tuple[Plant, StandController, floa
     return plant, controller, abs(plant.data.qpos[2] - height), float(tilt_angle)
 
 
-@pytest.mark.parametrize("zero_tau_est", [False, True], ids=["by tauEst", "by what was commanded"])
+@pytest.mark.parametrize("zero_tau_est", [False, True], ids=["by tauEst", "by commanded torques"])
 def test_payload_causes_no_height_or_tilt_error(zero_tau_est: bool) -> None:
     _, _, height, tilt = stand_with_payload(zero_tau_est)
     assert height < 1e-3
@@ -42,6 +42,6 @@ def test_payload_mass_and_com_shift_are_estimated() -> None:
     assert report.payload == pytest.approx(KILOGRAMS, rel=0.1)
     total = plant.robot.mass + KILOGRAMS
     com = report.com_shift
-    # The load is off the model's centre of mass, which is near the trunk's origin.
+    # The model's centre of mass is near the trunk's origin, from which POSITION is measured.
     assert com[0] == pytest.approx(KILOGRAMS * POSITION[0] / total, abs=0.006)
     assert com[1] == pytest.approx(KILOGRAMS * POSITION[1] / total, abs=0.006)

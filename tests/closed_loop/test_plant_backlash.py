@@ -14,12 +14,12 @@ from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim.physics.standing_pose import HOLD_KD, HOLD_KP
 
 BACKLASH_DEG = 1.0  # [deg]
-# No friction, no lag, no delay: what is left can be worked out by hand.
+# Without friction, lag and delay the motion has a closed form.
 FRICTIONLESS = PlantSettings(sensors="ideal", backlash_deg=BACKLASH_DEG, joint_friction_scale=0.0)
 
 
 def floating(settings: PlantSettings = FRICTIONLESS) -> Plant:
-    """Return go1 in the air, without gravity, at rest, every rotor amid its play."""
+    """Return go1 at rest in the air, without gravity, every rotor in the middle of its backlash."""
     plant = Plant("go1", settings)
     plant.data.qpos[plant.handles.motor_q] = plant.data.qpos[plant.handles.joint_q]
     float_without_gravity(plant)
@@ -59,7 +59,7 @@ def test_armature_friction_and_damping_act_on_the_rotors() -> None:
 def test_torque_within_the_backlash_moves_only_the_rotor(tau: float) -> None:
     plant = floating()
     armature = plant.model.dof_armature[plant.handles.motor_v]
-    plant.step(torque_command(tau))  # by a thousandth of the way: half a step matters little
+    plant.step(torque_command(tau))  # moves 0.1 % of the gap: half a step does not matter
     plant.step(torque_command(tau))
     np.testing.assert_allclose(plant.data.qvel[plant.handles.motor_v], tau * 0.004 / armature)
     np.testing.assert_array_equal(plant.truth.dq, 0.0)
@@ -70,12 +70,12 @@ def test_time_to_cross_the_backlash_matches_the_rotor_inertia() -> None:
     plant, tau = floating(), 0.05
     times = np.zeros(12)
     for _ in range(60):
-        still = np.abs(plant.truth.dq) < 1e-3  # a blow of another leg moves a loose one later
+        still = np.abs(plant.truth.dq) < 1e-3  # impacts in other legs move it later
         plant.step(torque_command(tau))
         times[still & (np.abs(plant.truth.dq) >= 1e-3) & (times == 0.0)] = plant.time
     armature = plant.model.dof_armature[plant.handles.motor_v]
     expected = np.sqrt(2.0 * math.radians(BACKLASH_DEG / 2.0) * armature / tau)
-    first = np.argsort(expected)[:8]  # hips and thighs; the calves are moved by the thighs
+    first = np.argsort(expected)[:8]  # hips and thighs; thighs move the calves
     np.testing.assert_allclose(times[first], expected[first] - plant.time + 0.12, atol=0.004)
 
 
@@ -87,10 +87,10 @@ def test_gear_impact_conserves_momentum_and_hardly_bounces() -> None:
     mujoco.mj_step1(model, data)
     before, mass = data.qvel.copy(), np.zeros((model.nv, model.nv))
     mujoco.mj_fullM(model, data, mass)
-    for _ in range(6):  # 3 ms to the end of the play, the rest to part again
+    for _ in range(6):  # 3 ms to cross the backlash, the rest to separate
         plant.step(torque_command(0.0))
     assert 0.0 <= data.qvel[knee] - data.qvel[rotor] < 0.15 * 3.0
-    # The blow's impulse acts on those two alone, and on both alike.
+    # The impulse of the impact acts on rotor and knee only, with opposite signs.
     impulse = mass @ (data.qvel - before)
     assert impulse[knee] > 1e-3
     assert impulse[rotor] == pytest.approx(-impulse[knee], rel=0.02)

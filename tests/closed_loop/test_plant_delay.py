@@ -8,13 +8,13 @@ from surefoot.sim import Plant, PlantSettings
 
 
 def ticks_until_a_command_acts(settings: PlantSettings) -> int:
-    """Count control periods from sending a limp command until the torque is gone."""
+    """Count control periods from sending a zero-gain command until the torque is zero."""
     plant = Plant("go1", settings)
-    cmd, limp = pd_command(plant, kp=15.0, kd=0.4), pd_command(plant, kp=0.0, kd=0.0)
+    cmd, no_torque = pd_command(plant, kp=15.0, kd=0.4), pd_command(plant, kp=0.0, kd=0.0)
     for _ in range(50):
         plant.step(cmd)
     for tick in range(1, 20):
-        plant.step(limp)
+        plant.step(no_torque)
         if np.abs(plant.truth.tau).max() < 1e-9:
             return tick
     raise AssertionError("the command never acted")
@@ -34,9 +34,9 @@ def test_command_delay_matches_the_settings(
 @pytest.mark.parametrize(("sensors", "periods"), [("ideal", 0), ("real", 1)])
 def test_state_age_is_exact_in_periods(sensors: str, periods: int) -> None:
     plant = Plant("go1", PlantSettings(sensors=sensors))
-    limp, angles, readings = pd_command(plant, kp=0.0, kd=0.0), [], []
+    no_torque, angles, readings = pd_command(plant, kp=0.0, kd=0.0), [], []
     for _ in range(30):
-        readings.append(plant.step(limp).motorState[2].q)
+        readings.append(plant.step(no_torque).motorState[2].q)
         angles.append(plant.data.qpos[plant.handles.motor_q][2])
     fresh = np.array(angles[10 - periods : 30 - periods])
     assert np.abs(np.diff(fresh)).min() > 2e-4  # the calf moves: one period is visible

@@ -11,11 +11,11 @@ from surefoot.sim.model.mujoco_model import build_model
 from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 from surefoot.sim.settings import PlantSettings
 
-REPAIRED = ("go1", "b1")  # their base link's inertia is all 1e-6, which MuJoCo refuses
+REPAIRED = ("go1", "b1")  # all inertia entries of their base link are 1e-6: MuJoCo refuses them
 
 
 class Pair:
-    """One robot in both libraries."""
+    """One robot as a Pinocchio model and as a MuJoCo model."""
 
     def __init__(self, name: str) -> None:
         description = describe_robot(name)
@@ -27,7 +27,7 @@ class Pair:
         self.pin_data, self.mj_data = self.pin.createData(), mujoco.MjData(self.mj)
 
     def compare(self, rng: np.random.Generator) -> tuple[float, float]:
-        """Return the largest difference of mass matrix and of bias at a random state."""
+        """Return the largest differences of mass matrix and bias at a random state."""
         nq, nv = self.pin.nq, self.pin.nv
         q = pinocchio.randomConfiguration(self.pin, -np.ones(nq), np.ones(nq))
         v = rng.normal(size=nv)

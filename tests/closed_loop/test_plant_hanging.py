@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A hung robot against the same robot without a base that could move."""
+"""A hung robot, compared with the same robot on a fixed base."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from surefoot.sim.model.urdf import load_urdf, root_body
 
 
 def harsh_command(rng: np.random.Generator) -> surefoot.LowCmd:
-    """Whatever a frame can carry, most of it against joint limits and into the trunk."""
+    """Return a random command with extreme values, mostly against joint limits and the trunk."""
     cmd = surefoot.LowCmd()
     for i in range(12):
         motor = cmd.motorCmd[i]
@@ -30,7 +30,7 @@ def harsh_command(rng: np.random.Generator) -> surefoot.LowCmd:
 
 
 def without_base(plant: Plant, monkeypatch: pytest.MonkeyPatch) -> mujoco.MjModel:
-    """The plant's model with its base welded to the world where it hangs."""
+    """Return the plant's model with its base fixed to the world where it hangs."""
 
     def load(description):
         spec = load_urdf(description)
@@ -43,14 +43,14 @@ def without_base(plant: Plant, monkeypatch: pytest.MonkeyPatch) -> mujoco.MjMode
         model = plant_model.build_model(plant.robot, plant.description, plant.settings)
     root = plant.handles.root
     model.body_pos[root], model.body_quat[root] = plant.data.qpos[:3], plant.data.qpos[3:7]
-    # Contacts and limits are as stiff as these say; they come from a base that is free.
+    # These weights set the stiffness of contacts and limits: use those of the free base.
     model.body_invweight0[:] = plant.model.body_invweight0
     model.dof_invweight0[:] = plant.model.dof_invweight0[6:]
     return model
 
 
 def acceleration_error(plant: Plant, fixed: mujoco.MjModel, data: mujoco.MjData) -> float:
-    """Greatest difference of a joint's acceleration, over the greatest acceleration."""
+    """Return the largest joint acceleration error over the largest acceleration."""
     hung = copy.copy(plant.data)
     data.qpos[:], data.qvel[:] = hung.qpos[7:], hung.qvel[6:]
     data.qfrc_applied[:] = hung.qfrc_applied[6:]
@@ -78,6 +78,6 @@ def test_hung_legs_move_like_a_fixed_base_robot_under_any_command(
             speeds.append(np.abs(plant.data.qvel).max())
     assert np.median(errors) < 1e-4
     assert np.percentile(errors, 99) < 0.02
-    assert max(speeds) < 100.0  # [rad/s]; the fastest motor idles at 30
+    assert max(speeds) < 100.0  # [rad/s]; the largest no-load speed is 30
     np.testing.assert_allclose(plant.data.qpos[:7], home, rtol=0.0, atol=1e-8)
     assert np.abs(plant.data.qacc[:6]).max() < 1e-3

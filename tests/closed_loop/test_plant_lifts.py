@@ -10,7 +10,7 @@ from surefoot.sim.physics.external_lift import LIFT_PARTS
 
 
 def loads(robot: str, lift: Lift, seconds: float) -> tuple[np.ndarray, np.ndarray, float]:
-    """Stand with the controller; return times (n,), shares of the weight (n, 4), last height."""
+    """Stand during a lift; return times (n,), loads over weight (n, 4) and the height change."""
     plant = Plant(robot, PlantSettings(seed=2, foot_force="est"))
     controller = surefoot.StandController(plant.robot, plant.robot.config.gains)
     plant.add_lift(lift)
@@ -31,7 +31,7 @@ def greatest_change(share: np.ndarray, window: int = 10) -> float:
 
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_lifted_trunk_unloads_all_feet_and_loads_them_again(robot: str) -> None:
-    # Legs in the air reach further down, by 15 % of the height they stand at.
+    # Legs in the air extend further down, by 15 % of the standing height.
     lifted = 0.12 if robot == "b1" else 0.06
     time, share, height = loads(robot, Lift("trunk", 1.0, height=lifted), 4.0)
     held = (time > 1.25) & (time < 1.5)

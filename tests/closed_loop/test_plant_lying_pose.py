@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot that is dropped until it lies well."""
+"""Drops of a robot until it lies at rest."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ import surefoot
 from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim import plant as plant_module
 from surefoot.sim.physics.lying_pose import MAX_REST_TILT, legs_clear, may_settle
+
+pytestmark = pytest.mark.slow
 
 FAST = PlantSettings(physics_dt=0.001)
 
@@ -37,7 +39,7 @@ def test_drop_with_45_deg_tilt_is_abandoned() -> None:
 
 def test_drop_that_never_rests_raises_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(plant_module, "MAX_DROPS", 2)
-    monkeypatch.setattr(plant_module, "rests", lambda *_: False)
+    monkeypatch.setattr(plant_module, "is_settled", lambda *_: False)
     with pytest.raises(surefoot.Error, match="'go1': dropped 2 times, it never came to rest"):
         Plant("go1", FAST).reset_lying(np.random.default_rng(4))
 
@@ -48,7 +50,7 @@ def test_push_acts_once_on_a_lying_robot(dropped: bool) -> None:
     if dropped:
         plant.reset_lying(np.random.default_rng(1))
     else:
-        plant.reset_resting(plant.data.qpos.copy())
+        plant.reset_lying_at(plant.data.qpos.copy())
     given = 0.0
     for _ in range(150):
         plant.step(surefoot.damping_low_cmd(3.0))

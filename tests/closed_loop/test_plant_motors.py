@@ -83,7 +83,7 @@ def test_torque_limits_match_the_torque_speed_curve() -> None:
 def test_excess_torque_is_clipped_to_the_torque_speed_curve(sign: float) -> None:
     motors = Motors(CONFIG, DT, 0.0, None)
     motors.law = MotorLaw(np.full(12, sign * 1e6), np.zeros(12), np.zeros(12))
-    fast = sign * 0.75 * np.array(CONFIG.no_load_speed)  # half-way down from the corner
+    fast = sign * 0.75 * np.array(CONFIG.no_load_speed)  # halfway from corner to no-load
     np.testing.assert_allclose(motors.step(np.zeros(12), fast), 0.5 * sign * CONFIG.tau_max)
     np.testing.assert_allclose(motors.step(np.zeros(12), -fast), sign * CONFIG.tau_max)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ground that moves under a robot, motors that are all weak, and a plant that is used again."""
+"""Moving ground, a torque scale of all motors, and a reseeded plant."""
 
 from __future__ import annotations
 
@@ -72,9 +72,9 @@ def test_calf_contact_with_the_block_is_a_fall_and_foot_contact_is_not() -> None
 def test_moving_ground_cannot_be_combined_with_other_ground_options() -> None:
     for more in ({"slope_deg": 5.0}, {"hung": True}, {"soft_ground_sink": 0.01}):
         for moving in ({"block_foot": "FR"}, {"platform_heading_deg": 0.0}):
-            with pytest.raises(Error, match="ground that moves"):
+            with pytest.raises(Error, match="moving ground"):
                 PlantSettings(**more, **moving)
-    with pytest.raises(Error, match="ground that moves"):
+    with pytest.raises(Error, match="moving ground"):
         PlantSettings(block_foot="FR", platform_heading_deg=0.0)
     with pytest.raises(Error, match="valid names: FR, FL, RR, RL"):
         PlantSettings(block_foot="FX")
@@ -102,7 +102,7 @@ def test_reseeded_plant_equals_a_new_plant() -> None:
     used.reset()
     for _ in range(20):
         used.step(pd_command(used))
-    used.renew(7, [push])
+    used.reseed(7, [push])
     fresh = Plant("go1", PlantSettings(seed=7), [push])
     for plant in (used, fresh):
         state = plant.reset()

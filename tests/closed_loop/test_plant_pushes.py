@@ -14,12 +14,12 @@ IDEAL = PlantSettings(sensors="ideal", payload_kg=2.0, payload_position=(0.1, 0.
 
 
 def momentum_after(push: Push) -> tuple[np.ndarray, np.ndarray]:
-    """Return linear momentum and that about the centre of mass of a floating robot, pushed."""
+    """Push a floating robot; return its linear momentum and its angular momentum about the CoM."""
     plant = Plant("go1", IDEAL, [push])
     float_without_gravity(plant)
-    limp = pd_command(plant, kp=0.0, kd=0.0)
+    no_torque = pd_command(plant, kp=0.0, kd=0.0)
     for _ in range(100):
-        plant.step(limp)
+        plant.step(no_torque)
     mujoco.mj_subtreeVel(plant.model, plant.data)
     root = plant.handles.root
     mass = plant.model.body_subtreemass[root]
@@ -95,7 +95,7 @@ def test_lip_push_limit_uses_the_true_mass_and_feet() -> None:
     assert plant.lip_push_limit("lateral", 0.2) == pytest.approx(expected, rel=0.01)
     assert plant.lip_push_limit(-90.0) > plant.lip_push_limit(
         "lateral"
-    )  # the payload sits on the left
+    )  # the payload is on the left
 
 
 def test_lip_push_limit_projects_the_feet_vertically_on_a_slope() -> None:

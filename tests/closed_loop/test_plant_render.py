@@ -62,7 +62,7 @@ def test_collada_mesh_has_the_correct_size(name: str, mesh: str, size: list[floa
     vertices, faces = read_collada(describe_robot(name).mesh_root / "robots" / mesh)
     np.testing.assert_allclose(np.ptp(vertices, axis=0), size, atol=0.001)
     assert faces.max() == len(vertices) - 1
-    # No edge is longer than a part: indices of several materials do not get mixed up.
+    # A long edge would show that the indices of several materials are mixed up.
     edges = np.linalg.norm(vertices[faces[:, 0]] - vertices[faces[:, 1]], axis=1)
     assert np.quantile(edges, 0.99) < 0.1
 
@@ -84,7 +84,7 @@ def test_nested_collada_nodes_transform_their_meshes(tmp_path: Path) -> None:
     path.write_text(SCENE.format(TRIANGLE.format("a"), TRIANGLE.format("b")))
     vertices, faces = read_collada(path)
     first = [[5, 0, 0], [6, 0, 0], [5, 1, 0]]
-    second = [[5, 0, 2], [5, 1, 2], [4, 0, 2]]  # turned a quarter about z, raised, then moved
+    second = [[5, 0, 2], [5, 1, 2], [4, 0, 2]]  # rotated by 90 deg about z, raised, then moved
     np.testing.assert_allclose(vertices[faces[0]], first)
     np.testing.assert_allclose(vertices[faces[1]], second)
 

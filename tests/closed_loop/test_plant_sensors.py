@@ -35,7 +35,7 @@ def test_gyroscope_equals_the_quaternion_rate_in_imu_axes() -> None:
 
 
 def test_accelerometer_measures_at_its_mount_position() -> None:
-    # A pure turn about the centre of mass: a mount beside it feels the lever arm.
+    # The body rotates, so an IMU beside the base's origin measures the lever-arm acceleration.
     plant = Plant("go1", PlantSettings(sensors="ideal", control_rate=2000.0))
     float_without_gravity(plant)
     cmd = pd_command(plant, kp=15.0, kd=0.4)

@@ -89,5 +89,5 @@ def test_plant_is_built_from_user_files() -> None:
 def test_unknown_foot_link_is_named() -> None:
     go1 = describe_robot("go1")
     go1.table["feet"]["frames"][2] = "RR_foot_fixed"  # the joint of that name, not the link
-    with pytest.raises(surefoot.Error, match="'RR_foot_fixed' is no link of the URDF"):
+    with pytest.raises(surefoot.Error, match="got 'RR_foot_fixed', expected a link of the URDF"):
         Plant(go1)

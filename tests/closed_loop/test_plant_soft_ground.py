@@ -110,9 +110,9 @@ def test_feet_on_a_soft_slope_hold_where_friction_suffices() -> None:
 
 def test_collapse_on_soft_ground_is_detected_as_fall() -> None:
     plant = Plant("go1", PlantSettings(sensors="ideal", soft_ground_sink=0.01))
-    limp = pd_command(plant, kp=0.0, kd=0.1)
+    no_torque = pd_command(plant, kp=0.0, kd=0.1)
     for _ in range(500):
-        plant.step(limp)
+        plant.step(no_torque)
     assert plant.truth.fell
     assert np.isfinite(plant.data.qpos).all()
 

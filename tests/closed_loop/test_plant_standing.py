@@ -12,7 +12,7 @@ from surefoot.sim.physics.standing_pose import HOLD_KD, HOLD_KP
 
 
 def run(plant: Plant, seconds: float) -> Truth:
-    # The very stance that the run began with: another would roll the feet a little.
+    # Use the gains of the initial pose: other gains would roll the feet slightly.
     cmd = pd_command(plant, kp=HOLD_KP, kd=HOLD_KD)
     for _ in range(round(seconds * plant.settings.control_rate)):
         plant.step(cmd)
@@ -70,9 +70,9 @@ def test_first_state_contains_standing_torques() -> None:
 def test_position_mode_holds_until_the_first_command_arrives() -> None:
     plant = Plant("go1")
     height = plant.truth.com[2]
-    limp = plant.step(pd_command(plant, kp=0.0, kd=0.0))
+    no_torque_state = plant.step(pd_command(plant, kp=0.0, kd=0.0))
     assert plant.truth.com[2] == pytest.approx(height, abs=1e-5)
-    assert limp.motorState[2].tauEst > 3.0
+    assert no_torque_state.motorState[2].tauEst > 3.0
 
 
 def test_upright_collapse_without_torque_is_detected_as_fall() -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How far b1's hips turn their legs under its trunk, by the shapes of its URDF."""
+"""Contact of b1's thighs with its trunk at inward hip angles, by its URDF's shapes."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ import pytest
 import surefoot
 from surefoot.sim import Plant, PlantSettings
 
-CONTACT_MARGIN = 0.03  # [rad] beyond hip_inward that thighs meet the trunk within
+pytestmark = pytest.mark.slow
+
+CONTACT_MARGIN = 0.03  # [rad] beyond hip_inward at which the thighs touch the trunk
 CONTACT_ANGLES = [
     0.1 * k for k in range(-4, 6)
-]  # [rad] angles at which they do, of fore and hind thighs
-ALL_THIGH_ANGLES = [0.1 * k for k in range(-10, 36)]  # [rad] their whole range
+]  # [rad] thigh angles at which front and rear thighs touch it
+ALL_THIGH_ANGLES = [0.1 * k for k in range(-10, 36)]  # [rad] range of the thighs
 
 
 def touches_trunk(plant: Plant, leg: str, hip: float, thigh: float) -> bool:
-    """Say whether the leg's thigh meets the trunk in a pose, high above the ground."""
+    """Return whether the leg's thigh touches the trunk in a pose, high above the ground."""
     model, data = plant.model, plant.data
     plant.reset()
     data.qpos[2] += 1.0

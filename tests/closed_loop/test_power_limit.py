@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A power limit of nine tenths of a protection's level, and the protection watching."""
+"""A power limit of 90 % of the power protection's level, checked by the protection."""
 
 from __future__ import annotations
 
@@ -9,10 +9,21 @@ import pytest
 import surefoot
 from surefoot.sim import Plant, PlantSettings, Push
 
+pytestmark = pytest.mark.slow
+
 
 @dataclass
 class Outcome:
-    """What became of a pushed robot: greatest powers [W], and how often something stepped in."""
+    """Outcome of a pushed run.
+
+    Attributes:
+        fell: True if the robot fell.
+        measured: Largest power that the power protection computed [W].
+        commanded: Largest power of the commands [W].
+        limited: Number of ticks with scaled torques.
+        over: Number of ticks with a command power above the limit.
+        refused: Number of ticks in which the power protection tripped.
+    """
 
     fell: bool = False
     measured: float = 0.0
@@ -56,7 +67,7 @@ def test_power_limit_prevents_power_protection_trips(share: float) -> None:
     limited = pushed("b1", "forward", share, level=10, limit=900.0)
     assert (limited.fell, limited.refused) == (False, 0)
     assert limited.limited > 0
-    # On two feet and moving, holding alone can take more for 10 ms: then it goes unscaled.
+    # On two feet, holding alone can need more power for 10 ms; torques are not scaled then.
     assert limited.over <= 5
 
 

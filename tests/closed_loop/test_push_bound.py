@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""benchmarks/push_bound.py: its model against the scorecard's own, and one bound."""
+"""benchmarks/push_bound.py: its model, compared with Pinocchio, and one bound."""
 
 from __future__ import annotations
 
@@ -26,15 +26,17 @@ from surefoot import Robot, load_robot
 from surefoot.assess.push_limits import push_limit
 from surefoot.assess.stance_model import stance_model
 
+pytestmark = pytest.mark.slow
+
 
 def random_pose(robot: Robot, model: pin.Model) -> np.ndarray:
-    """Return q some way from the standing pose, turned any way."""
+    """Return a random q around the standing pose, with another attitude."""
     step = 0.3 * np.random.default_rng(1).normal(size=robot.nv)
     return pin.integrate(model, np.array(robot.q_standing()), step)
 
 
 def model_of(robot: Robot) -> pin.Model:
-    """Return Pinocchio's model."""
+    """Return the robot's Pinocchio model."""
     model = pin.Model()
     model.loadFromString(robot.serialized_model())
     return model

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pushes at the robots' own limits, where they used to turn over their last foot."""
+"""Pushes at the push limits of the robots."""
 
 from __future__ import annotations
 
@@ -11,11 +11,13 @@ from surefoot.assess.push_limits import PushLimits
 from surefoot.assess.push_outcome import PushOutcome, judge_push
 from surefoot.assess.work_units import PushUnit
 
+pytestmark = pytest.mark.slow
+
 LEVEL_GROUND = Condition("level")
 
 
 def push(robot: str, direction_deg: float, level: float, seed: int) -> PushOutcome:
-    """Push one robot for 0.1 s by a share of its own limit [%]."""
+    """Push a robot for 0.1 s with `level` percent of its push limit."""
     limit = (
         PushLimits(surefoot.load_robot(robot))
         .push_limit(LEVEL_GROUND, direction_deg, 0.1, 0.0)
@@ -30,7 +32,7 @@ def push(robot: str, direction_deg: float, level: float, seed: int) -> PushOutco
 @pytest.mark.parametrize("robot", ["a1", "go1", "go2"])
 @pytest.mark.parametrize("direction_deg", [22.5, 157.5, 202.5, 337.5])
 def test_small_robots_survive_a_100_percent_push(robot: str, direction_deg: float) -> None:
-    """A stretched leg that bears nothing used to hold the body: a go2 fell at 97.5 %."""
+    """A stretched leg without load must not hold the body back."""
     for seed in range(2):
         assert push(robot, direction_deg, 100.0, seed).survived, seed
 

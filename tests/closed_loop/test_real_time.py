@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""On the system's own clock: loops fit their periods. The stall-tolerant clock would not tell."""
+"""Loops keep their periods on the system clock; the stall-tolerant clock would hide delays."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_median_tick_takes_less_than_half_its_period(tmp_path: Path) -> None:
     robot.wait(timeout=20)
     result = json.loads((tmp_path / "run.json").read_text())
     record = json.loads((tmp_path / "robot.json").read_text())
-    # Medians: a machine that stands still now and then does not move them.
-    assert result["us"]["tick_p50"] < 1000.0  # of 2000
+    # Medians: short stalls of the machine do not change them.
+    assert result["us"]["tick_p50"] < 1000.0  # of a period of 2000
     assert took > 3.0
     assert record["real_time_factor"] > 0.5

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Near the edge of balance feet are put where they catch the body, and only if they must."""
+"""Recovery steps save robots from strong pushes; no foot steps at weaker pushes."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ from surefoot.assess.rollout import TrueTrajectory
 from surefoot.assess.work_units import PushUnit
 from surefoot.robot.gain_files import gain_values, gains_from_values
 
+pytestmark = pytest.mark.slow
+
 LEVEL_GROUND = Condition("level ground")
-STILL_DISTANCE = 0.002  # [m] that feet and base move by at most in the last half second
-FOOT_LIFTING_PUSHES = ((157.5, 2), (202.5, 2))  # heading [deg] and seed, b1's
+STILL_DISTANCE = 0.002  # [m] largest motion of feet and base in the last 0.5 s
+FOOT_LIFTING_PUSHES = ((157.5, 2), (202.5, 2))  # heading [deg] and seed, for b1
 SMALL_ROBOT_PUSHES = [
     (heading, level) for heading in (67.5, 90.0, 112.5, 157.5) for level in (110.0, 120.0)
 ]
@@ -24,7 +26,7 @@ SMALL_ROBOT_PUSHES = [
 def pushed(
     heading: float, seed: int, level: float, foot_step: float, name: str = "b1"
 ) -> tuple[TrueTrajectory, PushOutcome]:
-    """Push a robot for 0.1 s by a share of its own limit [%]."""
+    """Push a robot for 0.1 s with `level` percent of its push limit."""
     robot = load_robot(name)
     gains = gains_from_values({**gain_values(robot.config.gains), "foot_step": foot_step})
     limit = PushLimits(robot).push_limit(LEVEL_GROUND, heading, 0.1, 0.0).limit
@@ -46,7 +48,7 @@ def test_b1_survives_a_97_5_percent_push_by_stepping(heading: float, seed: int) 
     assert np.ptp(trajectory.feet[last], axis=0).max() < STILL_DISTANCE
 
 
-# They survive about as many with feet that are called back, and must not fall by stepping.
+# Small robots survive about as many pushes without steps; stepping must not make them fall.
 @pytest.mark.parametrize("robot", ["a1", "go1", "go2"])
 def test_small_robots_survive_as_many_pushes_with_steps_as_without(robot: str) -> None:
     foot_step = load_robot(robot).config.gains.foot_step

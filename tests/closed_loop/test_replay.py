@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The same log gives the same commands, byte for byte, in this process and in another."""
+"""A replay gives the recorded commands, byte for byte, in this process and in another."""
 
 from __future__ import annotations
 
@@ -25,6 +25,8 @@ from surefoot.replay.play import field_at
 from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings, Push
 
+pytestmark = pytest.mark.slow
+
 PLAY_SCRIPT = """
 import hashlib, sys, surefoot
 from surefoot.replay import play, read_recording
@@ -35,7 +37,7 @@ print(hashlib.sha256(play(tape, surefoot.load_robot(tape.robot)).commands.tobyte
 
 @cache
 def stood(robot: str) -> Recording:
-    """Stand, be pushed and moved, and get other gains on the way."""
+    """Record a stand with a push, a body reference and a change of gains."""
     plant = Plant(robot, PlantSettings(seed=3), [Push("lateral", 5.0, time=0.5)])
     recorder = Recorder(plant.robot, StandOptions(motor_damping=0.5, delay=0.002))
     gains = plant.robot.config.gains
@@ -53,7 +55,7 @@ def stood(robot: str) -> Recording:
 
 @cache
 def supervised(robot: str) -> Recording:
-    """Lie, be armed, rise, stand, be asked for another pose, stopped, armed again."""
+    """Record a supervisor from lying: arm, rise, stand, body reference, stop."""
     plant = Plant(robot, PlantSettings(seed=3))
     state = plant.reset_lying(np.random.default_rng(3))
     recorder = Recorder(plant.robot, SupervisorOptions(power_level=power_level(robot)))
@@ -84,9 +86,7 @@ def same_bytes(recording: Recording) -> None:
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_new_stand_controller_replays_the_same_commands(robot: str) -> None:
     recording = stood(robot)
-    assert len(np.unique(recording.commands, axis=0)) == len(
-        recording.commands
-    )  # none is a constant
+    assert len(np.unique(recording.commands, axis=0)) == len(recording.commands)  # all differ
     same_bytes(recording)
 
 
@@ -109,7 +109,7 @@ def test_another_process_gives_the_same_commands(tmp_path: Path, make) -> None:
 
 
 @pytest.mark.parametrize("make", [stood, supervised])
-def test_tape_file_round_trips_all_fields(tmp_path: Path, make) -> None:
+def test_recording_file_round_trips_all_fields(tmp_path: Path, make) -> None:
     recording = make("go1")
     write_recording(tmp_path / "run.npz", recording)
     again = read_recording(tmp_path / "run.npz")
@@ -120,7 +120,7 @@ def test_tape_file_round_trips_all_fields(tmp_path: Path, make) -> None:
 def test_changed_sample_bit_changes_commands_from_its_tick_on() -> None:
     recording = stood("go1")
     samples = recording.samples.copy()
-    gyroscope_x = 38  # four bytes; the last bit of it is below what float32 torques show
+    gyroscope_x = 38  # offset of four bytes; the last bits have no effect on float32 torques
     samples[500, gyroscope_x + 2] ^= 0x40
     result = play(replace(recording, samples=samples), surefoot.load_robot("go1"))
     assert result.first is not None and result.first.row == 500
@@ -190,7 +190,7 @@ def test_replay_command_reports_identical_commands(tmp_path: Path, capsys) -> No
     assert main([*words, "--json", "-"]) == 0
     record = json.loads(capsys.readouterr().out)
     assert record["identical"] and record["commands"] == 300 and record["first"] is None
-    assert read_log(tmp_path / "run.npz").ignored == ()  # surefoot estimate does not mind
+    assert read_log(tmp_path / "run.npz").ignored == ()  # surefoot estimate reads it too
 
 
 def test_replay_command_reports_the_first_difference(tmp_path: Path, capsys) -> None:
@@ -218,7 +218,7 @@ def test_invalid_replay_files_are_refused(tmp_path: Path, capsys) -> None:
         (["replay", str(tmp_path / "none.npz")], "cannot read"),
         (["replay", str(tmp_path / "sensors.npz")], "got no replay_reports"),
         (["replay", str(tmp_path / "cut.npz")], "299 reports and 300 commands"),
-        (["replay", str(tmp_path / "text.npz")], "no NPZ file of a replay"),
+        (["replay", str(tmp_path / "text.npz")], "expected an NPZ log"),
     ):
         assert main(refused) == 2, refused
         assert part in capsys.readouterr().err
@@ -250,7 +250,7 @@ def test_call_after_the_last_tick_is_replayed() -> None:
     assert first is not None and first.row == 50 and first.field == "answer of request()"
 
 
-def test_corrupt_tape_byte_raises_an_error(tmp_path: Path) -> None:
+def test_corrupt_recording_byte_raises_an_error(tmp_path: Path) -> None:
     file = tmp_path / "run.npz"
     write_recording(file, stood("go1"))
     whole, rng, told = bytearray(file.read_bytes()), np.random.default_rng(1), 0
@@ -259,7 +259,7 @@ def test_corrupt_tape_byte_raises_an_error(tmp_path: Path) -> None:
         corrupted[at] ^= 0x55
         file.write_bytes(corrupted)
         try:
-            read_recording(file)  # an unused byte may do no harm
+            read_recording(file)  # a corrupt unused byte may have no effect
         except surefoot.Error:
             told += 1
     assert told > 40

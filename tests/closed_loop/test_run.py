@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""surefoot run against surefoot robot, two processes."""
+"""surefoot run with surefoot robot, in two processes."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ def test_a_robot_stands_over_udp_in_its_own_generation(name: str, tmp_path: Path
     assert result["generation"] == protocol.default_generation(name)
     assert result["reason"] == "asked" and result["link"]["corrupt"] == 0
     assert record["rejected"] == {}
-    # Braked at the end, a heavy robot is down before its own end comes.
+    # After the run, damping lowers a heavy robot before the robot's process ends.
     log = record["log"]
     pairs = zip(log["time"], log["command_kd"], strict=True)
     torque_until = max(time for time, kd in pairs if kd and max(kd) == 0.0)
-    # The robot's clock begins with its first report, the controller's a period or two later or
-    # earlier; and a record has ten milliseconds between its lines.
+    # The robot's clock starts with its first sample, one or two periods before or after the
+    # controller's clock. The record has one row per 10 ms.
     assert torque_until > 2.95
     assert record["fell_at"] is None or record["fell_at"] > torque_until
     assert result["link"]["valid"] + result["link"]["lost"] > 2500
@@ -104,5 +104,5 @@ def test_robot_stands_with_5_percent_loss_and_4_ms_delay(tmp_path: Path) -> None
     assert (run.returncode, result["reason"]) == (0, "asked"), out
     lost, came = result["link"]["lost"], result["link"]["valid"]
     assert 0.03 < lost / (lost + came) < 0.07
-    # The robot lost a few more before the first and after the last that came.
+    # The run does not count samples lost before the first and after the last received one.
     assert lost <= record["lost_out"] < lost + 100

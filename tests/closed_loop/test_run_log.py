@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What surefoot run keeps of its last ticks."""
+"""The log of the last ticks of surefoot run."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ def test_run_log_keeps_the_last_second_and_is_readable_by_estimate(tmp_path: Pat
     standing, damped = log["run_mode"] == "stand", log["run_mode"] == "damping"
     assert (standing | damped).all() and (np.diff(damped.astype(int)) >= 0).all()
     assert set(log["run_damping"][damped]) == {"button"}
-    # It went on braking for a second: what it did before is kept all the same.
+    # The log ends half of --log-time after damping starts, so it keeps the ticks before.
     assert 230 < standing.sum() < 270
-    # What was sent is what the motors say of it a period or two later, within their errors.
+    # The motors report the sent torques one or two periods later, within their errors.
     felt = np.abs(log["tauEst"] - log["run_tau"])[standing]
     assert np.median(felt) < 1.0 < np.abs(log["run_tau"])[standing].max()
     assert np.all(log["run_tau"][damped] == 0.0)
@@ -63,28 +63,28 @@ def test_log_of_a_running_runner_is_refused() -> None:
     loop.start()
     while runner.real_time == "not running":
         time.sleep(0.01)
-    with pytest.raises(surefoot.Error, match="log: got a run that goes on"):
+    with pytest.raises(surefoot.Error, match="log: got a call while run"):
         runner.log()
     runner.stop()
     loop.join()
-    assert len(runner.log()) == 0 and runner.log().reports.shape == (0, 937)
+    assert len(runner.log()) == 0 and runner.log().samples.shape == (0, 937)
 
 
 def test_log_across_a_robot_restart_uses_the_run_clock(tmp_path: Path) -> None:
-    ticks = [2**32 - 2, 0, 2, 4, 6]  # it wraps, which is no restart
+    ticks = [2**32 - 2, 0, 2, 4, 6]  # the tick wraps, which is no restart
 
     def written(ticks: list[int]) -> list[str]:
-        reports = np.zeros((len(ticks), len(surefoot.LowState().raw)), dtype=np.uint8)
-        for report, tick in zip(reports, ticks, strict=True):
+        samples = np.zeros((len(ticks), len(surefoot.LowState().raw)), dtype=np.uint8)
+        for report, tick in zip(samples, ticks, strict=True):
             state = surefoot.LowState()
             state.tick = tick
             report[:] = state.raw
         log = SimpleNamespace(
             time=0.002 * np.arange(len(ticks)),
-            heard=np.ones(len(ticks), dtype=bool),
+            has_new_state=np.ones(len(ticks), dtype=bool),
             mode=np.full(len(ticks), surefoot.Mode.STAND.value),
-            damping=np.full(len(ticks), surefoot.FaultId.NONE.value),
-            reports=reports,
+            damping_fault=np.full(len(ticks), surefoot.FaultId.NONE.value),
+            samples=samples,
             commands=np.zeros((len(ticks), len(surefoot.LowCmd().raw)), dtype=np.uint8),
         )
         write_run_log(str(tmp_path / "run.npz"), log)
@@ -99,12 +99,12 @@ def test_invalid_log_options_are_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for words, said in (
-        (["--log", str(tmp_path / "run.csv")], "expected a name that ends in .npz"),
+        (["--log", str(tmp_path / "run.csv")], "expected a name ending in .npz"),
         (["--log", str(tmp_path / "no" / "run.npz")], "folder that can be written"),
         (["--log", str(tmp_path / "a.npz"), "--log-time", "601"], "'log_time' out of range"),
         (["--log", str(tmp_path / "a.npz"), "--log-time", "nan"], "expected above 0, up to 600"),
         (["--log", str(tmp_path / "a.npz"), "--log-time", "0"], "expected above 0, up to 600"),
-        (["--log-time", "10"], "--log-time: got it without --log"),
+        (["--log-time", "10"], "--log-time: got no --log"),
     ):
         assert main(["run", "--port", "1", *words]) == 2
         assert said in capsys.readouterr().err

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""surefoot run against robots of the wrong kind, and what it cannot do at all."""
+"""surefoot run refuses robots of another frame generation and invalid arguments."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ pytestmark = pytest.mark.real_time
 
 
 class WrongGenerationRobot:
-    """Answers whoever sends with LowStates of one generation, as a robot does."""
+    """A fake robot that replies to every datagram with a LowState of one generation."""
 
     def __init__(self, generation: str) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -54,7 +54,7 @@ def test_run_generation_mismatch_names_both_generations(
     wanted: str, spoken: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     if wanted == spoken:
-        pytest.skip("not a wrong pair")
+        pytest.skip("the generations are equal")
     with WrongGenerationRobot(spoken) as robot:
         status = main(["run", "--port", str(robot.port), "--sdk", wanted, "--duration", "5"])
     said = capsys.readouterr().err
@@ -70,11 +70,11 @@ def test_run_generation_mismatch_names_both_generations(
         (["--host", "192.168.123.10"], 2, "beyond this machine"),
         (["--host", "no.such.host.invalid"], 2, "no.such.host.invalid"),
         (["--sdk", "go1"], 2, "go1-v3.8"),
-        (["--robot", "go2"], 2, "name a generation"),
+        (["--robot", "go2"], 2, "choose a generation"),
         (["--power-level", "11"], 2, "0 .. 10"),
         (["--rate", "5"], 2, "100 .. 1000"),
         (["--port", "70000"], 2, "70000"),
-        (["--port", "9"], 1, "nobody answers"),
+        (["--port", "9"], 1, "no answer from"),
     ],
 )
 def test_invalid_run_arguments_give_one_error_line(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""From lying to standing and back over UDP: a StandRunner behind arming checks."""
+"""A StandRunner over UDP: arming checks, rise, stand and sit."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from udp_robot_helpers import UdpLinkedRobot
 
 pytestmark = pytest.mark.real_time
 
-IN_FLIGHT = 2  # commands that were on their way, or being made, when they were taken back
+IN_FLIGHT = 2  # commands sent or being computed when damping was requested
 IN_20_MS = 10  # commands, at 500 Hz
 
 
@@ -56,7 +56,7 @@ def test_a_lying_robot_gets_up_is_pushed_and_lies_down(name: str) -> None:
         end = linked.snapshot
     assert linked.robot.fell_at is None
     assert (end.reason, end.stood, end.dampings - end.resumed_dampings) == ("asked", True, 0)
-    assert end.greatest_power < 2.0 * 100.0 * power_level(name)  # for less than six reports
+    assert end.greatest_power < 2.0 * 100.0 * power_level(name)  # for fewer than six samples
 
 
 def test_out_of_order_requests_over_udp_send_no_torque() -> None:
@@ -102,7 +102,7 @@ def test_lost_link_during_a_rise_damps_and_latches() -> None:
     with UdpLinkedRobot() as linked:
         rising(linked)
         before = len(linked.damped)
-        linked.port.cut = True
+        linked.port.interrupted = True
         linked.run(0.15)
         assert len(linked.damped) > before + IN_20_MS
         assert linked.torque_cycles(since=before) <= IN_20_MS
@@ -110,7 +110,7 @@ def test_lost_link_during_a_rise_damps_and_latches() -> None:
         assert linked.runner.request(Mode.SIT) == RequestStatus.NO_STATE
         assert linked.runner.arm() == RequestStatus.NO_STATE
         before = len(linked.damped)
-        linked.port.cut = False
+        linked.port.interrupted = False
         linked.run(0.2)
         assert (linked.snapshot.phase, linked.snapshot.damping_fault) == ("damping", FaultId.LINK)
         assert linked.request_answer(linked.runner.arm) == RequestStatus.NOT_READY
@@ -154,9 +154,9 @@ def test_remote_button_damps_during_a_rise() -> None:
 def test_real_robot_flag_allows_a_host_beyond_loopback() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
-            probe.connect(("192.0.2.1", 9))  # sends nothing: it chooses an address of ours
+            probe.connect(("192.0.2.1", 9))  # sends nothing: it selects a local address
         except OSError:
-            pytest.skip("this machine has no address but loopback")
+            pytest.skip("this machine has only a loopback address")
         address = probe.getsockname()[0]
     with UdpLinkedRobot(host=address) as linked:
         linked.arm()

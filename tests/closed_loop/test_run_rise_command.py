@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""surefoot run --rise against surefoot robot --lying, two processes: keys, signals, words."""
+"""surefoot run --rise with surefoot robot --lying, in two processes: keys, signals, options."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LYING = ("--lying", "--seed", "9")
 
 
 class Terminal:
-    """surefoot run with a terminal of its own, whose keys a test presses."""
+    """surefoot run in its own terminal, in which the test presses keys."""
 
     def __init__(self, port: int, *words: str) -> None:
         command = [sys.executable, "-m", "surefoot.cli", "run", "--port", str(port), *words]
@@ -38,7 +38,7 @@ class Terminal:
         os.write(self.keys, keys.encode())
 
     def shows(self, words: str, seconds: float = 30.0) -> str:
-        """Read on until a line has the words; return that."""
+        """Read lines until one has the words; return that line."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             line, found, rest = self._screen.partition(b"\r\n")
@@ -51,20 +51,20 @@ class Terminal:
         raise AssertionError(f"'{words}' was not shown in {seconds:g} s")
 
     def arm(self) -> None:
-        """Wait until the robot may be armed, and arm it."""
+        """Wait until the robot is ready, then arm it."""
         self.shows(" ready")
         self.press("a\n")
         self.shows("ready, armed")
 
     def stand(self) -> None:
-        """Arm it, get it up, and wait until its torques have faded in."""
+        """Arm the robot, let it rise, and wait until its torques have faded in."""
         self.arm()
         self.press("u\n")
         self.shows(" standing")
         time.sleep(0.5)
 
     def status(self) -> int:
-        """Wait for its end; return the exit status."""
+        """Wait for the process to end; return its exit status."""
         try:
             while os.read(self.keys, 4096):
                 pass
@@ -91,7 +91,7 @@ def test_operator_keys_arm_rise_and_sit_the_robot() -> None:
         terminal.shows("up refused: not armed")
         terminal.arm()
         terminal.press("wave\n")
-        terminal.shows("'wave' is no key: x + Enter damps, d lies down, a + Enter arms, u goes up")
+        terminal.shows("'wave': unknown key: x + Enter damps, d sits down, a + Enter arms, u rises")
         terminal.press("a\n")
         terminal.shows("armed already: u rises")
         terminal.press("q\n")
@@ -99,10 +99,10 @@ def test_operator_keys_arm_rise_and_sit_the_robot() -> None:
         terminal.press("u\n")
         terminal.shows(" rising")
         terminal.shows(" standing")
-        time.sleep(0.5)  # its torques have faded in
-        terminal.press("\x04u\n")  # Ctrl-D is no end of it
-        terminal.shows("keys are still obeyed")
-        terminal.shows("up refused: not while standing: d lies down")
+        time.sleep(0.5)  # until the torques have faded in
+        terminal.press("\x04u\n")  # Ctrl-D does not end the run
+        terminal.shows("keys still work")
+        terminal.shows("up refused: not while standing: d sits down")
         terminal.press("d\n")
         terminal.shows(" sitting")
         terminal.shows(" passive")
@@ -141,12 +141,12 @@ def test_hung_terminal_sits_the_robot_down_and_its_keys_are_ignored() -> None:
     with lying_robot() as (_, port):
         terminal = Terminal(port, "--rise")
         terminal.stand()
-        terminal.press("\x13")  # Ctrl-S: the terminal takes no more lines
+        terminal.press("\x13")  # Ctrl-S: the terminal accepts no more output
         time.sleep(4.0)
         terminal.press("u\n")
         time.sleep(0.5)
         terminal.press("\x11")
-        terminal.shows("keys typed meanwhile are left out")
+        terminal.shows("keys typed meanwhile are ignored")
         terminal.shows("fault operator")
         terminal.shows(" passive")
         terminal.press("\x03")
@@ -189,7 +189,7 @@ def test_failed_arming_checks_are_printed() -> None:
     with lying_robot("--drop", "5") as (_, port):
         run = start_controller(port, "--rise", "--yes", "--duration", "1")
         line = wait_for(run, "not ready")
-        assert re.search(r"not ready: link: \S+ % of the reports missing, expected below 1 %", line)
+        assert re.search(r"not ready: link: \S+ % of the samples missing, expected below 1 %", line)
         time.sleep(2.0)
         run.send_signal(signal.SIGUSR1)
         wait_for(run, "not re-armed: arming checks fail")
@@ -218,7 +218,7 @@ def test_hung_robot_sits_down_and_exits_with_status_3() -> None:
         (["--rise", "--yes", "--power-level", "0"], "power_level"),
         (["--real-robot", "--host", "192.168.123.10"], "--rise"),
         (["--rise", "--yes", "--host", "192.168.123.10"], "--real-robot"),
-        (["--rise", "--yes", "--real-robot", "--no-remote"], "a way to stop it"),
+        (["--rise", "--yes", "--real-robot", "--no-remote"], "to stop the robot"),
         (["--predict-ms", "60"], "--predict-ms: got 60, expected 0 .. 50 [ms]"),
     ],
 )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot that was taken over as it stood sits down as any other does, and lies by then."""
+"""A robot that was taken over while standing sits down slowly and lies at the end."""
 
 from __future__ import annotations
 
@@ -13,11 +13,13 @@ from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
-OPERATOR_TIMEOUT = 0.5  # [s] of the operator
+pytestmark = pytest.mark.slow
+
+OPERATOR_TIMEOUT = 0.5  # [s] without a heartbeat
 
 
 class Scene:
-    """A robot that stands from the start; its battery may run low, its operator fall silent."""
+    """A robot that stands from the start; battery and operator heartbeat can be changed."""
 
     def __init__(
         self, robot: str = "go1", load: float = 0.0, payload_limit_kg: float = math.inf
@@ -31,8 +33,8 @@ class Scene:
         )
         self.supervisor = surefoot.Supervisor(self.plant.robot, options=options)
         self.report = self.plant.reset()
-        self.operator, self.battery = True, 50  # there; [%]
-        self.max_sinking_speed = 0.0  # [m/s] greatest
+        self.operator, self.battery = True, 50  # sends heartbeats; charge [%]
+        self.max_sinking_speed = 0.0  # [m/s] largest
 
     def run(self, seconds: float, until: Mode | None = None) -> list[Mode]:
         modes = []
@@ -69,7 +71,7 @@ def test_robot_sits_down_slowly(robot: str, trigger: Callable[[Scene], None]) ->
     trigger(scene)
     modes = scene.run(10.0, until=Mode.PASSIVE)
     assert modes[-1] == Mode.PASSIVE
-    assert modes.count(Mode.SIT) > 500  # 1 s, of two
+    assert modes.count(Mode.SIT) > 500  # 1 s; sitting down takes 2 s
     scene.run(1.0)
     assert scene.max_sinking_speed < 0.4
     if trigger is operator_silent:
@@ -82,14 +84,14 @@ def test_overloaded_robot_stays_down_until_armed_again() -> None:
     scene = Scene(load=5.0, payload_limit_kg=2.0)
     supervisor = scene.supervisor
     assert scene.run(4.0, until=Mode.SIT)[-1] == Mode.SIT
-    scene.run(0.5)  # nothing estimates the load any more; it is there all the same
+    scene.run(0.5)  # the payload is not estimated now, but it is still there
     assert FaultId.PAYLOAD in supervisor.faults.active
     assert supervisor.request(Mode.STAND) == RequestStatus.NOT_READY
     assert scene.run(10.0, until=Mode.PASSIVE)[-1] == Mode.PASSIVE
     scene.run(2.0)
     assert supervisor.faults.count(FaultId.PAYLOAD) == 1
     assert supervisor.request(Mode.RISE) == RequestStatus.NOT_ARMED
-    assert supervisor.arm() == RequestStatus.ACCEPTED  # the operator has seen to it
+    assert supervisor.arm() == RequestStatus.ACCEPTED  # the operator has checked it
     scene.run(0.1)
     assert supervisor.request(Mode.RISE) == RequestStatus.ACCEPTED
 
@@ -103,7 +105,7 @@ def test_robot_that_sat_down_is_armed_only_after_checks() -> None:
     scene.run(0.5)
     supervisor.stop()
     assert scene.run(0.1)[-1] == Mode.DAMPING
-    # At once it would be a program that stands on a robot that lies.
+    # If armed at once, it would run the stand controller on a lying robot.
     supervisor.arm()
     assert Mode.STAND not in scene.run(0.2)
     for _ in range(40):

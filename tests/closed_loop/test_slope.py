@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Robots that are handed over on a slope: nothing jolts, feet stay, the body stays as it was."""
+"""Robots that start on a slope: no sudden motion, and feet and body stay in place."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_robot_stands_on_a_15_deg_slope_from_the_first_tick(robot: str, heading:
     attitude = plant.data.qpos[3:7].copy()
     for k in range(1500):
         state = plant.step(controller.update(state))
-        # The ground's normal becomes known: contact points move on their soles, the robot does not.
+        # While the ground normal converges, contact points move on the soles; the robot does not.
         if k < 50:
             assert np.linalg.norm(controller.state.v[:3]) < 0.1
     moved = plant.data.xpos[plant.handles.foot_bodies] - feet

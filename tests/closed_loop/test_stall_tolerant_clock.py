@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The clock on which the tests that keep real time run."""
+"""The stall-tolerant clock, on which the real-time tests run."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ pytestmark = [
 
 
 def pause(seconds: float) -> None:
-    """Wait by the system's clock, which nobody holds."""
+    """Wait on the system clock, which stalls do not stop."""
     select.select([], [], [], seconds)
 
 

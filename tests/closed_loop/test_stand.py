@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The main job in short: each robot stands, with real sensors, and is judged by what is true."""
+"""Standing with real sensors: every robot, judged by its true state."""
 
 from __future__ import annotations
 
@@ -14,17 +14,19 @@ from plant_helpers import ROBOTS
 from surefoot.geometry.rotations import matrix_from_wxyz
 from surefoot.sim import Plant, PlantSettings, Push
 
+pytestmark = pytest.mark.slow
+
 MOTOR = np.dtype([("mode", "u1"), *[(n, "<f4") for n in ("q", "dq", "tau", "Kp", "Kd")]])
 FORCE = ["est", "dead"]
 
 
 def attitude(q):
-    """R_world_base of Pinocchio's q."""
+    """Return R_world_base of Pinocchio's q."""
     return matrix_from_wxyz([q[6], *q[3:6]])
 
 
 def heading(feet) -> float:
-    """Of the true feet, from the rear ones' middle to the front ones' [rad]."""
+    """Return the heading from the middle of the rear feet to the middle of the front feet [rad]."""
     forward = feet[:2, 0] + feet[:2, 1] - feet[:2, 2] - feet[:2, 3]
     return math.atan2(forward[1], forward[0])
 
@@ -35,7 +37,7 @@ def rms(x, axis=None):
 
 @dataclass
 class StandRun:
-    """One run: what was reported, commanded, estimated, and true just before each command."""
+    """One run: samples, commands, estimates, and the true state just before each command."""
 
     plant: Plant
     controller: surefoot.StandController
@@ -50,17 +52,17 @@ class StandRun:
         return self.truths[-round(seconds * self.plant.settings.control_rate) :]
 
     def offset(self, truth):
-        """Base from the mean of the true feet, less what it was at the start [m]."""
+        """Return the base position from the mean of the true feet, minus its start value [m]."""
         current, initial = (t.q[:3] - t.p_world_feet.mean(axis=1) for t in (truth, self.start))
         return current - initial
 
     def tilt(self, truth) -> float:
-        """Between today's vertical in base axes and that of the start [deg]."""
+        """Return the angle between the vertical in base axes and that of the start [deg]."""
         up, initial = (attitude(t.q)[2] for t in (truth, self.start))
         return math.degrees(math.acos(min(1.0, up @ initial)))
 
     def yaw(self, truth) -> float:
-        """Turn of the base less that of the feet [deg]."""
+        """Return the yaw of the base minus that of the feet, since the start [deg]."""
         turn = attitude(truth.q) @ attitude(self.start.q).T
         feet = heading(truth.p_world_feet) - heading(self.start.p_world_feet)
         return math.degrees(math.atan2(turn[1, 0], turn[0, 0]) - feet)
@@ -70,7 +72,7 @@ class StandRun:
         return np.linalg.norm(feet - self.start.p_world_feet, axis=1).max()
 
     def high_frequency_torque(self) -> float:
-        """RMS of the worst motor's torque above 30 Hz in the last 2 s [N.m]."""
+        """Return the RMS torque above 30 Hz of the worst motor, in the last 2 s [N.m]."""
         tau = np.array([t.tau for t in self.last_truths()])
         spectrum = np.fft.rfft(tau, axis=0)
         low = np.fft.rfftfreq(len(tau), 1.0 / self.plant.settings.control_rate) < 30.0
@@ -78,7 +80,7 @@ class StandRun:
         return rms(np.fft.irfft(spectrum, len(tau), axis=0), axis=0).max()
 
     def estimate_errors(self) -> tuple[float, float]:
-        """RMSE of the base's velocity, own axes [m/s], and of its vertical [deg]."""
+        """Return the RMSE of the base velocity in base axes [m/s] and of the vertical [deg]."""
         speed, lean = [], []
         for truth, state in zip(self.truths, self.estimates, strict=True):
             speed.append(np.linalg.norm(truth.v[:3] - state.v[:3]))
@@ -89,12 +91,12 @@ class StandRun:
 def stand(
     plant: Plant, seconds: float, modify_sample=lambda k, report: None, lift: float = 0.0
 ) -> StandRun:
-    """Stand for a while; the controller gets LowStates and nothing else."""
+    """Stand for some seconds; the controller receives only LowStates."""
     run = StandRun(plant, surefoot.StandController(plant.robot))
     report = plant.reset()
     run.start = plant.truth
     plant.data.qpos[2] += lift
-    mujoco.mj_step1(plant.model, plant.data)  # a step begins in mj_step2
+    mujoco.mj_step1(plant.model, plant.data)  # Plant.step() begins with mj_step2
     for k in range(round(seconds * plant.settings.control_rate)):
         modify_sample(k, report)
         run.reports.append(report.to_bytes())
@@ -108,7 +110,7 @@ def stand(
 
 
 def check_controlled(run: StandRun) -> None:
-    """It stands, every tick was solved, and nothing but torque mode left the controller."""
+    """Check that the robot stands, every status is usable, and all commands are torque mode."""
     assert not run.plant.truth.fell
     assert all(surefoot.is_usable(status) for status in run.statuses)
     frames = np.array([np.frombuffer(c, np.uint8) for c in run.commands])
@@ -118,7 +120,7 @@ def check_controlled(run: StandRun) -> None:
 
 
 def check_settled(run: StandRun) -> None:
-    """Settled, as the end of a run is judged."""
+    """Check that the robot has settled at the end of the run."""
     truth = run.plant.truth
     assert np.linalg.norm(run.offset(truth)) < 0.010
     assert run.tilt(truth) < 2.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""surefoot stand --log: what the controller was told, and the truth of the same instants."""
+"""surefoot stand --log: the controller's samples, and the truth at the same times."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def test_truth_has_the_time_of_its_sample(sensors, age) -> None:
     log, recorded = run(sensors)
     assert recorded.rows == len(log.time)
     columns, n = recorded.columns, recorded.rows
-    # Row k of the run is when the controller was called; the report is `age` periods older.
+    # Row k has the time of the controller's tick; its sample is `age` periods older.
     np.testing.assert_array_equal(columns["truth_p"][age:], log.q_true[: n - age, :3])
     np.testing.assert_array_equal(columns["truth_com"][age:], log.com[: n - age])
     forces = log.forces.transpose(0, 2, 1).reshape(-1, 12)
     np.testing.assert_array_equal(columns["truth_foot_forces"][age:], forces[: n - age])
-    # Encoders agree with the joints of the very same rows, and of no others.
+    # Encoders agree with the true joint angles of these rows and of no other rows.
     motors = list(log.robot.motor_to_q)
     true = log.q_true[:, motors]
     errors = [np.abs(columns["q"][shift:] - true[: n - shift]).max() for shift in range(3)]
@@ -58,7 +58,7 @@ def test_stand_command_writes_a_log_for_estimate(tmp_path, capsys, suffix) -> No
     assert main(words) == 0
     estimate = run_estimator(surefoot.load_robot("go1"), read_log(path))
     log = run("real")[0]
-    # The controller also tells its estimator what it plans, so the two are alike, not the same.
+    # The controller also gives its estimator the planned motion, so both differ slightly.
     np.testing.assert_allclose(estimate.q[:, 3:7], log.q_estimated[:, 3:7], atol=5e-3)
     assert np.abs(estimate.v_world - read_log(path).columns["truth_v"]).max() < 0.1
     assert summarise(estimate)["velocity_rmse"] < 0.03

@@ -1,4 +1,4 @@
-"""Numbers of logs that are known by construction."""
+"""Metrics of stand logs with known contents."""
 
 import dataclasses
 import json

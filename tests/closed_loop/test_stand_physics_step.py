@@ -1,4 +1,4 @@
-"""Half the physics step changes no result of a run by more than 5 %."""
+"""Halving the physics step changes no peak of a run by more than 5 %."""
 
 from __future__ import annotations
 
@@ -7,11 +7,13 @@ import pytest
 import surefoot
 from surefoot.sim import Plant, PlantSettings, Push
 
+pytestmark = pytest.mark.slow
+
 
 def _peaks(robot: str, physics_dt: float) -> np.ndarray:
-    """Greatest sway [m], torque [N.m] and load of a foot over 10 ms [N] of a robot, pushed.
+    """Return the largest sway [m], torque [N.m] and foot load [N] of a pushed robot.
 
-    Over 10 ms, because an unloaded foot that lands again makes a spike a millisecond long.
+    Loads are averaged over 10 ms, because a foot that lands again causes a spike of 1 ms.
     """
     plant = Plant(robot, PlantSettings(sensors="ideal", foot_force="est", physics_dt=physics_dt))
     plant.add_push(Push("lateral", 0.5 * plant.lip_push_limit("lateral"), 0.1, 0.2))

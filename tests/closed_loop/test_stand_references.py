@@ -1,4 +1,4 @@
-"""References: measured on logs known by construction, and followed by a go1 with real sensors."""
+"""Body references: metrics of logs with known contents, and a go1 that follows them."""
 
 import dataclasses
 import json
@@ -19,7 +19,7 @@ ERRORS = ("height_error_mm", "tilt_error_deg", "yaw_error_deg")
 
 
 def log_with_references(*texts, **changes):
-    """Return a still log of a robot that was asked to move."""
+    """Return a log without motion, with requested references."""
     log = still_log(**changes)
     references = tuple(parse_reference(text) for text in texts)
     settings = dataclasses.replace(log.settings, references=references)
@@ -27,7 +27,7 @@ def log_with_references(*texts, **changes):
 
 
 def tilt_world(log, degrees):
-    """Turn the whole world of a log, robot and feet, about the world's x and then y."""
+    """Rotate robot and feet of a log about the world's x axis, then its y axis."""
     R = pinocchio.rpy.rpyToMatrix(math.radians(degrees), math.radians(0.5 * degrees), 0.0)
     for q in log.q_true:
         q[:3] = R @ q[:3]

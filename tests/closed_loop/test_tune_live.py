@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The live page without a browser: gains, pushes, files, guarded ranges, addresses."""
+"""surefoot tune live without a browser: gains, pushes, files, guarded ranges, addresses."""
 
 from __future__ import annotations
 
@@ -38,6 +38,8 @@ from surefoot.tune.live.udp_session import UdpSession
 from surefoot.tune.live.world import World
 from virtual_robot_helpers import start_robot
 
+pytestmark = pytest.mark.slow
+
 OWN = surefoot.load_robot("go1").config.gains
 KP = "com_kp_horizontal"
 OWN_KP = surefoot.get_gain(OWN, KP)
@@ -55,7 +57,7 @@ def run(session: Simulation, seconds: float) -> None:
 def wait_until(condition: Callable[[], bool], seconds: float = 20.0) -> None:
     end = time.monotonic() + seconds
     while not condition():
-        assert time.monotonic() < end, "waited in vain"
+        assert time.monotonic() < end, "the condition did not become true in time"
         time.sleep(0.02)
 
 
@@ -267,7 +269,7 @@ def test_udp_robot_stands_with_guarded_gains(tmp_path: Path) -> None:
         robot.rearm()
         wait_until(lambda: robot.healthy)
         time.sleep(1.5)
-        assert page.frames_per_second > 5.0  # it has drawn all that, to the end
+        assert page.frames_per_second > 5.0  # the page still draws
     finally:
         page.stop()
         process.send_signal(signal.SIGTERM)
@@ -290,7 +292,7 @@ def test_robot_of_another_generation_is_refused(tmp_path: Path) -> None:
 
 
 class Listener(threading.Thread):
-    """Where a robot should be: counts the frames that come, keeps the last."""
+    """A socket in place of a robot: counts the frames received and keeps the last."""
 
     def __init__(self) -> None:
         super().__init__(daemon=True)
@@ -316,7 +318,7 @@ def test_hung_page_does_not_stop_commands_to_the_robot() -> None:
     listener = Listener()
     robot = UdpSession(describe_robot("go1"), RobotAddress("127.0.0.1", listener.port, "go1-v3.8"))
     try:
-        time.sleep(6.0)  # nobody calls tick(), so nobody reads what the process says
+        time.sleep(6.0)  # without tick() nothing reads the output of the process
         before = listener.count
         wait_until(lambda: listener.count > before + 100)
     finally:
@@ -338,9 +340,9 @@ def test_control_process_damps_on_sigterm_and_ignores_sighup_and_sigint(number: 
             told = time.monotonic()
             robot._process.join(5.0)
             assert robot._process.exitcode == 0
-            assert listener.last > told + 0.1  # it has said farewell
+            assert listener.last > told + 0.1  # it sent damping after the signal
             assert listener.last_frame_damps()
-        else:  # the terminal's: the page says stop
+        else:  # a signal of the terminal: only the page stops the process
             before = listener.count
             wait_until(lambda: listener.count > before + 50)
     finally:
@@ -406,7 +408,7 @@ def test_server_binds_to_loopback_and_reports_a_port_in_use() -> None:
             open_server("127.0.0.1", port, "test")
     finally:
         close_server(server)
-    with pytest.raises(surefoot.Error, match="no address of this machine"):
+    with pytest.raises(surefoot.Error, match="expected an address of this machine"):
         open_server("192.0.2.1", 0, "test")
     with pytest.raises(surefoot.Error, match="65535"):
         open_server("127.0.0.1", 70000, "test")
@@ -421,7 +423,7 @@ def test_server_binds_to_loopback_and_reports_a_port_in_use() -> None:
         (("--host", "127.0.0.1:x"), 2, "--host: got '127.0.0.1:x'"),
         (("--host", "127.0.0.1", "--power-level", "11"), 2, "--power-level: got 11"),
         (("--port", "-1"), 2, "--port: got -1"),
-        (("--bind", "192.0.2.1"), 2, "no address of this machine"),
+        (("--bind", "192.0.2.1"), 2, "expected an address of this machine"),
     ],
 )
 def test_invalid_tune_live_arguments_give_one_error_line(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The live page in a real browser, out/tune-live.png is what it looked like."""
+"""surefoot tune live in a real browser; out/tune-live.png is a screenshot."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ FLAGS = [
     "--force-color-profile=srgb",
     "--no-first-run",
 ]
-TIMEOUT_MS = 60_000.0  # [ms]; without a graphics card a picture takes a while
+TIMEOUT_MS = 60_000.0  # [ms]; frames are slow without a graphics card
 PICTURE = Path(__file__).parents[2] / "out" / "tune-live.png"
 KP = "com_kp_horizontal"
 
 
 class Live(NamedTuple):
-    """A page that is served, and the same page in a browser."""
+    """A served page, and the same page in a browser."""
 
     session: Simulation
     page: Page
@@ -56,7 +56,7 @@ class Live(NamedTuple):
 
 @contextlib.contextmanager
 def without_preload() -> Iterator[None]:
-    """Start programs without the stall-tolerant clock: a browser's sandboxes want nothing preloaded."""
+    """Start processes without the stall-tolerant clock: a browser's sandbox allows no preload."""
     preloaded = os.environ.pop("LD_PRELOAD", None)
     try:
         yield
@@ -67,9 +67,9 @@ def without_preload() -> Iterator[None]:
 
 @contextlib.contextmanager
 def browser_process(path: str, profile: Path) -> Iterator[str]:
-    """The address of a browser that is killed in the end.
+    """Start a browser, yield its address, and kill it at the end.
 
-    Asked to close, it would first draw all the pictures it is behind with.
+    A request to close would first draw all pending frames.
     """
     profile.mkdir()
     command = [path, *FLAGS, f"--user-data-dir={profile}"]
@@ -109,10 +109,10 @@ def chromium(tmp_path: Path) -> Iterator[sync_api.Browser]:
 def live(tmp_path: Path, chromium: sync_api.Browser) -> Iterator[Live]:
     session = Simulation(describe_robot("go1"))
     server = open_server("127.0.0.1", 0, "surefoot tune live: go1")
-    # Without a graphics card shadows take the processor a second a picture.
+    # Without a graphics card, shadows take 1 s of CPU time per frame.
     page = Page(server, session, GainFolder(tmp_path, session.robot), plain=True)
     page.start()
-    # As small as the panel allows: every pixel is the processor's.
+    # As small as the panel allows, because the CPU draws every pixel.
     tab = chromium.new_page(viewport={"width": 900, "height": 480})
     tab.set_default_timeout(TIMEOUT_MS)
     tab.goto(f"http://127.0.0.1:{server.get_port()}")
@@ -124,7 +124,7 @@ def live(tmp_path: Path, chromium: sync_api.Browser) -> Iterator[Live]:
 def wait_until(condition: Callable[[], bool]) -> None:
     end = time.monotonic() + TIMEOUT_MS / 1000.0
     while not condition():
-        assert time.monotonic() < end, "waited in vain"
+        assert time.monotonic() < end, "the condition did not become true in time"
         time.sleep(0.05)
 
 
@@ -145,7 +145,7 @@ def test_browser_changes_a_gain_pushes_and_saves_a_file(live: Live) -> None:
     own = controller_gain(live, KP)
 
     move_slider(live, KP, 10)
-    # A slider has whole steps, whatever the robot's own value is.
+    # A slider has whole steps; the robot's own gain may be between two of them.
     wait_until(lambda: abs(controller_gain(live, KP) - own - 10.0) <= 1.0)
     moved = controller_gain(live, KP)
     tab.get_by_text(f"{own:g} → {moved:g}").wait_for()
@@ -178,7 +178,7 @@ def test_page_shows_error_messages(live: Live) -> None:
     tab.get_by_role("button", name="Save").click()
     tab.get_by_text("Is a directory").first.wait_for()
     tab.get_by_role("button", name="Compare A and B").click()
-    tab.get_by_text("nothing was kept as A and B yet").wait_for()
+    tab.get_by_text("no gains are stored as A and B yet").wait_for()
     assert live.session.editor.changed() == {}
 
 
@@ -191,7 +191,7 @@ def test_page_screenshot_shows_robot_forces_support_and_push(live: Live) -> None
     if notice.count():
         notice.locator("xpath=following::button[1]").click()
         notice.wait_for(state="detached")
-    # Half a push later time stands still, for the picture to show its arrow.
+    # Pause during the push, so that the screenshot shows its arrow.
     live.page.loop.speed = 0.02
     tab.get_by_role("button", name="Push").click()
     wait_until(lambda: live.session.scene_state.push is not None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The search for gains: what it finds, and what happens when workers, stores and disks fail."""
+"""surefoot tune search: its results, and failures of workers, stores and disks."""
 
 from __future__ import annotations
 
@@ -30,6 +30,8 @@ from surefoot.tune.search.trial_journal import open_trial_journal
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import DaskCluster, ProcessPool
 
+pytestmark = pytest.mark.slow
+
 OWN = load_robot("go1").config.gains
 ALL = {p.name: p.get(OWN) for p in default_space()}
 POOR = apply_parameters(
@@ -48,7 +50,7 @@ def command(*words: str) -> list[str]:
 
 
 def finished(store: Path) -> int:
-    """Trials that a journal says are done: entries of operation 6 with state COMPLETE (1)."""
+    """Count the finished trials of a journal: entries of operation 6 with state COMPLETE (1)."""
     if not store.exists():
         return 0
     lines = [line for line in store.read_text().splitlines() if line.endswith("}")]
@@ -155,7 +157,7 @@ def test_killed_search_resumes_with_all_its_trials(tmp_path: Path) -> None:
     before = finished(store)
     assert 3 <= before < 12
     with store.open("a") as handle:
-        handle.write('{"op_code": 6, "worker')  # killed while it wrote
+        handle.write('{"op_code": 6, "worker')  # as if killed during a write
     again = search(*words, "--json", "-")
     assert again.returncode == 0, again.stderr
     summary = json.loads(again.stdout)
@@ -170,7 +172,7 @@ def test_corrupt_store_is_refused_and_unchanged(tmp_path: Path, content: str) ->
     run = search(*SHORT_SEARCH, "--store", str(store))
     assert run.returncode == 2
     assert run.stderr.count("\n") == 1
-    assert f"store '{store}': line 1 is no journal entry" in run.stderr
+    assert f"store '{store}': line 1 is not a journal entry" in run.stderr
     assert store.read_text() == content
     assert list(tmp_path.iterdir()) == [store]
 
@@ -180,7 +182,7 @@ def test_store_in_use_by_another_search_is_refused(tmp_path: Path) -> None:
     with open_trial_journal(store):
         run = search(*SHORT_SEARCH, "--store", store)
     assert run.returncode == 2
-    assert f"store '{store}': another search is at work in it" in run.stderr
+    assert f"store '{store}': another search uses it" in run.stderr
 
 
 def test_a_store_of_another_search_is_refused(tmp_path: Path) -> None:
@@ -214,7 +216,7 @@ def test_full_disk_ends_the_search_and_keeps_its_trials(tmp_path: Path) -> None:
 def test_missing_scheduler_is_named(monkeypatch) -> None:
     pytest.importorskip("distributed")
     monkeypatch.setattr("surefoot.tune.search.worker_pool.CLUSTER_TIMEOUT", 1.0)
-    with pytest.raises(Error, match=r"cluster 'tcp://127\.0\.0\.1:1': no scheduler there"):
+    with pytest.raises(Error, match=r"cluster 'tcp://127\.0\.0\.1:1': no scheduler answers"):
         DaskCluster("tcp://127.0.0.1:1")
 
 
@@ -238,7 +240,7 @@ def test_invalid_search_option_gives_one_error_line(words: tuple[str, ...], mess
 
 
 class FakeWorkerPool:
-    """One worker at a time; submits answer as they are told to: an outcome, or an exception."""
+    """A fake pool: `answers` returns the outcome or the exception of each job."""
 
     count = 2
     worker_death_errors = (BrokenExecutor,)
@@ -301,7 +303,7 @@ def test_a_worker_that_cannot_run_trials_ends_the_search_with_its_reason() -> No
 def test_lost_scheduler_ends_the_search(monkeypatch) -> None:
     monkeypatch.setattr("surefoot.tune.search.trial_queue.POLL_PERIOD", 0.01)
     worker_pool = FakeWorkerPool(lambda job: Outcome(costs=(1.0,)))
-    worker_pool.submit = lambda job: Future()  # type: ignore[method-assign] # nobody ever answers
+    worker_pool.submit = lambda job: Future()  # type: ignore[method-assign] # no answer arrives
     worker_pool.gone = True
     queue = TrialQueue(worker_pool)
     queue.put(0, job_of(1.0))
@@ -334,7 +336,7 @@ def test_pool_broken_between_trials_is_replaced() -> None:
             assert outcomes[0][1].costs[0] < BROKEN_COST
             victim = next(iter(worker_pool._pool._processes))
             os.kill(victim, signal.SIGKILL)
-            time.sleep(0.5)  # the pool has seen it by now
+            time.sleep(0.5)  # the pool detects it in this time
     finally:
         worker_pool.close()
 
@@ -402,9 +404,9 @@ def test_truncated_or_foreign_search_store_is_refused(tmp_path: Path) -> None:
     lines = store.read_text().splitlines(keepends=True)
     for text, words in (
         ("".join(lines[1:]), "its beginning is missing"),
-        ('{"op_code": 99}\n', "is no journal of trials"),
+        ('{"op_code": 99}\n', "not a journal of trials"),
         (lines[0].replace('"surefoot"', '"theirs"'), "holds theirs, expected a search"),
-        ("".join(lines[:3]) + "rubbish\n" + "".join(lines[3:]), "line 4 is no journal entry"),
+        ("".join(lines[:3]) + "rubbish\n" + "".join(lines[3:]), "line 4 is not a journal entry"),
     ):
         store.write_text(text)
         run = search(*SHORT_SEARCH, "--store", str(store))
@@ -416,13 +418,13 @@ def test_truncated_or_foreign_search_store_is_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize("objective", ["balance", "quiet", "power"])
 def test_standing_costs_less_than_a_fall(objective: str) -> None:
     stiff = apply_parameters({"sway_frequency": 6.0, "sway_damping": 2.5}, OWN)
-    limp = OWN.__copy__()
-    limp.fall_tilt = 0.1
-    limp.com_kp_horizontal = limp.com_kd_horizontal = 0.0
-    limp.base_kp_tilt = limp.base_kd_tilt = 0.0
+    weak = OWN.__copy__()
+    weak.fall_tilt = 0.1
+    weak.com_kp_horizontal = weak.com_kd_horizontal = 0.0
+    weak.base_kp_tilt = weak.base_kd_tilt = 0.0
     stood, fallen = (
         evaluate_exclusively(TrialJob(gain_values(g), (EPISODE,), (objective,)))
-        for g in (stiff, limp)
+        for g in (stiff, weak)
     )
     assert (stood.falls, fallen.falls) == (0, 1)
     assert stood.costs[0] <= 100.0 < fallen.costs[0] <= 300.0 < BROKEN_COST

@@ -10,7 +10,7 @@ from surefoot import protocol
 from surefoot.sim.hardware.motors import BRAKE_KD
 from virtual_robot_helpers import BLANK, CLIENT, SteppedRobot, servo
 
-POSE = (0.0, 1.2, -2.0)  # of the vendor's position example
+POSE = (0.0, 1.2, -2.0)  # pose of the vendor's position example
 
 
 def joints(stepped: SteppedRobot) -> np.ndarray:
@@ -97,7 +97,7 @@ def test_torque_acts_alone_with_the_position_loop_off(position_off: float) -> No
     stepped = SteppedRobot(hung=True)
     cmd = surefoot.LowCmd()
     for i in range(12):
-        # A stiffness that would turn any angle into full torque, were it listened to.
+        # If the position loop were on, this stiffness would give full torque at any angle.
         cmd.motorCmd[i].q, cmd.motorCmd[i].Kp, cmd.motorCmd[i].tau = position_off, 50.0, 0.5
     stepped.run(0.03, cmd)
     np.testing.assert_allclose(stepped.robot.plant.motors.estimated_torque, 0.5, atol=1e-3)
@@ -106,7 +106,7 @@ def test_torque_acts_alone_with_the_position_loop_off(position_off: float) -> No
 def test_motors_damp_after_the_timeout_and_follow_commands_again() -> None:
     stepped = SteppedRobot(hung=True, timeout=0.05)
     stepped.run(0.1, servo(POSE))
-    stepped.run(0.0478)  # the last command came 2 ms before the silence
+    stepped.run(0.0478)  # the last command arrived 2 ms before this time
     assert not stepped.robot.watchdog.damping
     stepped.states()
     stepped.run(0.05)
@@ -122,7 +122,7 @@ def test_motors_damp_after_the_timeout_and_follow_commands_again() -> None:
     assert [line.partition("s: ")[2] for line in stepped.lines] == [
         "first valid command",
         "no valid command for 50 ms, motors damp",
-        "commands are back, motors obey",
+        "commands are back, motors follow them",
     ]
 
 
@@ -256,7 +256,7 @@ def test_other_sender_gets_no_samples_while_commands_arrive() -> None:
     stepped.put_datagram(bytes([7] * 614), stranger)
     stepped.run(0.002)
     assert {address for _, address in stepped.port.outbox} == {CLIENT}
-    stepped.run(0.2)  # longer than the timeout: nobody commands any more
+    stepped.run(0.2)  # longer than the timeout, without commands
     stepped.put_datagram(bytes([7] * 614), stranger)
     stepped.run(0.002)
     assert stepped.port.outbox[-1][1] == stranger

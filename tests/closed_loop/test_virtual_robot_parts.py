@@ -50,7 +50,7 @@ def test_delay_applies_in_both_directions() -> None:
     stepped.put_datagram(BLANK)
     stepped.run(0.005)
     assert stepped.robot.link.peer is None
-    stepped.run(0.005)  # the first report leaves after 6 ms and arrives 5 ms later
+    stepped.run(0.005)  # the first sample leaves after 6 ms and arrives 5 ms later
     assert not stepped.port.outbox
     stepped.run(0.001)
     assert len(stepped.port.outbox) == 1

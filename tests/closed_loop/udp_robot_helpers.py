@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A lying robot and a StandRunner at the two ends of a UDP link, the robot's time in our hands."""
+"""A lying virtual robot, stepped by the test, and a StandRunner, linked by UDP."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from surefoot.virtual_robot import UdpPort, VirtualRobot, VirtualRobotSettings
 from surefoot.virtual_robot.real_time_pacer import RealTimePacer
 from surefoot.virtual_robot.udp_port import Address
 
-SEEDS = {"go1": 9, "b1": 1}  # that lie after few drops
+SEEDS = {"go1": 9, "b1": 1}  # seeds whose robot lies at rest after few drops
 
 
 class InterruptiblePort(UdpPort):
-    """A port whose reports can be cut off."""
+    """A port that can stop sending samples."""
 
     interrupted = False
 
@@ -27,12 +27,12 @@ class InterruptiblePort(UdpPort):
 
 
 class UdpLinkedRobot:
-    """A context that ends the runner.
+    """A virtual robot and its StandRunner; a context manager that stops the runner.
 
     Attributes:
-        runner: In a thread of its own.
-        robot: Moves on in cycle(), a millisecond at a time, by the clock.
-        damped: For each cycle that got a command: do the motors brake by it, and nothing else?
+        runner: StandRunner, in its own thread.
+        robot: Virtual robot; cycle() advances it by 1 ms in real time.
+        damped: Whether the command is damping, for each cycle that received a command.
     """
 
     def __init__(self, name: str = "go1", host: str = "127.0.0.1", **options: object) -> None:
@@ -77,7 +77,7 @@ class UdpLinkedRobot:
             self.cycle()
 
     def until(self, condition: Callable[[RunSnapshot], bool], seconds: float) -> bool:
-        """Go on until a condition, or for a while; return whether it came true."""
+        """Run until the condition is true or the time is over; return whether it is true."""
         for k in range(round(1000 * seconds)):
             if k % 20 == 0 and condition(self.snapshot):
                 return True
@@ -88,7 +88,7 @@ class UdpLinkedRobot:
         return self.until(lambda now: now.phase == phase, seconds)
 
     def request_answer(self, ask: Callable[[], RequestStatus]) -> RequestStatus:
-        """Ask while the robot is heard: its reports come in cycle() alone."""
+        """Make a request while cycle() sends samples; return the answer."""
         for _ in range(100):
             self.run(0.01)
             if (answer := ask()) != RequestStatus.NO_STATE:
@@ -105,7 +105,7 @@ class UdpLinkedRobot:
         assert self.until(lambda now: now.armed, 1.0)
 
     def torque_cycles(self, since: int) -> int:
-        """Return how many cycles since `since` were commanded anything but braking."""
+        """Return the number of commands from index `since` on that are not damping."""
         return self.damped[since:].count(False)
 
 

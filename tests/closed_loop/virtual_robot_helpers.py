@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clients of a virtual robot: one without sockets or clock, one on UDP."""
+"""Clients of a virtual robot: one without sockets and clock, one over UDP."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BLANK = bytes(614)
 
 
 class MemoryPort:
-    """A port whose other end is a test."""
+    """A port in memory: the test fills its inbox and reads its outbox."""
 
     def __init__(self) -> None:
         self.inbox: list[tuple[bytes, tuple[str, int]]] = []
@@ -36,7 +36,7 @@ class MemoryPort:
 
 
 class SteppedRobot:
-    """A virtual robot whose time passes when a test says so."""
+    """A virtual robot that the test steps."""
 
     def __init__(self, robot: str = "go1", **settings) -> None:
         self.port = MemoryPort()
@@ -51,20 +51,20 @@ class SteppedRobot:
         self.put_datagram(protocol.encode_low_cmd(cmd, self.settings.generation))
 
     def run(self, seconds: float, cmd: surefoot.LowCmd | None = None) -> None:
-        """Let time pass, repeating a command every 2 ms."""
+        """Run for some seconds, with a command in every second cycle."""
         for k in range(round(seconds * self.settings.rate)):
             if cmd is not None and k % 2 == 0:
                 self.command(cmd)
             self.robot.cycle()
 
     def states(self) -> list[protocol.ReceivedLowState]:
-        """What was sent since the last call."""
+        """Return the LowStates sent since the last call."""
         frames, self.port.outbox = self.port.outbox, []
         return [protocol.decode_low_state(f, self.settings.generation) for f, _ in frames]
 
 
 def servo(angles, kp: float = 20.0, kd: float = 1.0) -> surefoot.LowCmd:
-    """Position mode at three angles for every leg."""
+    """Return a position-mode command with three angles, equal for all legs."""
     cmd = surefoot.LowCmd()
     for i in range(12):
         motor = cmd.motorCmd[i]
@@ -73,7 +73,7 @@ def servo(angles, kp: float = 20.0, kd: float = 1.0) -> surefoot.LowCmd:
 
 
 class UdpClient:
-    """A small SDK program."""
+    """A UDP client, as a small SDK program."""
 
     def __init__(self, port: int, generation: str = "go1-v3.8") -> None:
         self.generation = generation
@@ -88,7 +88,7 @@ class UdpClient:
         return protocol.decode_low_state(self.socket.recv(2048), self.generation)
 
     def run(self, seconds: float, cmd: surefoot.LowCmd) -> list[protocol.ReceivedLowState]:
-        """Repeat a command with every other report for a while; return the reports."""
+        """Send a command after every second sample for some seconds; return the samples."""
         states, end = [], time.monotonic() + seconds
         self.send(cmd)
         while time.monotonic() < end:
@@ -99,7 +99,7 @@ class UdpClient:
 
 
 def start_robot(*words: str) -> tuple[subprocess.Popen[str], int]:
-    """A virtual robot of its own process, and its port: on its first line, as programs read it."""
+    """Start surefoot robot as a process; return it and its port, read from its first line."""
     command = [sys.executable, "-m", "surefoot.cli", "robot", "--port", "0", *words]
     process = subprocess.Popen(
         command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
@@ -111,13 +111,13 @@ def start_robot(*words: str) -> tuple[subprocess.Popen[str], int]:
 
 
 def start_controller(port: int, *words: str) -> subprocess.Popen[str]:
-    """surefoot run as a process of its own."""
+    """Start surefoot run as a process."""
     command = [sys.executable, "-m", "surefoot.cli", "run", "--port", str(port), *words]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
 def wait_for(process: subprocess.Popen[str], *words: str) -> str:
-    """Read what a process says until a line has one of these; in a minute it is killed."""
+    """Read the output until a line has one of the words; kill the process after one minute."""
     assert process.stdout is not None
     watchdog = threading.Timer(60.0, process.kill)
     watchdog.start()
@@ -132,7 +132,7 @@ def wait_for(process: subprocess.Popen[str], *words: str) -> str:
 
 
 def arm_again(run: subprocess.Popen[str]) -> None:
-    """Ask a controller that damps to arm, until it stands: a report may just be late."""
+    """Request arming of a damping controller until it stands: a late sample may refuse it."""
     for _ in range(10):
         run.send_signal(signal.SIGUSR1)
         if "not re-armed" not in (said := wait_for(run, " standing", "not re-armed")):
@@ -142,5 +142,5 @@ def arm_again(run: subprocess.Popen[str]) -> None:
 
 
 def restore_sigint() -> None:
-    """For Popen(preexec_fn=...): a process started in the background would ignore SIGINT."""
+    """Restore SIGINT, for Popen(preexec_fn=...): background processes ignore it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts heap allocations and exceptions of the tick, by replacing malloc with its relatives
-// (benchmarks/ticks/memory_counters.cpp) and the throw itself for the whole program.
+// Count heap allocations and exceptions of a tick. malloc and its relatives
+// (benchmarks/ticks/memory_counters.cpp) and __cxa_throw are replaced for the whole executable.
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ namespace {
 long exceptions = 0;
 }
 
-// By its label: compilers know __cxa_throw by heart and disagree on its second argument.
+// Bound by its assembler label, because compilers declare __cxa_throw themselves and disagree on
+// the type of its second argument.
 using Destructor = void (*)(void*);
 [[noreturn]] void counted_throw(void* thrown, void* type, Destructor destructor) asm("__cxa_throw");
 void counted_throw(void* thrown, void* type, Destructor destructor) {
@@ -35,8 +36,8 @@ namespace {
 
 using namespace surefoot;
 
-/// A task as a user would write it: rows that change, and once in a while a failure, or more than
-/// the program can be solved for at once.
+/// A user's task: its rows change, every 331st call is too heavy for the first solve, and every
+/// 977th call fails.
 struct UserTask : Task {
   int rows() const override { return 2; }
   bool write(const RobotState& state, TaskRows& rows) noexcept override {
@@ -106,8 +107,9 @@ TickCounts run(const Robot& robot, QpForm form, double delay, std::uint32_t tick
   return tick_counts;
 }
 
-// A robot without mass: its joints go where motors and the ground pull them, as fast as they are
-// damped. The ground pulls as it does on a robot that stands, but not at one that lies and brakes.
+// Simulate a robot without mass for 2 ms. Each joint moves at the speed at which its damping
+// balances the torque. The ground reacts as in the standing pose, but not while the motors give no
+// torque.
 void simulate_massless_robot(const LowCmd& command, const LowState& standing, LowState& report) {
   report.tick += 2;
   report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
@@ -123,11 +125,11 @@ void simulate_massless_robot(const LowCmd& command, const LowState& standing, Lo
 }
 
 struct SupervisedCounts {
-  std::array<long, 5> ticks{};  // in each mode
+  std::array<long, 5> ticks{};  // per mode
   long allocations = 0, exceptions = 0;
 };
 
-// Up, down, up again, stopped, armed again, and so on; every call but the constructor counts.
+// Run rise, sit, stop and arm requests in turn. All calls except the constructor are counted.
 SupervisedCounts run_supervisor(const Robot& robot) {
   Supervisor supervisor(robot);
   const LowState standing = resting_sample(robot, 0);
@@ -151,7 +153,8 @@ SupervisedCounts run_supervisor(const Robot& robot) {
   return tick_counts;
 }
 
-// What the ticks above hardly ever need: ProxQP, in the place of the active-set method.
+// Count the allocations of ProxQP, which the ticks above hardly ever use. With max_changes = 0 it
+// replaces the active-set method.
 long fallback_allocations() {
   QpSolver solver(12, 0, 72, 1e-6, 0);
   long found = 0, iterations = 0;
@@ -161,13 +164,14 @@ long fallback_allocations() {
     iterations += solver.solve(random.problem).iterations;
     found += bench::heap_allocations() - before;
   }
-  std::printf("ProxQP, 200 programs, %ld iterations: %ld allocations\n", iterations, found);
+  std::printf("ProxQP, 200 QPs, %ld iterations: %ld allocations\n", iterations, found);
   return iterations > 1000 ? found : -1;
 }
 
-// The rungs that good states never need: the last forces, the weight, and none at all.
+// Count the allocations of the fallback levels that valid states never reach: last forces, gravity,
+// hold.
 long fallback_chain_allocations(const Robot& robot) {
-  FallbackChain ladder(robot);
+  FallbackChain chain(robot);
   RobotState state = standing_state(robot);
   Reference reference = reference_at(robot, state);
   reference.p_com.x() = std::nan("");
@@ -180,18 +184,18 @@ long fallback_chain_allocations(const Robot& robot) {
     state.q[8] = angle;
     dynamics.update(state.q, state.v, Vector3::UnitZ());
     for (const bool known : {true, false}) {
-      ladder.reset();
-      if (known) ladder.remember(gains, dynamics, state, reference, planned);
-      ++found[static_cast<int>(ladder.compute_fallback(gains, dynamics, state, reference))];
+      chain.reset();
+      if (known) chain.remember(gains, dynamics, state, reference, planned);
+      ++found[static_cast<int>(chain.compute_fallback(gains, dynamics, state, reference))];
     }
   }
   const long allocations = bench::heap_allocations() - before;
-  std::printf("ladder: %ld allocations; last forces %ld, gravity %ld, hold %ld\n", allocations,
-              found[3], found[4], found[5]);
+  std::printf("fallback chain: %ld allocations; last forces %ld, gravity %ld, hold %ld\n",
+              allocations, found[3], found[4], found[5]);
   return found[3] == 1 && found[4] == 1 && found[5] == 2 ? allocations : -1;
 }
 
-// The counters must see what they are there for.
+// Check that the counters see an allocation and an exception.
 bool counters_work() {
   const long before = bench::heap_allocations();
   std::free(std::malloc(8));
@@ -213,9 +217,9 @@ int main() {
       const TickCounts s = run(robot, form, delay, 25000);
       std::printf(
           "%s, delay %.0f ms, 25000 ticks: %ld allocations, %ld exceptions; "
-          "general %ld, condensed %ld, limits giving way %ld, reference stopped %ld, "
-          "bad ticks %ld, damped %ld, power limited %ld, refused %ld, "
-          "solved anew %ld, bridged %ld, held %ld, feet lifted %ld\n",
+          "general %ld, condensed %ld, soft limits violated %ld, reference stopped %ld, "
+          "unusable ticks %ld, damping %ld, power limited %ld, protections tripped %ld, "
+          "cold solves %ld, fallback forces %ld, holds %ld, feet lifted %ld\n",
           to_string(form), 1e3 * delay, s.allocations, s.exceptions, s.general, s.condensed,
           s.yielding, s.stopped, s.faults, s.damping, s.power_limited, s.refused, s.cold, s.forces,
           s.held, s.lifted);

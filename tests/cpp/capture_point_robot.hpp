@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-// Stands level; the capture point is moved by the body's speed alone.
+// A level standing robot. Only the velocity of the body moves its capture point.
 struct CapturePointRobot {
   Robot robot = quadruped();
   Gains gains;
@@ -15,13 +15,14 @@ struct CapturePointRobot {
   Reference reference = reference_at(robot, state);
   Dynamics dynamics = dynamics_at(robot, state);
 
-  // All mass moves alike when the whole robot does: v_com is the base's.
+  // Move the whole robot at one velocity, so that the base and the centre of mass share it.
   void set_com_velocity(const Vector3& speed) {
     state.v.head<3>() =
         Quaternion(state.q[6], state.q[3], state.q[4], state.q[5]).conjugate() * speed;
     dynamics.update(state.q, state.v, Vector3::UnitZ());
   }
-  // The capture point over the right feet, by how far it is beyond them; further ahead than behind.
+  // Move the capture point `beyond` [m] to the right of the right feet, and half way to the front
+  // feet, so that it is nearer to the front foot than to the rear foot.
   void move_capture_point_right(double beyond) {
     const FeetMatrix feet = contact_points(dynamics);
     const Vector3 com = dynamics.p_world_com();

@@ -6,7 +6,7 @@
 #include "random_qp.hpp"
 #include "wbc/elastic_solver.hpp"
 
-/// Random elastic programs, and their answer from the definition.
+/// Random elastic QPs, and their solutions from the definition.
 namespace elastic_problems {
 
 using namespace surefoot;
@@ -21,7 +21,7 @@ inline ElasticRows elastic_rows() {
   return rows;
 }
 
-// Every other one has a pair of elastic rows that contradict each other.
+// Make a random QP. Odd seeds have two elastic rows that contradict each other.
 inline QpProblem problem_of(int seed, int n_eq = 0) {
   RandomQp random(seed, kN, n_eq, kRows);
   if (seed % 2 != 0) {
@@ -34,7 +34,8 @@ inline QpProblem problem_of(int seed, int n_eq = 0) {
   return random.problem;
 }
 
-// x, s with  C x - s <= u,  C x + s >= l,  s >= 0: every elastic row twice, nothing clever.
+// Write the QP with explicit slacks s: C x - s <= u, C x + s >= l, s >= 0. Every row appears twice,
+// as in the definition.
 inline QpProblem with_slacks(const QpProblem& p, const ElasticRows& rows,
                              const Eigen::VectorXd& penalty) {
   const int n = static_cast<int>(p.g.size()), n_in = static_cast<int>(rows.group.size());
@@ -56,8 +57,8 @@ inline QpProblem with_slacks(const QpProblem& p, const ElasticRows& rows,
   return e;
 }
 
-// The whole program's answer as tight as it comes, certified; it is strictly convex, so there is
-// one.
+// Solve the whole QP at the tightest tolerance that succeeds, and check the KKT conditions. The QP
+// is strictly convex, so the solution is unique.
 inline Eigen::VectorXd certified_solution(const QpProblem& e) {
   for (const double tolerance : {1e-9, 1e-8, 1e-7, 1e-6}) {
     QpSolver solver(static_cast<int>(e.g.size()), static_cast<int>(e.b.size()),

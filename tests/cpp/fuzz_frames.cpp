@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random and mutated datagrams through the decoders. Built with sanitizers, without Pinocchio.
-//   surefoot_fuzz [DATAGRAMS [SEED]]
+// Feed random and mutated datagrams to the decoders. Built with sanitizers, without Pinocchio.
+// Usage: surefoot_fuzz [DATAGRAMS [SEED]]
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -37,7 +37,7 @@ Frame valid_frame(bool cmd, Generation g, std::mt19937_64& random) {
   return frame;
 }
 
-// A valid frame with bytes changed, cut or drawn out; or noise from end to end.
+// Make a valid frame and change bytes, cut or extend it; or make one of random bytes only.
 std::vector<std::uint8_t> datagram(bool cmd, Generation g, std::mt19937_64& random) {
   const Frame frame = valid_frame(cmd, g, random);
   std::vector<std::uint8_t> bytes(frame.bytes.begin(), frame.bytes.begin() + frame.size);
@@ -86,11 +86,11 @@ bool all_finite(const LowState& state) {
   return true;
 }
 
-// What is accepted is finite and comes back bit for bit.
+// Check that an accepted datagram is finite and encodes to the same bytes.
 template <typename Struct, typename Decode, typename Encode>
 void check_datagram(const std::vector<std::uint8_t>& bytes, Generation g, Decode decode,
                     Encode encode, FuzzCounts& seen) {
-  // A block of its own size, so that a byte too far is seen.
+  // A copy of exactly this size, so that the address sanitizer detects a read past the end.
   const std::vector<std::uint8_t> exact(bytes);
   Struct decoded{};
   FrameExtras extras;
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
       check_datagram<LowState>(bytes, decoded_generation, decode_low_state, encode_low_state, seen);
     }
   }
-  std::printf("%ld datagrams, %ld signed again, %ld accepted, %ld accepted wrongly\n",
+  std::printf("%ld datagrams, %ld CRCs recomputed, %ld accepted, %ld accepted wrongly\n",
               seen.datagrams, seen.recomputed_crcs, seen.accepted, seen.wrong);
   const bool enough = 2 * seen.recomputed_crcs >= seen.datagrams && seen.accepted > count / 100;
   return seen.wrong == 0 && enough ? 0 : 1;

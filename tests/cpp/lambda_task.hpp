@@ -6,7 +6,7 @@
 
 #include "surefoot/task.hpp"
 
-/// A task of the user's own, written where it is used.
+/// A user's task whose write() is a function that the test passes.
 class LambdaTask : public surefoot::Task {
  public:
   using Write = std::function<bool(const surefoot::RobotState&, surefoot::TaskRows&)>;

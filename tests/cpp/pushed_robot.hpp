@@ -12,16 +12,17 @@ inline surefoot::Dynamics dynamics_at(const surefoot::Robot& robot,
   return dynamics;
 }
 
-/// A robot, forces on its feet, and the motion they make: what the tasks' rows claim to know.
+/// A robot, forces on its feet, and the accelerations that they cause. Tests compare the rows of
+/// tasks with this motion.
 struct PushedRobot {
-  static constexpr double kStep = 1e-6;  // [s] of the finite differences
+  static constexpr double kStep = 1e-6;  // [s] step of the finite differences
 
   surefoot::Robot robot = quadruped();
   surefoot::RobotState state = random_state(robot, 5, 0.5);
   surefoot::Dynamics dynamics = dynamics_at(robot, state);
   surefoot::Vector12 f;
   Eigen::VectorXd a;
-  /// A push that feet and joints know nothing of, through the centre of mass, world axes [N].
+  /// External force through the centre of mass, world axes [N]. Feet and joints do not measure it.
   surefoot::Vector3 f_external = surefoot::Vector3(20.0, -35.0, 8.0);
 
   PushedRobot() : a(robot.nv()) {
@@ -37,7 +38,7 @@ struct PushedRobot {
     for (int i = 0; i < surefoot::kMotors; ++i) a[robot.motor_to_v()[i]] = legs[i];
   }
 
-  /// The push as it acts on the base, in its axes.
+  /// Return the wrench of the external force on the base, base axes.
   surefoot::Vector6 push_wrench() const {
     const surefoot::Vector3 arm = dynamics.p_world_com() - dynamics.p_world_base();
     surefoot::Vector6 wrench;
@@ -53,7 +54,7 @@ struct PushedRobot {
     return dynamics_at(robot, next);
   }
 
-  /// Time derivative of something that Dynamics knows, along the motion.
+  /// Return the time derivative of a quantity of Dynamics along the motion, by central differences.
   template <typename Quantity>
   surefoot::Vector3 rate(Quantity&& quantity) const {
     return (quantity(dynamics_after(kStep)) - quantity(dynamics_after(-kStep))) / (2.0 * kStep);

@@ -6,7 +6,7 @@
 #include "robot_states.hpp"
 #include "surefoot/body_reference.hpp"
 
-/// Everything a tick may meet, one after the other and on top of each other.
+/// Samples of a robot with pushes, sensor faults, lifted feet and tick errors, alone and combined.
 class RandomDisturbances {
  public:
   explicit RandomDisturbances(const surefoot::Robot& robot) : rest_(resting_sample(robot, 0)) {}
@@ -20,23 +20,23 @@ class RandomDisturbances {
     report_.imu.accelerometer[1] = (pushed ? 8.0F : 0.5F) * number();
     for (int i = 0; i < surefoot::kMotors; ++i) {
       report_.motorState[i].dq = (pushed ? 6.0F : 0.3F) * number();
-      // Torques that stand still are not believed: for a fifth of the time they do.
+      // The estimator ignores constant torques; for a fifth of the time these are constant.
       if (tick % 5000 < 4000) report_.motorState[i].tauEst += 0.05F * wave;
       report_.motorState[i].q += 0.3F * wave * (tick % 3000 < 1500 ? 0.1F : 1.0F);
     }
-    // footForceEst dies and revives; each foot lifts in its turn.
+    // footForceEst is zero for a quarter of the time; the feet lift one after the other.
     for (int leg = 0; leg < surefoot::kLegs; ++leg) {
       const bool lifted = (tick / 150) % 6 == static_cast<std::uint32_t>(leg);
       report_.footForceEst[leg] =
           tick % 4000 < 1000 ? std::int16_t{0} : static_cast<std::int16_t>(lifted ? 0 : 30);
     }
-    // A knee goes straight now and then: the form changes under auto.
+    // A knee is nearly straight at times, so that kAuto changes the form.
     if (tick % 700 > 650) report_.motorState[surefoot::FL_2].q = -0.02F;
     add_fault(tick);
     return report_;
   }
 
-  /// Where the body is asked to go: mostly beyond what it can reach.
+  /// Return a requested body pose, mostly beyond what the robot can reach.
   surefoot::BodyReference reference() {
     const auto far = [this](double size) { return size * static_cast<double>(number()); };
     return {far(0.15), far(0.15), far(0.2), far(0.5), far(0.5), far(0.8)};

@@ -6,8 +6,8 @@
 
 #include "surefoot/qp_problem.hpp"
 
-/// Karush, Kuhn and Tucker, written here from the definition: the greatest violation of
-/// stationarity, feasibility, signs and complementarity.
+/// Return the largest violation of the Karush-Kuhn-Tucker conditions, written from their
+/// definition: stationarity, feasibility, signs and complementarity.
 inline double kkt_residual(const surefoot::QpProblem& p, const Eigen::VectorXd& x,
                            const Eigen::VectorXd& y, const Eigen::VectorXd& z) {
   const Eigen::VectorXd gradient = p.H * x + p.g + p.A.transpose() * y + p.C.transpose() * z;
@@ -17,14 +17,14 @@ inline double kkt_residual(const surefoot::QpProblem& p, const Eigen::VectorXd& 
   for (Eigen::Index i = 0; i < Cx.size(); ++i) {
     worst = std::max({worst, Cx[i] - p.u[i], p.l[i] - Cx[i]});
     const double bound = z[i] > 0.0 ? p.u[i] : p.l[i];
-    // A multiplier pulls towards its own bound, and only where there is one.
+    // A multiplier acts towards its own bound, and only if that bound exists.
     const bool bounded = std::abs(bound) < surefoot::kNoBound;
     worst = std::max(worst, std::abs(z[i]) * (bounded ? std::abs(bound - Cx[i]) : 1.0));
   }
   return worst;
 }
 
-/// A random strictly convex program that x = 0 satisfies, scaled as the solver wants it.
+/// A random strictly convex QP with x = 0 feasible, scaled as QpSolver requires: trace(H) = n.
 struct RandomQp {
   surefoot::QpProblem problem;
   explicit RandomQp(int seed, int n = 12, int n_eq = 0, int n_in = 72) : problem(n, n_eq, n_in) {
@@ -41,7 +41,8 @@ struct RandomQp {
   }
 };
 
-/// The same with a cost of rank two and little besides, as heavy tasks of a user's own make it.
+/// A random QP whose Hessian has rank two plus `rest` times the identity, as heavy user tasks make
+/// it.
 inline surefoot::QpProblem ill_conditioned(int seed, double rest, int n = 12, int n_eq = 0,
                                            int n_in = 72) {
   surefoot::QpProblem p = RandomQp(seed, n, n_eq, n_in).problem;

@@ -5,7 +5,7 @@
 
 #include "robot_states.hpp"
 
-/// A robot whose limits are near: weak motors, joints with little room.
+/// A robot near its limits: weak motors, joints with little range.
 inline surefoot::Robot tight_limit_quadruped(double torque, double room) {
   surefoot::RobotConfig config = quadruped_config();
   config.tau_max.setConstant(torque);
@@ -14,7 +14,7 @@ inline surefoot::Robot tight_limit_quadruped(double torque, double room) {
   return quadruped(config);
 }
 
-/// Seeded numbers, and what is asked of a robot made from them.
+/// Random numbers from a seed, and random gains and references made from them.
 class RandomReference {
  public:
   explicit RandomReference(int seed) : generator_(static_cast<unsigned>(seed)) {}
@@ -23,7 +23,7 @@ class RandomReference {
   bool chance(double p) { return 0.5 * (uniform_(generator_) + 1.0) < p; }
   surefoot::Vector3 vector(double size) { return {number(size), number(size), number(size)}; }
 
-  /// Gains that make every task and every pull count in some of them.
+  /// Return random gains; each optional task has weight in half of the draws.
   surefoot::Gains gains() {
     surefoot::Gains g;
     if (chance(0.5)) g.weight_momentum = 0.1 + std::abs(number(0.3));
@@ -33,7 +33,8 @@ class RandomReference {
     return g;
   }
 
-  /// Contacts of any kind, and accelerations up to more than the robot has.
+  /// Return a reference with random contacts, and with accelerations up to more than the robot can
+  /// reach.
   surefoot::Reference reference(const surefoot::Robot& robot, surefoot::RobotState& state) {
     using namespace surefoot;
     Reference r = reference_at(robot, state);

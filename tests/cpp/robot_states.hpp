@@ -4,28 +4,28 @@
 #include "quadruped.hpp"
 #include "surefoot/types.hpp"
 
-/// A seeded state near the standing pose, moving.
+/// Return a random moving state near the standing pose.
 surefoot::RobotState random_state(const surefoot::Robot& robot, int seed, double speed = 0.3);
 
-/// At rest in the standing pose, contact points at height zero.
+/// Return the standing pose at rest, with the contact points at height zero.
 surefoot::RobotState standing_state(const surefoot::Robot& robot);
 
-/// A reference that asks for what the state already has: feet and centre of mass where they are.
+/// Return a reference that equals the state: feet and centre of mass stay where they are.
 surefoot::Reference reference_at(const surefoot::Robot& robot, const surefoot::RobotState& state);
 
-/// The report of a robot that stands still in the standing pose, torques from statics.
+/// Return the sample of a robot at rest in the standing pose, with static torques.
 surefoot::LowState resting_sample(const surefoot::Robot& robot, std::uint32_t tick);
 
-/// Do all motors brake by themselves, and do nothing else?
+/// Return whether all motors brake and do nothing else.
 bool motors_brake(const surefoot::LowCmd& command);
 
-// Pinocchio's own answers, compiled once for all tests.
+// Results of Pinocchio's own functions, compiled once for all tests.
 Eigen::VectorXd integrate(const surefoot::Robot& robot, const Eigen::VectorXd& q,
                           const Eigen::VectorXd& step);
 Eigen::MatrixXd mass_matrix(const surefoot::Robot& robot, const Eigen::VectorXd& q);
 Eigen::VectorXd inverse_dynamics(const surefoot::Robot& robot, const surefoot::RobotState& state,
                                  const Eigen::VectorXd& a);
 Eigen::VectorXd armature(const surefoot::Robot& robot);
-/// Where the feet touch the ground, its normal upright.
+/// Return the contact points on level ground.
 surefoot::FeetMatrix contact_points(const surefoot::Robot& robot, const Eigen::VectorXd& q);
 surefoot::Vector3 center_of_mass(const surefoot::Robot& robot, const Eigen::VectorXd& q);

@@ -26,7 +26,7 @@ double residual(const QpProblem& p, const ActiveSetRun& s) {
   return kkt_residual(p, s.x, s.y, s.z);
 }
 
-// Minimise |x - target|^2 / 2 within rows.
+// Write the QP that minimises |x - target|^2 / 2; its rows have no bounds yet.
 QpProblem projection_qp(const Eigen::VectorXd& target, int rows) {
   QpProblem p(int(target.size()), 0, rows);
   p.H.setIdentity();
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(equality_constraints_hold_at_the_solution) {
   }
 }
 
-// A soft foot's rows say nothing.
+// The general form sets the equality rows of a soft foot to zero.
 BOOST_AUTO_TEST_CASE(zero_equality_rows_do_not_prevent_a_solution) {
   for (int seed = 0; seed < 50; ++seed) {
     RandomQp random(seed, 30, 18, 88);
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(zero_equality_rows_do_not_prevent_a_solution) {
   }
 }
 
-// A row on its bound is off it by rounding, which is more than what counts as violated here.
+// Rounding moves an active row off its bound by more than the violation tolerance used here.
 BOOST_AUTO_TEST_CASE(rounding_on_active_rows_does_not_change_the_active_set) {
   for (const double tolerance : {1e-11, 1e-10, 1e-9}) {
     for (const double rest : {1e-2, 1e-3, 1e-4}) {
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(any_initial_active_set_leads_to_the_same_solution) {
 }
 
 BOOST_AUTO_TEST_CASE(sixteen_constraints_through_one_vertex_are_solved) {
-  // The tip of a cone with sixteen facets, as a foot that carries nothing has it.
+  // The tip of a cone with 16 facets, as in the friction cone of a foot without load.
   QpProblem p = projection_qp(Eigen::Vector3d(0.3, 0.1, -2.0), 16);
   for (int k = 0; k < 16; ++k) {
     const double angle = 2.0 * M_PI * k / 16;
@@ -141,10 +141,10 @@ BOOST_AUTO_TEST_CASE(nearly_parallel_constraints_are_not_reported_as_infeasible)
   QpProblem p = projection_qp(Eigen::Vector2d(0.0, 0.0), 2);
   p.C << 1.0, 0.0, 1.0, 1e-5;
   p.u[0] = 0.0;
-  p.l[1] = 1e-6;  // (0, 0.1) satisfies both
+  p.l[1] = 1e-6;  // (0, 0.1) satisfies both rows
   BOOST_TEST((ActiveSetRun(p, 1e-6).outcome == Outcome::kGaveUp));
   BOOST_TEST((ActiveSetRun(p, 1e-9).outcome == Outcome::kGaveUp));
-  p.C(1, 1) = 0.0;  // now nothing does
+  p.C(1, 1) = 0.0;  // now no point satisfies both rows
   BOOST_TEST((ActiveSetRun(p, 1e-6).outcome == Outcome::kInfeasible));
 }
 

@@ -19,7 +19,7 @@ Vector6 vector_of(const BodyReference& r) {
   return v;
 }
 
-// The support frame of a robot that stands level is below its base.
+// A level standing robot: the origin of its support frame is below its base.
 struct BodyMotionFixture {
   Robot robot;
   Gains gains;
@@ -27,7 +27,7 @@ struct BodyMotionFixture {
   FeetMatrix feet = contact_points(robot, state.q);
   BodyMotion motion{robot};
   StanceKinematics legs{robot};
-  double max_speed = 0.0, max_turn_speed = 0.0, max_acceleration = 0.0;  // of what was seen
+  double max_speed = 0.0, max_turn_speed = 0.0, max_acceleration = 0.0;  // largest so far
   Vector6 last_speed = Vector6::Zero();
   BodyMotionFixture() : BodyMotionFixture(quadruped()) {}
   explicit BodyMotionFixture(const Robot& of) : robot(of) {
@@ -47,7 +47,7 @@ struct BodyMotionFixture {
       max_turn_speed = std::max(max_turn_speed, speed.tail<3>().norm());
     }
   }
-  // Least distance of a joint from its limits in the pose that is asked for now.
+  // Smallest distance of a joint from its limits in the desired pose [rad].
   double joint_margin() const {
     double room = 1e9;
     for (int i = 0; i < kMotors; ++i) {
@@ -56,7 +56,7 @@ struct BodyMotionFixture {
     }
     return room;
   }
-  // How far a hip has turned its leg under the trunk, in the pose that is asked for now.
+  // Angle by which a hip turns its leg inward under the trunk, in the desired pose [rad].
   double hip_inward(int motor) const {
     const double q = legs.q()[robot.motor_to_q()[motor]];
     return motor / 3 % 2 == 1 ? -q : q;
@@ -86,7 +86,7 @@ BOOST_FIXTURE_TEST_CASE(reachable_target_is_reached_within_speed_and_acceleratio
   BOOST_TEST(motion.w_base().norm() == 0.0);
 }
 
-// Sixty seconds of random requests, most of them beyond what a leg or the balance can do.
+// Sixty random requests in 60 s, most of them beyond the joint limits or the support.
 BOOST_FIXTURE_TEST_CASE(random_targets_keep_speed_joint_and_support_limits_for_60_s,
                         BodyMotionFixture) {
   std::srand(11);
@@ -105,7 +105,7 @@ BOOST_FIXTURE_TEST_CASE(random_targets_keep_speed_joint_and_support_limits_for_6
   BOOST_TEST(max_acceleration <= gains.reference_acceleration * (1.0 + 1e-6));
   BOOST_TEST(max_turn_speed <= gains.reference_turn_speed + 1e-9);
   BOOST_TEST(max_turn_speed > 0.9 * gains.reference_turn_speed);
-  // On several axes at once the way to a stop is a curve, and its end alone was looked at.
+  // With several axes moving, the path to a stop is a curve. BodyMotion checks only its end.
   BOOST_TEST(joint >= gains.reach_joint_margin - 2e-3);
   BOOST_TEST(joint < gains.reach_joint_margin + 0.01);
   BOOST_TEST(support >= gains.reach_support_margin - 1e-3);
@@ -168,7 +168,7 @@ BOOST_FIXTURE_TEST_CASE(lateral_target_stops_before_the_support_polygon_edge, Bo
 BOOST_FIXTURE_TEST_CASE(body_latched_outside_a_margin_moves_only_back_inside, BodyMotionFixture) {
   motion.set_target({0.0, 0.02, 0.0, 0.0, 0.0, 0.0});
   run(1.0);
-  gains.reach_support_margin = 0.5;  // nobody has that much
+  gains.reach_support_margin = 0.5;  // no robot has this margin
   motion.set_target({0.0, 0.04, 0.0, 0.0, 0.0, 0.0});
   run(1.0);
   BOOST_TEST(motion.position().y < 0.021);
@@ -244,7 +244,7 @@ BOOST_FIXTURE_TEST_CASE(reference_velocities_match_the_derivative_of_the_pose, B
   const Vector3 turned = log_so3(motion.R_base() * R.conjugate()) / kDt;
   BOOST_TEST(turned.norm() > 0.3);
   BOOST_TEST((turned - motion.w_base()).norm() < 0.01 * turned.norm());
-  // Its speed is that of the way to where it could stop.
+  // v_com() is the mean velocity on the path to the stop, so it differs a little.
   BOOST_TEST(((motion.p_com() - p_com) / kDt - motion.v_com()).norm() < 2e-3);
   BOOST_TEST(motion.v_com().norm() > 0.03);
 }

@@ -12,7 +12,7 @@ namespace {
 
 struct PushedStance : CapturePointRobot {
   BrakingAxes axes() const { return braking_axes(dynamics, state, reference, robot.mass()); }
-  // Times what takes the capture point over the front edge.
+  // Push so that `share` = 1 moves the capture point to the front edge, if the push lasts 0.08 s.
   void push(double degrees, double share) {
     const double angle = degrees / 180.0 * M_PI;
     const double edge = contact_points(robot, state.q)(0, FL_) - dynamics.p_world_com().x();
@@ -54,9 +54,9 @@ BOOST_FIXTURE_TEST_CASE(push_over_a_corner_keeps_weight_on_both_edges, PushedSta
   BOOST_TEST(axes().along > 0.5);
 }
 
-// The share does not jump as the capture point goes out past an edge, nor round the corner.
+// The weight stays continuous as the capture point crosses an edge, and as it goes round a corner.
 BOOST_FIXTURE_TEST_CASE(braking_weight_is_continuous_across_edges_and_corners, PushedStance) {
-  const auto weight = [&] {  // of every direction, as a matrix
+  const auto weight = [&] {  // weight of each direction, as a matrix
     const BrakingAxes found = axes();
     return Matrix3(found.R.transpose() * Vector3(1.0, found.along, 1.0).asDiagonal() * found.R);
   };
@@ -92,7 +92,7 @@ BOOST_FIXTURE_TEST_CASE(two_loaded_feet_keep_equal_weights, PushedStance) {
   BOOST_TEST(axes().along == 1.0);
 }
 
-// The force of both front feet against a push that leaves over their edge.
+// A push over the front edge is braked by both front feet.
 BOOST_FIXTURE_TEST_CASE(both_front_feet_brake_a_forward_push, PushedStance) {
   push(15.0, 1.5);
   for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
@@ -101,7 +101,7 @@ BOOST_FIXTURE_TEST_CASE(both_front_feet_brake_a_forward_push, PushedStance) {
     BOOST_REQUIRE(is_usable(solution.status));
     const Vector3 sum = solution.forces.rowwise().sum();
     BOOST_TEST(sum.x() < 0.0);
-    BOOST_TEST(std::abs(sum.y()) < 0.2 * std::abs(sum.x()));  // the push's own share is 0.27
+    BOOST_TEST(std::abs(sum.y()) < 0.2 * std::abs(sum.x()));  // the push has a ratio of 0.27
     BOOST_TEST(solution.forces(2, FR_) > 0.5 * solution.forces(2, FL_));
   }
 }

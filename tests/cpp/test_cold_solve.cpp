@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that was not solved, once more from nothing.
+// A failed QP is solved again from a cold start.
 #include <boost/test/unit_test.hpp>
 
 #include "lambda_task.hpp"
@@ -12,7 +12,7 @@ using namespace surefoot;
 
 BOOST_AUTO_TEST_SUITE(cold_solve)
 
-// Multipliers without end send ProxQP so far away that it does not come back in its time.
+// Huge multipliers as warm start: ProxQP does not converge within its iterations.
 BOOST_AUTO_TEST_CASE(cold_start_solves_a_qp_that_failed_from_a_bad_warm_start) {
   int unsolved = 0, recovered = 0;
   for (int seed = 0; seed < 20; ++seed) {
@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(cold_start_solves_a_qp_that_failed_from_a_bad_warm_start) {
   BOOST_TEST(recovered > unsolved / 2);
 }
 
-// A task of so much weight that asks for so much that rounding alone is beyond the tolerance.
+// A task with so much weight and such a large request that rounding alone exceeds the tolerance.
 BOOST_AUTO_TEST_CASE(cold_solve_accepts_residuals_up_to_10_times_the_tolerance) {
   const Robot robot = quadruped();
   const RobotState state = standing_state(robot);
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(cold_solve_accepts_residuals_up_to_10_times_the_tolerance) 
   }
   BOOST_TEST(failed > 10);
   BOOST_TEST(accepted > 5);
-  BOOST_TEST(unsolved > 5);  // what is beyond ten times the tolerance is refused
+  BOOST_TEST(unsolved > 5);  // residuals beyond 10 times the tolerance are refused
 }
 
 BOOST_AUTO_TEST_CASE(cold_solve_skips_solved_qps_and_failed_tasks) {

@@ -21,30 +21,30 @@ LowCmd command_with_torque(float tau) {
 BOOST_AUTO_TEST_SUITE(safety)
 
 BOOST_AUTO_TEST_CASE(last_valid_command_is_held_for_10_ms) {
-  CommandHold keeper;
-  keeper.accept(command_with_torque(7.0F));
+  CommandHold hold;
+  hold.accept(command_with_torque(7.0F));
   for (int tick = 1; tick <= 5; ++tick) {
-    const LowCmd& held = keeper.repeat_or_damp(0.002, 3.0);
+    const LowCmd& held = hold.repeat_or_damp(0.002, 3.0);
     BOOST_TEST(held.motorCmd[0].tau == 7.0F);
-    BOOST_TEST(!keeper.latched());
+    BOOST_TEST(!hold.latched());
   }
-  BOOST_TEST(motors_brake(keeper.repeat_or_damp(0.002, 3.0)));
-  BOOST_TEST(keeper.latched());
+  BOOST_TEST(motors_brake(hold.repeat_or_damp(0.002, 3.0)));
+  BOOST_TEST(hold.latched());
 }
 
 BOOST_AUTO_TEST_CASE(valid_command_restarts_the_10_ms_hold) {
-  CommandHold keeper;
-  keeper.accept(command_with_torque(7.0F));
-  for (int tick = 0; tick < 4; ++tick) keeper.repeat_or_damp(0.002, 3.0);
-  keeper.accept(command_with_torque(8.0F));
-  for (int tick = 0; tick < 5; ++tick) keeper.repeat_or_damp(0.002, 3.0);
-  BOOST_TEST(!keeper.latched());
+  CommandHold hold;
+  hold.accept(command_with_torque(7.0F));
+  for (int tick = 0; tick < 4; ++tick) hold.repeat_or_damp(0.002, 3.0);
+  hold.accept(command_with_torque(8.0F));
+  for (int tick = 0; tick < 5; ++tick) hold.repeat_or_damp(0.002, 3.0);
+  BOOST_TEST(!hold.latched());
 }
 
 BOOST_AUTO_TEST_CASE(robot_never_controlled_is_damped_without_latching) {
-  CommandHold keeper;
-  BOOST_TEST(motors_brake(keeper.repeat_or_damp(0.002, 3.0)));
-  BOOST_TEST(!keeper.latched());
+  CommandHold hold;
+  BOOST_TEST(motors_brake(hold.repeat_or_damp(0.002, 3.0)));
+  BOOST_TEST(!hold.latched());
 }
 
 BOOST_AUTO_TEST_CASE(time_step_is_correct_across_the_tick_wrap) {
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(shorter_maximum_gap_requires_confirmation_of_a_tick_jump) {
   BOOST_TEST(clock.advance(64) < 0.0);
   BOOST_TEST(clock.advance(66) == TickClock::kMaxStep);
   BOOST_TEST(std::abs(clock.gap() - 0.052) < 1e-12);
-  TickClock slow(0.015);  // at 100 Hz two or three may be lost
+  TickClock slow(0.015);  // at 100 Hz, two or three samples may be lost
   for (const std::uint32_t tick : {0U, 10U, 20U, 30U, 40U}) slow.advance(tick);
   BOOST_TEST(slow.advance(80) == 0.04);
 }
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(tick_jump_is_accepted_only_after_the_next_tick_confirms_it)
   TickClock clock;
   clock.advance(100);
   BOOST_TEST(clock.advance(1000000000) < 0.0);
-  BOOST_TEST(clock.advance(102) == 0.002);  // it was garbage: nothing was lost
+  BOOST_TEST(clock.advance(102) == 0.002);  // the jump was a wrong value: no time was lost
   BOOST_TEST(clock.advance(600000) < 0.0);
   BOOST_TEST(clock.advance(600002) == TickClock::kMaxStep);
   BOOST_TEST(clock.advance(600004) == 0.002);

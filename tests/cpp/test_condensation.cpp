@@ -46,15 +46,15 @@ BOOST_AUTO_TEST_CASE(condensed_motion_satisfies_the_full_equations_for_any_force
 BOOST_AUTO_TEST_CASE(the_cost_is_scaled_and_well_conditioned_at_default_gains) {
   const Robot robot = quadruped();
   QpTermsWriter writer(robot);
-  CondensedQp program(make_joint_table(robot), QpUnits(robot));
+  CondensedQp qp(make_joint_table(robot), QpUnits(robot));
   for (int seed = 0; seed < 50; ++seed) {
     const RobotState state = random_state(robot, seed);
     const Dynamics dynamics = dynamics_at(robot, state);
     BOOST_REQUIRE((writer.write(Gains(), dynamics, state, reference_at(robot, state),
                                 Eigen::Vector4d::Zero(), nullptr) == Status::kOk));
     BOOST_REQUIRE(writer.terms().has_condensed);
-    program.build(writer.terms());
-    const Eigen::MatrixXd H = program.problem().H;
+    qp.build(writer.terms());
+    const Eigen::MatrixXd H = qp.problem().H;
     BOOST_TEST(std::abs(H.trace() - 12.0) < 1e-9);
     const Eigen::VectorXd eigenvalues =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();

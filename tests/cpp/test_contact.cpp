@@ -20,19 +20,19 @@ constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
 constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
 constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
 
-// A belief and what it is told; at first the torques alone speak, and the robot stands.
+// A contact confidence and its input. At first the robot stands and only the torques give a load.
 struct ContactFixture {
   Gains gains;
   ContactConfidence contacts{kWeight};
   ContactSignals signals;
   int tick = 0;
-  bool est_without_noise = false;  // do footForceEst's words lack the last digit's noise?
+  bool est_without_noise = false;  // footForceEst without the noise of its last digit
   ContactFixture() { signals.torque_load.setConstant(0.25); }
   void no_torques() {
     signals.tau_est = SensorVerdict::kZero;
     signals.torque_load.setZero();
   }
-  // One leg in the air, the others bear the weight.
+  // Leg `lifted` is in the air, and the other three carry the weight; -1: all four do.
   void lift(int lifted) {
     for (int leg = 0; leg < kLegs; ++leg)
       signals.torque_load[leg] = leg == lifted ? 0.0 : 1.0 / 3.0;
@@ -55,7 +55,7 @@ struct ContactFixture {
   }
 };
 
-// Counts of a foot whose load changes, as a real one's do.
+// The calibration of one footForce sensor, with counts of a foot whose load changes.
 struct CalibrationFixture {
   Gains gains;
   FootForceCalibration foot;
@@ -82,9 +82,9 @@ BOOST_AUTO_TEST_SUITE(contact)
 
 BOOST_FIXTURE_TEST_CASE(torques_alone_detect_a_lifted_foot_within_the_dwell_time, ContactFixture) {
   BOOST_TEST(confidence_after(1.0) == 1.0);
-  BOOST_TEST(!contacts.foot_force_est_alive());
+  BOOST_TEST(!contacts.foot_force_est_works());
   lift(FL_);
-  BOOST_TEST(confidence_after(kPeriod) == 0.8);  // one wrong sample is one step
+  BOOST_TEST(confidence_after(kPeriod) == 0.8);  // one wrong sample moves it by one step
   lift(-1);
   BOOST_TEST(confidence_after(kPeriod) == 1.0);
   lift(FL_);
@@ -103,9 +103,9 @@ BOOST_FIXTURE_TEST_CASE(foot_force_est_alone_detects_a_lifted_foot, ContactFixtu
   no_torques();
   signals.foot_force_est = {30, 30, 30, 30};
   BOOST_TEST(confidence_after(0.05) == 1.0);
-  BOOST_TEST(!contacts.foot_force_est_alive());
+  BOOST_TEST(!contacts.foot_force_est_works());
   confidence_after(0.1);
-  BOOST_TEST(contacts.foot_force_est_alive());
+  BOOST_TEST(contacts.foot_force_est_works());
   signals.foot_force_est[FL_] = 1;
   BOOST_TEST(confidence_after(gains.contact_dwell + kPeriod) == 0.0);
   BOOST_TEST(confidence_after(0.1, RL_) == 1.0);
@@ -137,7 +137,7 @@ BOOST_FIXTURE_TEST_CASE(foot_force_counts_alone_detect_a_lift_from_their_observe
 BOOST_FIXTURE_TEST_CASE(foot_speed_and_height_alone_end_and_restore_contact, ContactFixture) {
   no_torques();
   BOOST_TEST(confidence_after(1.0) == 1.0);
-  signals.speed[FL_] = 0.2;  // neither
+  signals.speed[FL_] = 0.2;  // neither moving nor at rest
   BOOST_TEST(confidence_after(1.0) == 1.0);
   signals.speed[FL_] = 0.5;
   BOOST_TEST(confidence_after(gains.contact_dwell + kPeriod) == 0.0);
@@ -156,7 +156,7 @@ BOOST_FIXTURE_TEST_CASE(contradicting_force_sources_leave_the_confidence_unchang
                         ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
   confidence_after(0.2);
-  signals.load_factor = 1.2;  // the torques bear less than what is felt: nobody vouches for them
+  signals.load_factor = 1.2;  // the torque loads do not add up to it, so they get no extra weight
   signals.torque_load[FL_] = 0.0;
   BOOST_TEST(confidence_after(0.2) == 1.0);
   signals.foot_force_est[FL_] = 0;
@@ -178,7 +178,7 @@ BOOST_FIXTURE_TEST_CASE(torques_consistent_with_the_accelerometer_outvote_a_stuc
   lift(-1);
   signals.foot_force_est[FL_] = 29;
   confidence_after(0.7);
-  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));  // believed again
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));  // trusted again
 }
 
 BOOST_FIXTURE_TEST_CASE(constant_foot_force_under_changing_load_is_marked_constant,
@@ -186,7 +186,7 @@ BOOST_FIXTURE_TEST_CASE(constant_foot_force_under_changing_load_is_marked_consta
   est_without_noise = true;
   signals.foot_force_est = {30, 30, 30, 30};
   confidence_after(1.0);
-  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));  // nothing has happened yet
+  BOOST_TEST((verdict(kEst) == SensorVerdict::kGood));  // the load has not changed yet
   lift(FL_);
   BOOST_TEST(confidence_after(0.02) == 0.0);
   BOOST_TEST((verdict(kEst) == SensorVerdict::kConstant));
@@ -204,7 +204,7 @@ BOOST_FIXTURE_TEST_CASE(foot_force_and_foot_height_outvote_the_torques, ContactF
 BOOST_FIXTURE_TEST_CASE(raised_foot_has_no_contact_even_when_its_torques_carry_load,
                         ContactFixture) {
   confidence_after(0.2);
-  signals.clearance[FL_] = 0.02;  // a hand lifts it
+  signals.clearance[FL_] = 0.02;  // external lift of the foot
   BOOST_TEST(confidence_after(0.03) == 0.0);
   BOOST_TEST((verdict(kTau) == SensorVerdict::kGood));
   signals.clearance[FL_] = 0.0;
@@ -228,7 +228,7 @@ BOOST_FIXTURE_TEST_CASE(two_failed_force_fields_of_one_foot_do_not_outvote_the_t
 
 BOOST_FIXTURE_TEST_CASE(torques_inconsistent_with_imu_and_foot_force_are_ignored, ContactFixture) {
   signals.foot_force_est = {29, 30, 29, 30};
-  signals.torque_load.setConstant(0.01);  // live, and wrong from the start
+  signals.torque_load.setConstant(0.01);  // they change, but are wrong from the start
   confidence_after(1.0);
   BOOST_TEST((verdict(kTau) == SensorVerdict::kDisagrees));
   BOOST_TEST((contacts.confidence() == Eigen::Vector4d::Ones()));
@@ -248,10 +248,10 @@ BOOST_FIXTURE_TEST_CASE(resting_foot_regains_contact_when_no_force_source_is_lef
 BOOST_FIXTURE_TEST_CASE(zero_foot_force_est_under_load_is_marked_dead, ContactFixture) {
   signals.foot_force_est = {30, 30, 30, 30};
   confidence_after(0.2);
-  BOOST_TEST(contacts.foot_force_est_alive());
+  BOOST_TEST(contacts.foot_force_est_works());
   signals.foot_force_est = {};
   confidence_after(0.2);
-  BOOST_TEST(!contacts.foot_force_est_alive());
+  BOOST_TEST(!contacts.foot_force_est_works());
   BOOST_TEST((contacts.confidence() == Eigen::Vector4d::Ones()));
   contacts.reset();
   confidence_after(0.2);
@@ -265,7 +265,7 @@ BOOST_FIXTURE_TEST_CASE(zero_foot_force_est_in_the_air_stays_alive, ContactFixtu
   signals.torque_load.setZero();
   signals.load_factor = 0.0;
   BOOST_TEST(confidence_after(1.0) == 0.0);
-  BOOST_TEST(contacts.foot_force_est_alive());
+  BOOST_TEST(contacts.foot_force_est_works());
 }
 
 BOOST_FIXTURE_TEST_CASE(stray_counts_in_a_dead_foot_force_est_are_ignored, ContactFixture) {
@@ -273,7 +273,7 @@ BOOST_FIXTURE_TEST_CASE(stray_counts_in_a_dead_foot_force_est_are_ignored, Conta
     const auto stray = static_cast<std::int16_t>(tick % 7 == 0 ? 1 : 3);
     signals.foot_force_est = {stray, 0, 2, stray};
     confidence_after(kPeriod);
-    BOOST_TEST(!contacts.foot_force_est_alive());
+    BOOST_TEST(!contacts.foot_force_est_works());
   }
   BOOST_TEST((contacts.confidence() == Eigen::Vector4d::Ones()));
 }
@@ -304,7 +304,7 @@ BOOST_FIXTURE_TEST_CASE(foot_count_learns_offset_and_scale_despite_noise_and_dri
   run(60.0, [&](double at) { return count(load(at)); });
   BOOST_TEST((evidence.verdict == SensorVerdict::kGood));
   BOOST_TEST(std::abs(foot.scale() / scale - 1.0) < 0.1);
-  BOOST_TEST(std::abs(foot.offset() - offset(t)) < 8.0);  // it lags by 5 s of drift
+  BOOST_TEST(std::abs(foot.offset() - offset(t)) < 8.0);  // lags by 5 s of drift
   BOOST_TEST(evidence.vote > 0.9);
   double worst = -1.0;
   for (int k = 0; k < 100; ++k) {
@@ -346,7 +346,7 @@ BOOST_AUTO_TEST_CASE(torque_health_reports_zero_and_constant_torques) {
   tau[3] = 1.0;
   health.update(tau, true, kPeriod);
   BOOST_TEST((health.verdict() == SensorVerdict::kGood));
-  for (int k = 0; k < 500; ++k) health.update(tau, false, kPeriod);  // reports that repeat
+  for (int k = 0; k < 500; ++k) health.update(tau, false, kPeriod);  // repeated samples
   for (int k = 0; k < 48; ++k) health.update(tau, true, kPeriod);
   BOOST_TEST((health.verdict() == SensorVerdict::kGood));
   for (int k = 0; k < 4; ++k) health.update(tau, true, kPeriod);
@@ -364,7 +364,7 @@ BOOST_AUTO_TEST_CASE(single_moving_loaded_foot_slips_until_it_stops) {
   const auto run = [&](double seconds) {
     for (int k = 0; k < seconds / kPeriod; ++k) slip.update(gains, v, loaded, kPeriod);
   };
-  v.row(0).setConstant(1.0);  // all alike: an error of the base's velocity
+  v.row(0).setConstant(1.0);  // the same for all feet: an error of the base velocity
   run(0.5);
   BOOST_TEST(slip.slip().norm() == 0.0);
   v.setZero();
@@ -385,7 +385,7 @@ BOOST_AUTO_TEST_CASE(single_moving_loaded_foot_slips_until_it_stops) {
   loaded[RR_] = 0.0;
   v(1, RR_) = 2.0;
   run(0.5);
-  BOOST_TEST(slip.slip().norm() == 0.0);  // it swings
+  BOOST_TEST(slip.slip().norm() == 0.0);  // a swing foot does not slip
 }
 
 BOOST_AUTO_TEST_CASE(foot_clearance_is_measured_from_the_last_stance_height) {
@@ -399,10 +399,10 @@ BOOST_AUTO_TEST_CASE(foot_clearance_is_measured_from_the_last_stance_height) {
   FootClearance clearance;
   FeetMatrix v = FeetMatrix::Zero();
   Eigen::Vector4d loaded = Eigen::Vector4d::Ones();
-  std::array<bool, kLegs> bears{true, true, true, true};
+  std::array<bool, kLegs> loaded_by_forces{true, true, true, true};
   const auto run = [&](double seconds) {
     for (int k = 0; k < seconds / kPeriod; ++k) {
-      clearance.update(dynamics, filter, v, loaded, bears, Vector3::UnitZ(), kPeriod);
+      clearance.update(dynamics, filter, v, loaded, loaded_by_forces, Vector3::UnitZ(), kPeriod);
     }
   };
   run(2.0);
@@ -413,22 +413,22 @@ BOOST_AUTO_TEST_CASE(foot_clearance_is_measured_from_the_last_stance_height) {
   const double lifted = dynamics.legs()[FL_].p_world_contact.z() - before;
   BOOST_TEST(lifted > 0.01);
   loaded[FL_] = 0.0;
-  v(0, FL_) = 0.05;  // a hand lifts it: its torques never cease to bear
+  v(0, FL_) = 0.05;  // external lift: its torques report load throughout
   run(3.0);
   BOOST_TEST((clearance.clearance() - lifted * Eigen::Vector4d::Unit(FL_)).norm() < 1e-9);
-  loaded[FR_] = 0.0;  // what was known before holds while another is off
+  loaded[FR_] = 0.0;  // the clearance is held while another foot is off the ground
   run(0.5);
   BOOST_TEST(std::abs(clearance.clearance()[FL_] - lifted) < 1e-9);
   loaded[FR_] = 1.0;
   v.setZero();
-  run(3.5);  // it rests and bears: it stands there
+  run(3.5);  // it rests under load, so it stands there
   BOOST_TEST(std::abs(clearance.clearance()[FL_]) < 1e-3);
   state.q[robot.motor_to_q()[FL_2]] -= 0.2;
   dynamics.update(state.q, state.v, Vector3::UnitZ());
-  bears[FL_] = false;  // the robot lifts it itself, and puts it onto a stone
+  loaded_by_forces[FL_] = false;  // the robot lifts the foot itself and puts it on a stone
   run(0.5);
   BOOST_TEST(clearance.clearance()[FL_] == 0.0);
-  bears[FL_] = true;
+  loaded_by_forces[FL_] = true;
   run(0.1);
   BOOST_TEST(std::abs(clearance.clearance()[FL_]) < 1e-9);
 }
@@ -439,17 +439,17 @@ BOOST_AUTO_TEST_CASE(feet_landing_in_turn_have_zero_clearance) {
   Dynamics dynamics(robot);
   dynamics.update(state.q, state.v, Vector3::UnitZ());
   FootClearance clearance;
-  std::array<bool, kLegs> bears{};
-  double height = 0.0;  // falling feet tell nothing of it: it drifts by 1 m/s
+  std::array<bool, kLegs> loaded_by_forces{};
+  double height = 0.0;  // feet in the air do not measure the height, which drifts by 1 m/s
   for (const int lands : {FR_, FL_, RL_, RR_}) {
-    bears[lands] = true;
+    loaded_by_forces[lands] = true;
     for (double t = 0.0; t < 0.02; t += kPeriod) {
       height += 1.0 * kPeriod;
       InvariantFilter filter;
       filter.reset(Quaternion::Identity(), Vector3::Zero(), Vector3(0.0, 0.0, height),
                    FeetMatrix::Zero(), {});
-      clearance.update(dynamics, filter, FeetMatrix::Zero(), Eigen::Vector4d::Ones(), bears,
-                       Vector3::UnitZ(), kPeriod);
+      clearance.update(dynamics, filter, FeetMatrix::Zero(), Eigen::Vector4d::Ones(),
+                       loaded_by_forces, Vector3::UnitZ(), kPeriod);
     }
   }
   BOOST_TEST(clearance.clearance().norm() == 0.0);
@@ -477,7 +477,7 @@ BOOST_AUTO_TEST_CASE(leg_forces_recover_the_forces_behind_the_torques) {
       dq[i] = state.v[robot.motor_to_v()[i]];
     }
     LegForces legs;
-    // At the pose's one instant for as long as the filter needs.
+    // Keep the pose constant until the filter has settled; only the joint velocities change.
     const int ticks = moving > 0.0 ? 100 : 1;
     for (int k = 0; k < ticks; ++k) {
       legs.update(dynamics, a.head<3>(), a.segment<3>(3), tau, dq + moving * k * kPeriod * ddq,
@@ -486,7 +486,7 @@ BOOST_AUTO_TEST_CASE(leg_forces_recover_the_forces_behind_the_torques) {
     BOOST_TEST((legs.forces() - forces).norm() < 1e-6 * forces.norm());
     legs.reset();
     legs.update(dynamics, Vector3::Zero(), Vector3::Zero(), tau, dq, Vector12::Zero(), kPeriod);
-    BOOST_TEST((legs.forces() - forces).norm() > 0.01 * forces.norm());  // it matters
+    BOOST_TEST((legs.forces() - forces).norm() > 0.01 * forces.norm());  // the accelerations matter
   }
 }
 
@@ -495,14 +495,14 @@ BOOST_AUTO_TEST_CASE(joints_near_their_limits_may_touch_a_mechanical_stop) {
   const RobotConfig& config = robot.config();
   Vector12 q = config.q_standing, expected = Vector12::Zero();
   q[FR_2] = config.q_upper[FR_2] - 0.01, expected[FR_2] = 1.0;
-  q[FL_2] = config.q_upper[FL_2] + 0.02, expected[FL_2] = 1.0;  // they give
+  q[FL_2] = config.q_upper[FL_2] + 0.02, expected[FL_2] = 1.0;  // mechanical stops are elastic
   q[RR_1] = config.q_lower[RR_1] + 0.01, expected[RR_1] = -1.0;
   q[RL_2] = config.q_upper[RL_2] - 0.05;
   BOOST_TEST((joint_stops(config, q) - expected).norm() == 0.0);
 }
 
-// A knee that presses on its stop bears nothing on its foot; one that the ground presses off its
-// stop bears as before.
+// Torque that presses a knee on its stop is not ground force. Torque in the other direction counts
+// in full, because a stop only pushes.
 BOOST_AUTO_TEST_CASE(torque_against_a_mechanical_stop_is_not_ground_force) {
   const Robot robot = quadruped();
   RobotState state = standing_state(robot);

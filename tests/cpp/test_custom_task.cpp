@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tasks of the user's own, through the public interface.
+// Tasks of the user, through the public interface.
 #include <boost/test/unit_test.hpp>
 
 #include "lambda_task.hpp"
@@ -12,9 +12,9 @@ using namespace surefoot;
 
 namespace {
 
-constexpr double kScale = 30.0;  // brings rows to order one, as the program's own are
+constexpr double kScale = 30.0;  // brings rows to order one, like the rows of the QP
 
-// Heavy rows on the base's angular acceleration, a joint's acceleration and a force.
+// Write heavy rows on the base's angular acceleration, a joint's acceleration and a force.
 bool write_mixed_rows(const RobotState&, TaskRows& rows) {
   rows.A_a(0, 4) = 1.0 / kScale;
   rows.A_a(1, 8) = 1.0 / kScale;
@@ -24,7 +24,7 @@ bool write_mixed_rows(const RobotState&, TaskRows& rows) {
   return true;
 }
 
-// Gains that leave a heavy task the last word.
+// Return low gains, so that a heavy task dominates.
 Gains low_weight_gains() {
   Gains g;
   g.weight_com_horizontal = g.weight_com_vertical = 0.1;
@@ -59,7 +59,7 @@ BOOST_FIXTURE_TEST_CASE(heavy_task_reaches_its_target_in_both_forms, MovingRobot
   BOOST_TEST((a.torques - without.torques).norm() > 0.1);
 }
 
-// The task speaks of accelerations in its own state's frame, whatever frame the dynamics use.
+// The accelerations of a task refer to the state it receives, also with shifted dynamics.
 BOOST_FIXTURE_TEST_CASE(shifted_dynamics_give_the_same_task_acceleration, MovingRobot) {
   const auto lift = task(1, [](const RobotState&, TaskRows& rows) {
     rows.A_a(0, 2) = 1.0;

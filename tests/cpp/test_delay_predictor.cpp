@@ -30,18 +30,18 @@ BOOST_AUTO_TEST_SUITE(delay_predictor)
 BOOST_FIXTURE_TEST_CASE(acting_command_is_the_one_sent_one_delay_ago, DelayPredictorFixture) {
   BOOST_TEST((predictor.acting_command(kDt) == nullptr));
   for (int k = 0; k < 6; ++k) send(k * a, kDt);
-  BOOST_TEST((predictor.acting_command(kDt) == nullptr));  // six of 2 ms are all still on their way
+  BOOST_TEST((predictor.acting_command(kDt) == nullptr));  // six of 2 ms are all pending
   for (int k = 6; k < 30; ++k) {
     send(k * a, kDt);
     BOOST_REQUIRE((predictor.acting_command(kDt)->accelerations - (k - 6) * a).norm() < 1e-12);
   }
   BOOST_TEST((predictor.acting_command(kDt)->tau - 23.0 * a.tail<12>()).norm() < 1e-12);
   BOOST_TEST((predictor.acting_command(kDt)->f_push - 23.0 * a.head<3>()).norm() < 1e-12);
-  predictor.advance(kDt);  // a report was lost: the last command goes on
+  predictor.advance(kDt);  // a sample was lost: the last command keeps acting
   BOOST_TEST((predictor.acting_command(kDt)->accelerations - 24.0 * a).norm() < 1e-12);
 }
 
-// A period for the report, one for the command.
+// The link needs one period for the sample and one for the command.
 BOOST_FIXTURE_TEST_CASE(zero_delay_option_assumes_a_link_delay_of_two_periods,
                         DelayPredictorFixture) {
   DelayPredictor undelayed(18, 0.0);
@@ -52,7 +52,7 @@ BOOST_FIXTURE_TEST_CASE(zero_delay_option_assumes_a_link_delay_of_two_periods,
     undelayed.record(k * a, 1.0, Vector12::Zero(), Vector3::Zero());
     undelayed.advance(kDt);
   }
-  undelayed.advance(kDt);  // a report was lost
+  undelayed.advance(kDt);  // a sample was lost
   BOOST_TEST((undelayed.acting_command(kDt)->accelerations - 3.0 * a).norm() < 1e-12);
   undelayed.advance(3.0 * kDt);  // the last command was held
   BOOST_TEST((undelayed.acting_command(kDt)->accelerations - 4.0 * a).norm() < 1e-12);
@@ -60,7 +60,7 @@ BOOST_FIXTURE_TEST_CASE(zero_delay_option_assumes_a_link_delay_of_two_periods,
 
 BOOST_FIXTURE_TEST_CASE(constant_acceleration_of_joints_and_base_is_predicted_exactly,
                         DelayPredictorFixture) {
-  a.segment<3>(3).setZero();  // turning has a test of its own
+  a.segment<3>(3).setZero();  // rotation has its own test
   state.v = Eigen::VectorXd::LinSpaced(18, 1.0, -1.0);
   state.v.segment<3>(3).setZero();
   for (int k = 0; k < 10; ++k) send(a, kDt);
@@ -83,7 +83,7 @@ BOOST_FIXTURE_TEST_CASE(constant_base_rotation_is_predicted, DelayPredictorFixtu
   BOOST_TEST(std::abs(R.norm() - 1.0) < 1e-12);
 }
 
-// Against an integration of the same accelerations, command by command.
+// The expected state integrates the same accelerations, command by command.
 BOOST_FIXTURE_TEST_CASE(pending_commands_act_in_the_order_they_were_sent, DelayPredictorFixture) {
   Eigen::VectorXd v = state.v, q = state.q.tail(12);
   for (int k = 0; k < 9; ++k) {
@@ -101,7 +101,7 @@ BOOST_FIXTURE_TEST_CASE(pending_commands_act_in_the_order_they_were_sent, DelayP
 BOOST_FIXTURE_TEST_CASE(command_held_longer_than_the_delay_counts_for_its_part,
                         DelayPredictorFixture) {
   send(100.0 * a, 0.010);
-  send(a, 0.008);  // the last 8 of the 12 ms; the one before it the first 4
+  send(a, 0.008);  // acts for the last 8 of 12 ms; the command before it acts for the first 4 ms
   const RobotState& predicted = predictor.predict(state);
   BOOST_TEST((predicted.v - state.v - (0.004 * 100.0 + 0.008) * a).norm() < 1e-12);
 }
@@ -125,7 +125,7 @@ BOOST_FIXTURE_TEST_CASE(reset_clears_pending_commands, DelayPredictorFixture) {
   BOOST_TEST(!DelayPredictor(18, 0.0).active());
 }
 
-// Far from standing: what Pinocchio's integration says of the same motion, to second order.
+// Far from standing, the prediction agrees with Pinocchio's integration to second order.
 BOOST_FIXTURE_TEST_CASE(random_motion_is_predicted_to_second_order_in_the_delay,
                         DelayPredictorFixture) {
   for (int seed = 0; seed < 20; ++seed) {

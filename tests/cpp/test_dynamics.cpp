@@ -17,7 +17,7 @@ struct DynamicsFixture {
   Dynamics dynamics_now{robot};
   DynamicsFixture() { dynamics_now.update(state.q, state.v, normal); }
 
-  // The same motion a moment later, at constant joint and base velocity.
+  // The same motion after `dt`, at constant joint and base velocity.
   Dynamics dynamics_after(double dt) const {
     Dynamics d(robot);
     d.update(integrate(robot, state.q, dt * state.v), state.v, normal);
@@ -50,14 +50,14 @@ BOOST_FIXTURE_TEST_CASE(centre_of_mass_velocity_is_the_derivative_of_its_positio
   BOOST_TEST((difference - dynamics_now.v_world_com()).norm() < 1e-7);
 }
 
-// The material point under the foot centre moves with the centre minus the shank's turn about it.
+// The material point at the contact has the velocity of the foot centre minus w_calf x (radius n).
 BOOST_FIXTURE_TEST_CASE(contact_velocity_is_foot_centre_velocity_minus_rolling, DynamicsFixture) {
   for (int leg = 0; leg < kLegs; ++leg) {
     const Vector3 centre_speed = (dynamics_after(kStep).legs()[leg].p_world_contact -
                                   dynamics_after(-kStep).legs()[leg].p_world_contact) /
                                  (2.0 * kStep);
     const Vector3 w_calf = dynamics_now.w_world_base() + dynamics_now.R_world_base() * [&] {
-      // hip about x, thigh and calf about y after the hip's turn
+      // hip axis: x; thigh and calf axes: y, rotated by the hip
       const double hip = state.q[robot.motor_to_q()[3 * leg]];
       const int v = robot.motor_to_v()[3 * leg];
       const Vector3 pitch_axis(0.0, std::cos(hip), std::sin(hip));
@@ -70,7 +70,7 @@ BOOST_FIXTURE_TEST_CASE(contact_velocity_is_foot_centre_velocity_minus_rolling, 
   }
 }
 
-// d/dt (J v) at constant v is the drift, up to what the moving base frame adds to constant v.
+// The drift is d/dt (J v) at constant v, where the base velocity is in base axes.
 BOOST_FIXTURE_TEST_CASE(drift_is_the_contact_acceleration_at_zero_generalised_acceleration,
                         DynamicsFixture) {
   const Dynamics after = dynamics_after(kStep), before = dynamics_after(-kStep);

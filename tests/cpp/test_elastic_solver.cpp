@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Against the elastic program written out whole from its definition, and solved to a certificate.
+// Compare ElasticSolver with the QP that has explicit slacks, solved to a certified accuracy.
 #include "elastic_problems.hpp"
 
 using namespace elastic_problems;
@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(group_slack_is_its_largest_violation_and_hard_rows_hold) {
   }
 }
 
-// A price above the sum of a group's multipliers buys the hard answer exactly; below, the rows
-// give.
+// A penalty above the sum of a group's multipliers gives exactly the hard solution. With a smaller
+// penalty the rows of the group are violated.
 BOOST_AUTO_TEST_CASE(penalty_above_the_multiplier_sum_gives_the_hard_solution) {
   const ElasticRows rows = elastic_rows();
   int tried = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What rest does to the estimate, a long one and one after a bad moment.
+// The state estimate at rest: over four minutes, and after sensor faults.
 #include <boost/test/unit_test.hpp>
 #include <random>
 
@@ -10,9 +10,9 @@ using namespace surefoot;
 
 namespace {
 
-// A resting robot's reports, all of it trembling but the joints' angles. The velocities' noise
-// is twenty times that of a real driver, so that what grows with its square shows within four
-// minutes.
+// Samples of a robot at rest with noise on everything except the joint angles. The noise of the
+// joint velocities is twenty times that of a real driver, so that errors that grow with its square
+// are visible within four minutes.
 class NoisyRestingRobot {
  public:
   explicit NoisyRestingRobot(const Robot& robot) : rest_(resting_sample(robot, 0)) {}
@@ -39,8 +39,8 @@ class NoisyRestingRobot {
 
 BOOST_AUTO_TEST_SUITE(estimator_rest)
 
-// Contact points that were rolled by these velocities made tilt and bias walk together, always the
-// same way: 0.9 deg and 0.15 m/s^2 here, and 2.4 deg of yaw.
+// If the filter rolled the contact points with these noisy velocities, tilt, yaw and accelerometer
+// bias would drift steadily.
 BOOST_AUTO_TEST_CASE(noisy_joint_velocities_do_not_rotate_the_estimate) {
   const Robot robot = quadruped();
   StateEstimator estimator(robot);
@@ -55,24 +55,24 @@ BOOST_AUTO_TEST_CASE(noisy_joint_velocities_do_not_rotate_the_estimate) {
   BOOST_TEST(estimator.report().accelerometer_bias.norm() < 0.05);
 }
 
-// A gyroscope that lies while there is no quaternion to tell: the tilt is wrong, and sure of
-// itself.
+// The gyroscope is wrong while no quaternion is available: the tilt is wrong, with a small
+// covariance.
 BOOST_AUTO_TEST_CASE(filter_recovers_from_a_wrong_gyroscope) {
   const Robot robot = quadruped();
   StateEstimator estimator(robot);
   NoisyRestingRobot noisy_robot(robot);
   std::uint32_t tick = 0;
   double max_tilt = 0.0;
-  const auto run = [&](double seconds, bool lies) {
+  const auto run = [&](double seconds, bool faulty) {
     for (int k = 0; k < static_cast<int>(500.0 * seconds); ++k, tick += 2) {
       LowState report = noisy_robot.report(tick);
-      if (lies) {
+      if (faulty) {
         report.imu.gyroscope[0] += 20.0F;
         report.imu.quaternion = {};
       }
       estimator.update(report, 0.002);
       const Eigen::Vector4d q = estimator.state().q.segment<4>(3);
-      if (lies) max_tilt = std::max(max_tilt, 2.0 * q.head<2>().norm());
+      if (faulty) max_tilt = std::max(max_tilt, 2.0 * q.head<2>().norm());
     }
   };
   run(2.0, false);
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(filter_recovers_from_a_wrong_gyroscope) {
   BOOST_TEST(estimator.state().contact.minCoeff() > 0.9);
 }
 
-// Every number is one that such a sensor may say, and no motion explains them.
+// Each value is within the range of its sensor, but no motion explains them together.
 BOOST_AUTO_TEST_CASE(diverged_estimate_is_reset) {
   const Robot robot = quadruped();
   StateEstimator estimator(robot);

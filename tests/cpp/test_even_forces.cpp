@@ -12,7 +12,7 @@ namespace {
 const Vector3 kForce(4.0, -3.0, 118.0);
 const Vector3 kMoment(1.0, -0.5, 0.3);
 
-// Sum of forces and of moments about the centre of mass, written from the definition.
+// Sum of the forces and of their moments about the centre of mass, from the definition.
 Eigen::Matrix<double, 6, 12> wrench_matrix(const Dynamics& dynamics) {
   Eigen::Matrix<double, 6, 12> A;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -52,7 +52,8 @@ BOOST_FIXTURE_TEST_CASE(shares_weight_the_minimum_norm_of_even_forces, PushedRob
   const Eigen::Vector4d share(1.0, 0.5, 0.2, 0.8);
   const Vector12 even = even_forces(dynamics, kForce, kMoment, share);
   BOOST_TEST((wrench_matrix(dynamics) * even - wrench_vector()).norm() < 1e-5);
-  // Stationary: the gradient of sum |f|^2 / share has no part in the wrench's kernel.
+  // Stationarity: the gradient of sum |f|^2 / share is orthogonal to the kernel of the wrench
+  // matrix.
   Vector12 gradient = even;
   for (int leg = 0; leg < kLegs; ++leg) gradient.segment<3>(3 * leg) /= share[leg];
   const Eigen::MatrixXd kernel =

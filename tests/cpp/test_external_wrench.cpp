@@ -23,7 +23,8 @@ struct PayloadFixture {
 
   PayloadFixture() { dynamics.update(state.q, state.v, Vector3::UnitZ()); }
 
-  // Forces of the feet, the least, that hold the robot against this wrench about its centre.
+  // Return the minimum-norm foot forces that balance gravity and an external wrench about the
+  // centre of mass.
   FeetMatrix balancing_forces(const Vector3& force, const Vector3& moment) const {
     Eigen::Matrix<double, 6, 12> A;
     for (int leg = 0; leg < kLegs; ++leg) {
@@ -85,7 +86,7 @@ BOOST_FIXTURE_TEST_CASE(acceleration_by_the_feet_is_no_external_force, PayloadFi
     payload.update(gains, dynamics, forces, true, kPeriod);
   }
   BOOST_TEST(payload.force().norm() < 1e-9);
-  // The same motion while the feet only bear the weight: somebody pushes.
+  // The same motion while the feet only carry the weight: an external push.
   PayloadFixture pushed;
   pushed.run(0.1, rest);
   for (int k = 1; k <= 2000; ++k) {
@@ -115,7 +116,7 @@ BOOST_FIXTURE_TEST_CASE(payload_estimate_is_bounded, PayloadFixture) {
     BOOST_TEST((payload.force() - Vector3(0.0, 0.0, -most)).norm() < 1e-6);
     BOOST_TEST((payload.moment() - Vector3(0.1 * most, 0.0, 0.0)).norm() < 1e-6);
   }
-  // Nothing is saved up beyond the bound: back within it as soon as from the bound itself.
+  // No windup beyond the bound: the estimate starts to decay from the bound.
   run(5.0 * gains.payload_time, balancing_forces(Vector3::Zero(), Vector3::Zero()));
   BOOST_TEST(payload.force().norm() < 0.01 * most);
 }
@@ -126,7 +127,7 @@ BOOST_FIXTURE_TEST_CASE(payload_estimate_is_held_while_the_feet_are_unloaded, Pa
   run(5.0, FeetMatrix::Zero(), false);
   BOOST_TEST((payload.force() - force).norm() < 1e-6);
   dynamics.update(state.q, state.v, Vector3::UnitZ());
-  dynamics.shift(Vector3::Zero(), Vector3(0.0, 0.0, -1.0));  // it has fallen meanwhile
+  dynamics.shift(Vector3::Zero(), Vector3(0.0, 0.0, -1.0));  // the robot has fallen meanwhile
   run(kPeriod, FeetMatrix::Zero(), false);
   run(1.0, balancing_forces(force, Vector3::Zero()));
   BOOST_TEST((payload.force() - force).norm() < 1e-6);
@@ -136,13 +137,13 @@ BOOST_FIXTURE_TEST_CASE(payload_estimate_is_held_while_the_feet_are_unloaded, Pa
   BOOST_TEST(payload.force().norm() == 0.0);
 }
 
-// What is felt, less what the plan makes of the base, with the push back that it counted with. The
-// base is turned by a quarter about its own x axis in the plan's vectors alone: axes are told
-// apart.
+// The push is the measured minus the planned acceleration, plus the push that the plan counted
+// with.
 BOOST_AUTO_TEST_CASE(push_is_measured_minus_planned_acceleration_by_the_feet) {
   const Robot robot = quadruped();
   Gains gains = robot.config().gains;
-  gains.noise_foot_position = 0.01;  // the legs contradict such a push: let them
+  // The legs do not move, which contradicts the push: trust them less.
+  gains.noise_foot_position = 0.01;
   const Vector3 felt(3.0, 1.0, 0.0), planned(1.0, -1.0, 0.0), counted(0.5, 1.5, 0.0);
   const auto push_seen = [&](bool plan_known) {
     StateEstimator estimator(robot);
@@ -160,7 +161,7 @@ BOOST_AUTO_TEST_CASE(push_is_measured_minus_planned_acceleration_by_the_feet) {
     for (int k = 0; k < 30; ++k) update(felt);
     return Vector3((estimator.state().f_external - estimator.state().f_sustained) / robot.mass());
   };
-  BOOST_TEST(push_seen(false).norm() == 0.0);  // nothing to hold it against
+  BOOST_TEST(push_seen(false).norm() == 0.0);  // no plan to compare with
   const Vector3 seen = push_seen(true), expected = felt - planned + counted;
   const double share = 1.0 - gains.push_dead_band / expected.norm();
   BOOST_TEST((seen - share * expected).norm() < 0.05 * expected.norm());
@@ -176,11 +177,11 @@ BOOST_AUTO_TEST_CASE(push_estimate_starts_at_the_dead_band_and_is_bounded) {
   BOOST_TEST(push.acceleration(gains).norm() == 0.0);
   BOOST_TEST(after(1.0, Vector3(0.0, 0.3, -0.3)).norm() == 0.0);
   const Vector3 side(3.0, 0.0, 4.0);
-  BOOST_TEST((after(1.0, side) - 0.9 * side).norm() < 1e-6);  // 5 less the band's 0.5
+  BOOST_TEST((after(1.0, side) - 0.9 * side).norm() < 1e-6);  // 5 minus the dead band of 0.5
   BOOST_TEST(std::abs(after(1.0, 100.0 * side).norm() - gains.push_max) < 1e-9);
 }
 
-// Shares of push_time by size [push_dead_band]; tests/python/test_tune_design.py has the same
+// Factor on push_time by size [push_dead_band]; tests/python/test_tune_design.py has the same
 // table.
 BOOST_AUTO_TEST_CASE(larger_pushes_are_estimated_faster) {
   constexpr double kShares[][2] = {
@@ -196,8 +197,8 @@ BOOST_AUTO_TEST_CASE(larger_pushes_are_estimated_faster) {
         const Vector3 side = size * band * Vector3(0.6, -0.8, 0.0);
         push.update(gains, side, true, kPeriod);
         const double seen = kPeriod / (kPeriod + share * push_time) * size * band;
-        const double believed = std::max(0.0, seen - band);
-        BOOST_TEST(std::abs(push.acceleration(gains).norm() - believed) < 1e-9);
+        const double expected_norm = std::max(0.0, seen - band);
+        BOOST_TEST(std::abs(push.acceleration(gains).norm() - expected_norm) < 1e-9);
       }
     }
   }
@@ -213,8 +214,8 @@ BOOST_AUTO_TEST_CASE(accelerometer_dropouts_are_followed_slowly) {
   BOOST_TEST((push.acceleration(gains) - slowly * drop_out).norm() < 1e-9);
 }
 
-// A body that oscillates at more delay than it was told of surprises for good. A second later what
-// surprises is a push again.
+// A body that oscillates because the real delay exceeds the option causes innovations without end.
+// They are followed fast for 0.05 s only. One second without them restores the fast response.
 BOOST_AUTO_TEST_CASE(persistent_oscillation_is_followed_slowly) {
   Gains gains;
   gains.push_dead_band = 1e-4;

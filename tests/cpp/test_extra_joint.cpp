@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot with an arm on its trunk: the general form takes it, the others say why not.
+// A robot with an arm on its trunk: the general form accepts it; the condensed form and
+// StandController refuse it and say why.
 #include <boost/test/unit_test.hpp>
 
 #include "pushed_robot.hpp"
@@ -71,7 +72,7 @@ BOOST_FIXTURE_TEST_CASE(equations_of_motion_hold_with_an_arm, RobotWithArm) {
   }
 }
 
-// What released_legs and the feet's forces are reckoned by.
+// The released legs and the estimate of the foot forces use these blocks.
 BOOST_FIXTURE_TEST_CASE(leg_blocks_match_the_full_mass_matrix, RobotWithArm) {
   state = random_state(robot, 5, 1.0);
   const Eigen::MatrixXd M = mass_matrix(robot, state.q);
@@ -89,11 +90,11 @@ BOOST_FIXTURE_TEST_CASE(leg_blocks_match_the_full_mass_matrix, RobotWithArm) {
   }
 }
 
-// An ideal robot for three seconds: it stands, and the arm goes to its posture and stays inside.
+// Three seconds of an ideal robot: it stands, and the arm moves to its posture within its limit.
 BOOST_FIXTURE_TEST_CASE(robot_stands_and_the_arm_stops_at_its_joint_limit, RobotWithArm) {
   WholeBodyController controller(robot);
   Reference reference = controller.hold(state);
-  reference.posture[arm_v - 6] = 3.0;  // beyond its limit
+  reference.posture[arm_v - 6] = 3.0;  // beyond the joint limit
   const Vector3 p_com = reference.p_com;
   const double dt = 0.002;
   double max_arm_speed = 0.0;

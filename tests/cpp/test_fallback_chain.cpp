@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every rung of the ladder, each by what makes the ones above it fail.
+// Reach each fallback level by a failure of all levels above it.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 const double kNaN = std::nan("");
 
-/// What a user's task does to the program.
+/// Effect of the user's task on the QP.
 enum class TaskFault { kNothing, kNotANumber, kHeavy };
 
 bool write_faulty_rows(TaskFault how, TaskRows& rows) {
@@ -24,7 +24,7 @@ bool write_faulty_rows(TaskFault how, TaskRows& rows) {
   rows.weight.setZero();
   rows.A_a(0, 1) = 1.0;
   rows.b[0] = how == TaskFault::kNotANumber ? kNaN : 0.0;
-  // So much is asked for that rounding alone is more than the tolerance.
+  // The weight and the request are so large that rounding alone exceeds the tolerance.
   if (how == TaskFault::kHeavy) {
     rows.weight[0] = 1e4;
     rows.b[0] = 3e6;
@@ -32,7 +32,7 @@ bool write_faulty_rows(TaskFault how, TaskRows& rows) {
   return true;
 }
 
-/// A robot that stands, and whose program fails whenever it is told to.
+/// A standing robot whose QP fails when the test sets `task_fault`.
 struct Standing {
   Robot robot = quadruped();
   StandOptions options;
@@ -62,21 +62,21 @@ struct Standing {
   }
 };
 
-/// The rungs below the program, and what they are given.
+/// The fallback levels below the QP, and their inputs.
 struct MovingRobot {
   Robot robot = quadruped();
   Gains gains;
   RobotState state = random_state(robot, 6, 0.3);
   Reference reference = reference_at(robot, state);
   Dynamics dynamics = dynamics_at(robot, state);
-  FallbackChain ladder{robot};
+  FallbackChain chain{robot};
   FeetMatrix planned = FeetMatrix::Zero();
 
   MovingRobot() { planned.row(2) << 35.0, 25.0, 30.0, 28.0; }
   FallbackLevel compute_fallback() {
-    return ladder.compute_fallback(gains, dynamics, state, reference);
+    return chain.compute_fallback(gains, dynamics, state, reference);
   }
-  void remember_solution() { ladder.remember(gains, dynamics, state, reference, planned); }
+  void remember_solution() { chain.remember(gains, dynamics, state, reference, planned); }
   Vector12 torques_of_forces(const FeetMatrix& forces) const {
     Vector12 tau;
     for (int leg = 0; leg < kLegs; ++leg) {
@@ -94,13 +94,13 @@ BOOST_AUTO_TEST_SUITE(fallback_chain)
 BOOST_FIXTURE_TEST_CASE(qp_limited_by_rounding_is_solved_again_from_a_cold_start, Standing) {
   BOOST_TEST((controller.fallback_level() == FallbackLevel::kSolved));
   task_fault = TaskFault::kHeavy;
-  for (int k = 0; k < 20; ++k) {  // for as long as it likes: it is a solution
+  for (int k = 0; k < 20; ++k) {  // without a time limit: a cold solve is a full solution
     step();
     BOOST_TEST(is_usable(controller.status()));
     BOOST_TEST((tau().cwiseAbs().array() <= robot.config().tau_max.array() * 1.00001).all());
   }
-  BOOST_TEST(controller.fallback_count(FallbackLevel::kColdSolve) >
-             5U);  // how often is rounding's affair
+  // Rounding decides how often.
+  BOOST_TEST(controller.fallback_count(FallbackLevel::kColdSolve) > 5U);
   BOOST_TEST((controller.fault() == Status::kOk));
 }
 
@@ -127,7 +127,7 @@ BOOST_FIXTURE_TEST_CASE(solve_failures_over_10_ms_latch_motor_damping, Standing)
   for (int k = 0; k < 5; ++k) BOOST_TEST(!motors_brake(step()));
   for (int k = 0; k < 5; ++k) {
     BOOST_TEST(motors_brake(step()));
-    task_fault = TaskFault::kNothing;  // too late
+    task_fault = TaskFault::kNothing;  // too late: damping is latched
     BOOST_TEST((controller.fallback_level() == FallbackLevel::kDamping));
     BOOST_TEST((controller.status() == Status::kDamping));
   }
@@ -136,7 +136,7 @@ BOOST_FIXTURE_TEST_CASE(solve_failures_over_10_ms_latch_motor_damping, Standing)
   BOOST_TEST((controller.fallback_level() == FallbackLevel::kSolved));
 }
 
-// Today's torques follow today's joints: what is bridged is no repetition.
+// The fallback computes torques from the current sample; it does not repeat the last command.
 BOOST_FIXTURE_TEST_CASE(fallback_torques_follow_the_current_sample, Standing) {
   task_fault = TaskFault::kNotANumber;
   report.imu.gyroscope = {0.2F, 0.0F, 0.0F};
@@ -158,7 +158,7 @@ BOOST_FIXTURE_TEST_CASE(bad_samples_and_failed_solves_share_one_10_ms_hold, Stan
     report.imu.gyroscope[0] = fallback_level == FallbackLevel::kHold ? std::nanf("") : 0.0F;
     step();
     BOOST_TEST((controller.fallback_level() == fallback_level));
-    // What left last is held, and not what was solved last.
+    // The held command is the last one sent, not the last one that was solved.
     if (fallback_level == FallbackLevel::kHold)
       BOOST_TEST(last.motorCmd[2].tau == before.motorCmd[2].tau);
   }
@@ -178,21 +178,22 @@ BOOST_FIXTURE_TEST_CASE(failed_first_solve_damps_without_latching, Standing) {
   BOOST_TEST((controller.fallback_level() == FallbackLevel::kSolved));
 }
 
-// The body pitches; the legs that lean against it move, so that holding still takes less power.
+// The body pitches and the front knees turn; the holding torques take less power than the fallback.
 BOOST_AUTO_TEST_CASE(fallback_torques_respect_the_power_limit) {
-  const auto bridge = [](Standing& s) {
+  const auto run_fallback = [](Standing& s) {
     s.report.imu.gyroscope = {0.0F, 0.8F, 0.0F};
     for (const int i : {2, 5}) s.report.motorState[i].dq = 2.0F;
-    for (int k = 0; k < 10; ++k) s.step();  // nothing gathers speed any more
+    // With constant joint speeds no leg counts as runaway.
+    for (int k = 0; k < 10; ++k) s.step();
     s.task_fault = TaskFault::kNotANumber;
     s.step();
     BOOST_REQUIRE((s.controller.fallback_level() == FallbackLevel::kForces));
   };
   Standing free;
-  bridge(free);
+  run_fallback(free);
   const double unlimited = free.controller.command_power();
   Standing limited(0.97 * unlimited);
-  bridge(limited);
+  run_fallback(limited);
   BOOST_TEST(limited.controller.command_power() <= 0.97 * unlimited * 1.0001);
   BOOST_TEST(limited.controller.power_scale() < 1.0);
 }
@@ -200,30 +201,30 @@ BOOST_AUTO_TEST_CASE(fallback_torques_respect_the_power_limit) {
 BOOST_FIXTURE_TEST_CASE(fallback_forces_produce_the_task_wrench, MovingRobot) {
   reference.a_com = Vector3(0.5, -0.4, 0.3);
   BOOST_TEST((compute_fallback() == FallbackLevel::kForces));
-  BOOST_TEST(ladder.damping() == 0.0);
-  // The same tasks by the program, whose legs have inertia.
-  WholeBodyController program(robot, gains);
-  const Solution& solution = program.solve(dynamics, state, reference);
+  BOOST_TEST(chain.damping() == 0.0);
+  // The QP solves the same tasks, with the inertia of the legs.
+  WholeBodyController controller(robot, gains);
+  const Solution& solution = controller.solve(dynamics, state, reference);
   BOOST_REQUIRE(is_usable(solution.status));
   for (int i = 0; i < kMotors; ++i) {
     const double tau = solution.torques[robot.motor_to_v()[i] - 6];
-    BOOST_TEST(std::abs(ladder.torques()[i] - tau) < 0.05 * robot.config().tau_max[i]);
+    BOOST_TEST(std::abs(chain.torques()[i] - tau) < 0.05 * robot.config().tau_max[i]);
   }
 }
 
-// A program at its limits gives less than the tasks want; what stands in for it goes on from there.
+// At its limits the QP gives less than the tasks request. The fallback starts from these forces.
 BOOST_FIXTURE_TEST_CASE(fallback_forces_start_from_the_last_solved_forces, MovingRobot) {
   remember_solution();
   BOOST_TEST((compute_fallback() == FallbackLevel::kForces));
-  BOOST_TEST((ladder.torques() - torques_of_forces(planned)).norm() < 1e-9);
-  const Vector12 before = ladder.torques();
+  BOOST_TEST((chain.torques() - torques_of_forces(planned)).norm() < 1e-9);
+  const Vector12 before = chain.torques();
   reference.a_com.z() += 1.0;
   BOOST_TEST((compute_fallback() == FallbackLevel::kForces));
-  // One m/s^2 more upwards: so much more force, and no other.
+  // The desired acceleration rises by 1 m/s^2 upwards; only the force for this is added.
   FeetMatrix more;
   for (int leg = 0; leg < kLegs; ++leg) {
     const Matrix3 J = dynamics.legs()[leg].J_leg;
-    const Vector3 change = ladder.torques().segment<3>(3 * leg) - before.segment<3>(3 * leg);
+    const Vector3 change = chain.torques().segment<3>(3 * leg) - before.segment<3>(3 * leg);
     more.col(leg) = -J.transpose().fullPivLu().solve(change);
   }
   BOOST_TEST((more.rowwise().sum() - robot.mass() * Vector3::UnitZ()).norm() < 1e-4);
@@ -240,12 +241,12 @@ BOOST_FIXTURE_TEST_CASE(fallback_forces_stay_in_friction_cones_and_share_the_loa
     return add_wrench(dynamics, FeetMatrix::Zero(), {force, Vector3::Zero()}, all, {n, mu, most});
   };
   BOOST_TEST(missed(share(up, 3.0 * weight * all), up) < 1e-6 * weight);
-  // One foot may bear next to nothing: the others bear nearly all of it.
+  // One foot may carry next to nothing: the others carry nearly all of its load.
   Eigen::Vector4d most = 3.0 * weight * all;
   most[FL_] = 0.02 * weight;
   BOOST_TEST(share(up, most)(2, FL_) <= most[FL_] * 1.0001);
   BOOST_TEST(missed(share(up, most), up) < 0.1 * weight);
-  // More than friction holds: as much as it does, and the weight all the same.
+  // A force beyond the friction limit: friction is used up, and the weight is still carried.
   const Vector3 pulled(weight, 0.0, weight);
   const FeetMatrix held = share(pulled, 3.0 * weight * all);
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -259,8 +260,8 @@ BOOST_FIXTURE_TEST_CASE(nan_reference_falls_back_to_the_last_forces, MovingRobot
   remember_solution();
   reference.p_com.x() = kNaN;
   BOOST_TEST((compute_fallback() == FallbackLevel::kLastForces));
-  BOOST_TEST((ladder.torques() - torques_of_forces(planned)).norm() < 1e-9);
-  BOOST_TEST(ladder.damping() == 0.0);
+  BOOST_TEST((chain.torques() - torques_of_forces(planned)).norm() < 1e-9);
+  BOOST_TEST(chain.damping() == 0.0);
 }
 
 BOOST_FIXTURE_TEST_CASE(missing_forces_fall_back_to_gravity_torques_with_damping, MovingRobot) {
@@ -268,26 +269,26 @@ BOOST_FIXTURE_TEST_CASE(missing_forces_fall_back_to_gravity_torques_with_damping
   const Vector12 hold = holding_torques(dynamics, robot.mass(), nothing, Eigen::Vector4d::Ones());
   const auto holds = [&] {
     BOOST_TEST((compute_fallback() == FallbackLevel::kGravity));
-    BOOST_TEST((ladder.torques() - hold).norm() < 1e-9);
-    BOOST_TEST(ladder.damping() == gains.damping_kd);
+    BOOST_TEST((chain.torques() - hold).norm() < 1e-9);
+    BOOST_TEST(chain.damping() == gains.damping_kd);
   };
   reference.p_com.x() = kNaN;
   holds();
-  planned(1, RR_) = kNaN;  // or those there are have no numbers
+  planned(1, RR_) = kNaN;  // or the planned forces are not finite
   remember_solution();
   holds();
-  planned(1, RR_) = 0.0;  // or they were forgotten
+  planned(1, RR_) = 0.0;  // or the planned forces were forgotten by reset()
   remember_solution();
-  ladder.reset();
+  chain.reset();
   holds();
 }
 
 BOOST_FIXTURE_TEST_CASE(nan_state_falls_back_to_holding_the_last_torques, MovingRobot) {
-  const Vector12 before = (compute_fallback(), ladder.torques());
+  const Vector12 before = (compute_fallback(), chain.torques());
   state.q[8] = kNaN;
   dynamics.update(state.q, state.v, reference.ground_normal);
   BOOST_TEST((compute_fallback() == FallbackLevel::kHold));
-  BOOST_TEST(ladder.torques() == before);
+  BOOST_TEST(chain.torques() == before);
 }
 
 BOOST_FIXTURE_TEST_CASE(fallback_torques_are_clipped_to_the_motor_torque_share, MovingRobot) {
@@ -295,11 +296,11 @@ BOOST_FIXTURE_TEST_CASE(fallback_torques_are_clipped_to_the_motor_torque_share, 
   gains.force_max_contact = 100.0;
   BOOST_REQUIRE((compute_fallback() == FallbackLevel::kForces));
   const Vector12& most = robot.config().tau_max;
-  BOOST_TEST((ladder.torques().cwiseAbs() - most).maxCoeff() <= 0.0);
-  BOOST_TEST((ladder.torques().cwiseAbs() - most).maxCoeff() > -1e-6);
-  ladder.set_torque_share(Vector12::Constant(0.4));
+  BOOST_TEST((chain.torques().cwiseAbs() - most).maxCoeff() <= 0.0);
+  BOOST_TEST((chain.torques().cwiseAbs() - most).maxCoeff() > -1e-6);
+  chain.set_torque_share(Vector12::Constant(0.4));
   compute_fallback();
-  BOOST_TEST((ladder.torques().cwiseAbs() - 0.4 * most).maxCoeff() < 1e-9);
+  BOOST_TEST((chain.torques().cwiseAbs() - 0.4 * most).maxCoeff() < 1e-9);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

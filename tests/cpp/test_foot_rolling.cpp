@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDt = 0.002;
 
-// Velocities of a body that sways over feet that roll and do not slip.
+// Velocities of a body that moves with a twist over feet that roll without slip.
 Eigen::VectorXd rolling_velocities(const Robot& robot, const Dynamics& dynamics,
                                    const Vector6& twist, long nv) {
   Eigen::VectorXd v = Eigen::VectorXd::Zero(nv);
@@ -42,7 +42,7 @@ struct RollingFeetFixture {
   }
 };
 
-// Base axes: forward, a little aside, pitching and turning.
+// Base axes: mostly forward, a little sideways, pitching and yawing.
 Vector6 forward_twist() {
   Vector6 twist;
   twist << 0.4, 0.1, 0.0, 0.05, 0.3, 0.2;
@@ -61,12 +61,13 @@ BOOST_FIXTURE_TEST_CASE(rolling_displacement_matches_contact_points_without_slip
     step(forward_twist());
     rolling.update(dynamics, Vector3::UnitZ(), Eigen::Vector4d(1, 0.5, 0, 1), kDt);
   }
-  const FeetMatrix way = contact_points(robot, state.q) - before;
-  BOOST_TEST(way.col(FR_).norm() > 0.001);
-  // It forgets by a twentieth meanwhile.
-  BOOST_TEST((rolling.displacement().col(FR_) - way.col(FR_)).norm() < 0.06 * way.col(FR_).norm());
-  BOOST_TEST((rolling.displacement().col(FL_) - 0.5 * way.col(FL_)).norm() <
-             0.06 * way.col(FL_).norm());
+  const FeetMatrix displacement = contact_points(robot, state.q) - before;
+  BOOST_TEST(displacement.col(FR_).norm() > 0.001);
+  // FootRolling forgets about a twentieth of the displacement within these 0.1 s.
+  BOOST_TEST((rolling.displacement().col(FR_) - displacement.col(FR_)).norm() <
+             0.06 * displacement.col(FR_).norm());
+  BOOST_TEST((rolling.displacement().col(FL_) - 0.5 * displacement.col(FL_)).norm() <
+             0.06 * displacement.col(FL_).norm());
   BOOST_TEST(rolling.displacement().col(RR_).norm() == 0.0);
   rolling.reset();
   BOOST_TEST(rolling.displacement().norm() == 0.0);
@@ -87,13 +88,14 @@ BOOST_FIXTURE_TEST_CASE(filter_contact_points_follow_joint_angles_across_a_sampl
     FeetMatrix sum = FeetMatrix::Zero();
     for (int tick = 0; tick < 50; ++tick) {
       step(forward_twist());
-      if (tick == 20) continue;  // a report that never came
+      if (tick == 20) continue;  // a lost sample
       sum += roll(tick == 21 ? 2.0 * kDt : kDt);
     }
-    const FeetMatrix way = contact_points(robot, state.q) - before;
-    BOOST_TEST(way.col(FR_).norm() > 0.001);
-    BOOST_TEST((sum.col(FR_) - way.col(FR_)).norm() < 0.02 * way.col(FR_).norm());
-    BOOST_TEST((sum.col(FL_) - 0.5 * way.col(FL_)).norm() < 0.02 * way.col(FL_).norm());
+    const FeetMatrix displacement = contact_points(robot, state.q) - before;
+    BOOST_TEST(displacement.col(FR_).norm() > 0.001);
+    BOOST_TEST((sum.col(FR_) - displacement.col(FR_)).norm() < 0.02 * displacement.col(FR_).norm());
+    BOOST_TEST((sum.col(FL_) - 0.5 * displacement.col(FL_)).norm() <
+               0.02 * displacement.col(FL_).norm());
     BOOST_TEST(sum.col(RR_).norm() == 0.0);
     foot_motion.reset();
   }
@@ -126,14 +128,14 @@ BOOST_FIXTURE_TEST_CASE(lifted_foot_does_not_move_with_rolling_stance_feet, Roll
     step(forward_twist());
     stand.update(robot.config().gains, dynamics, contact, kDt);
   }
-  const FeetMatrix way = contact_points(robot, state.q) - before;
+  const FeetMatrix displacement = contact_points(robot, state.q) - before;
   const Reference& desired = stand.reference();
   const auto moved = [&](int leg) { return (desired.feet[leg].p_world - before.col(leg)).norm(); };
-  BOOST_TEST(way.col(FL_).norm() > 0.002);
-  BOOST_TEST(moved(FR_) < 0.15 * way.col(FL_).norm());
+  BOOST_TEST(displacement.col(FL_).norm() > 0.002);
+  BOOST_TEST(moved(FR_) < 0.15 * displacement.col(FL_).norm());
   for (int leg : {FL_, RR_, RL_}) {
-    const Vector3 off = desired.feet[leg].p_world - before.col(leg) - way.col(leg);
-    BOOST_TEST(off.norm() < 0.15 * way.col(leg).norm());
+    const Vector3 off = desired.feet[leg].p_world - before.col(leg) - displacement.col(leg);
+    BOOST_TEST(off.norm() < 0.15 * displacement.col(leg).norm());
   }
 }
 

@@ -14,7 +14,7 @@ constexpr double kGain = 0.003;
 constexpr std::array<bool, kLegs> kAllStance = {true, true, true, true};
 constexpr std::array<bool, kLegs> kHindLeftUp = {true, true, true, false};
 
-// FR FL RR RL; 0.4 m long, 0.3 m wide.
+// Feet FR FL RR RL, 0.4 m by 0.3 m.
 FeetMatrix rectangle() {
   FeetMatrix feet = FeetMatrix::Zero();
   feet.row(0) << 0.2, 0.2, -0.2, -0.2;
@@ -43,7 +43,8 @@ BOOST_AUTO_TEST_CASE(outside_vector_starts_at_the_nearest_edge_corner_or_line) {
                  .isZero());
 }
 
-// Over the right feet and ahead: the fore one has to stay.
+// The capture point is outside the right edge, in front of the centre: the front right foot must
+// stay.
 BOOST_AUTO_TEST_CASE(foot_that_lands_further_out_is_lifted) {
   const Vector2d capture(0.1, -0.16);
   BOOST_TEST(foot_to_lift(rectangle(), shifted_rectangle(0.0, -0.25), kAllStance, capture, kSwing,
@@ -52,7 +53,8 @@ BOOST_AUTO_TEST_CASE(foot_that_lands_further_out_is_lifted) {
 
 BOOST_AUTO_TEST_CASE(foot_that_would_land_too_late_is_not_lifted) {
   const Vector2d capture(0.2, 0.0);
-  // Without one of the front feet it runs away from the other and the hind one across.
+  // Without one front foot the capture point diverges from the other feet further than a step
+  // reaches.
   BOOST_TEST(foot_to_lift(rectangle(), shifted_rectangle(0.05, 0.0), kAllStance, capture, kSwing,
                           kGain) == -1);
 }
@@ -60,12 +62,12 @@ BOOST_AUTO_TEST_CASE(foot_that_would_land_too_late_is_not_lifted) {
 BOOST_AUTO_TEST_CASE(no_foot_is_lifted_when_a_step_does_not_help) {
   const FeetMatrix feet = rectangle();
   BOOST_TEST(foot_to_lift(feet, feet, kAllStance, {0.1, -0.16}, kSwing, kGain) == -1);
-  // Just inside, however much further inside it would come.
+  // Still inside the support, although the step would move the edge further out.
   BOOST_TEST(foot_to_lift(feet, shifted_rectangle(0.0, -0.3), kAllStance, {0.1, -0.149}, kSwing,
                           kGain) == -1);
 }
 
-// One leg hangs in the air: the light one of the other three still can.
+// The rear left leg is in the air; the front left foot can still step.
 BOOST_AUTO_TEST_CASE(foot_is_lifted_when_two_stance_feet_remain) {
   const FeetMatrix feet = rectangle();
   const Vector2d capture(0.205, -0.1);

@@ -36,7 +36,7 @@ BOOST_FIXTURE_TEST_CASE(a_stance_foot_near_hip_height_is_singular_and_a_swing_fo
   while (select_form() == QpForm::kCondensed) set(FL_1, angle += 1e-4);
   const double depth = dynamics.legs()[FL_].depth;
   BOOST_TEST(std::abs(depth - 0.05) < 1e-3);
-  BOOST_TEST(determinant() > 1.05 * min_determinant);  // it is the depth that decides
+  BOOST_TEST(determinant() > 1.05 * min_determinant);  // the depth decides
   while (select_form() == QpForm::kGeneral) set(FL_1, angle -= 1e-4);
   BOOST_TEST(std::abs(dynamics.legs()[FL_].depth - 0.06) < 1e-3);
   reference.feet[FL_].stance = false;

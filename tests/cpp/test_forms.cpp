@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The condensed and the general form pose one program: the same torques, limits active or not.
+// The condensed and the general form solve the same QP: their torques agree, whether limits are
+// active or not.
 #include <boost/test/unit_test.hpp>
 
 #include "pushed_robot.hpp"
@@ -17,14 +18,14 @@ namespace {
 
 constexpr double kTight = 1e-12;
 constexpr double kSame = 1e-6;      // [N.m] between forms at the tight tolerance
-constexpr double kDefault = 0.005;  // of tau_max, default tolerance against tight
+constexpr double kDefault = 0.005;  // [tau_max] of the default tolerance against the tight one
 constexpr double kAtLimit = 1e-5;   // [N], [N.m], and times 100 [rad/s^2]
 constexpr int kRobots = 20, kStates = 50;
 
-// How often each kind of limit decided something.
+// Number of active limits of each kind.
 struct ActiveLimits {
   int friction = 0, normal = 0, swing = 0, hold_down = 0, torque = 0, joint = 0;
-  int hold_down_exceeded = 0, torque_exceeded = 0, joint_exceeded = 0;  // ... and gave way
+  int hold_down_exceeded = 0, torque_exceeded = 0, joint_exceeded = 0;  // ... and violated ones
 
   void tally(const Robot& robot, const Gains& gains, const RobotState& state, const Reference& r,
              const Solution& s) {
@@ -58,7 +59,7 @@ struct ActiveLimits {
   }
 };
 
-// One robot in both forms, tight and as it comes.
+// One robot in both forms, at the tight and at the default tolerance.
 struct Forms {
   Robot robot;
   Gains gains;
@@ -104,7 +105,7 @@ BOOST_AUTO_TEST_CASE(both_forms_give_the_same_torques_with_any_active_limits) {
   }
   BOOST_TEST_MESSAGE("tight: " << worst_tight << " N.m; default: " << 100.0 * worst_default
                                << " % of tau_max");
-  // Time caps the iterations: at the most violent of demands a tick in hundreds may go unsolved.
+  // The iterations are limited: of the largest requests, one tick in 200 may stay unsolved.
   BOOST_TEST_MESSAGE("unsolved at the default tolerance: " << unsolved);
   BOOST_TEST(unsolved <= 2 * kRobots * kStates / 200);
   BOOST_TEST_MESSAGE("unsolved at the tight tolerance: " << unsolved_tight);

@@ -26,7 +26,7 @@ std::uint32_t crc_of(G generation, const std::function<void(LowCmd&)>& change) {
   return crc;
 }
 
-// CRCs that the vendor's libraries put on the wire, one change of the initial command each.
+// CRCs that the vendor's libraries send, for one change each of the initial command.
 struct CrcCase {
   std::function<void(LowCmd&)> change;
   std::uint32_t a1, go1, b1;
@@ -49,7 +49,7 @@ void write_crc(std::vector<std::uint8_t>& bytes) {
   std::memcpy(bytes.data() + bytes.size() - 4, &crc, 4);
 }
 
-// Random in every byte, except that the envelope is right and the floats are finite.
+// Make a frame of random bytes with a valid envelope and finite floats.
 std::vector<std::uint8_t> random_valid_frame(std::size_t size, bool head, int first_motor,
                                              int motor_size, int imu, std::mt19937& random) {
   std::vector<std::uint8_t> bytes(size);

@@ -49,7 +49,7 @@ BOOST_FIXTURE_TEST_CASE(capture_margin_does_not_depend_on_heading, HoldDown) {
 BOOST_FIXTURE_TEST_CASE(swing_feet_and_lifted_feet_get_no_hold_down_force, HoldDown) {
   set_com_velocity(Vector3(0.25, -0.2, 0.0));
   gains.edge_margin = 0.03;
-  reference.feet[RL_].stance = false;  // three stand; the capture point is on their side
+  reference.feet[RL_].stance = false;  // the capture point is inside the triangle of the others
   reference.feet[FL_].load = 0.25;
   state.contact[FR_] = 0.0;
   const Eigen::Vector4d f = forces();
@@ -58,7 +58,7 @@ BOOST_FIXTURE_TEST_CASE(swing_feet_and_lifted_feet_get_no_hold_down_force, HoldD
   BOOST_TEST(f[FR_] == 0.0);
   BOOST_TEST(std::abs(f[FL_] - 0.25 * gains.hold_down * weight) < 1e-9);
   BOOST_TEST(std::abs(f[RR_] - gains.hold_down * weight) < 1e-9);
-  reference.feet[FR_].load = 0.0;  // two feet have no edge to be near
+  reference.feet[FR_].load = 0.0;  // two feet have no support edge
   BOOST_TEST(std::abs(forces()[RR_] - gains.hold_down * weight) < 1e-9);
   set_com_velocity(Vector3(2.0, 2.0, 0.0));
   BOOST_TEST(std::abs(forces()[RR_] - gains.hold_down * weight) < 1e-9);
@@ -71,7 +71,7 @@ BOOST_FIXTURE_TEST_CASE(hold_down_keeps_force_on_a_foot_the_tasks_would_lift, Ho
       g.hold_down = share;
       WholeBodyController controller(robot, g, {form});
       Reference r = controller.hold(state);
-      r.alpha_world_base = Vector3(120.0, 0.0, 0.0);  // tips it onto its right feet
+      r.alpha_world_base = Vector3(120.0, 0.0, 0.0);  // tilts the body onto its right feet
       r.a_com.z() = -6.0;
       const Solution& s = controller.update(state, r);
       BOOST_REQUIRE(is_usable(s.status));
@@ -82,30 +82,31 @@ BOOST_FIXTURE_TEST_CASE(hold_down_keeps_force_on_a_foot_the_tasks_would_lift, Ho
   }
 }
 
-// On its way down, or thrown up and to be stopped: at the edge it may not be let fall.
+// The reference requests a fast descent. At the edge the feet must keep load, because unloaded feet
+// cannot brake.
 BOOST_FIXTURE_TEST_CASE(feet_keep_edge_load_at_the_edge_during_a_downward_request, HoldDown) {
   for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     for (const double sway : {0.0, 0.8}) {
       WholeBodyController controller(robot, gains, {form});
       Reference r = controller.hold(state);
       r.a_com.z() = -30.0;
-      r.v_com.y() = sway;  // nothing but the height asks for anything
+      r.v_com.y() = sway;  // no horizontal acceleration is requested
       RobotState leaning = state;
       leaning.v.y() = sway;
       const Solution& s = controller.update(leaning, r);
       BOOST_REQUIRE(is_usable(s.status));
       const double load = s.forces.row(2).sum() / weight;
       if (sway == 0.0) {
-        BOOST_TEST(load < 4.0 * gains.hold_down + 0.02);  // as little as holds feet down
+        BOOST_TEST(load < 4.0 * gains.hold_down + 0.02);  // only the hold-down forces
       } else {
         BOOST_TEST(load > gains.edge_load - 0.02);
-        BOOST_TEST(load < 0.9);  // more than nothing, less than what it stands with
+        BOOST_TEST(load < 0.9);  // loaded, but less than in a stand
       }
     }
   }
 }
 
-// What turns the body back at once takes the force that brakes: at the edge it comes back slowly.
+// The force that turns the body back is missing for braking, so at the edge it turns back slowly.
 BOOST_FIXTURE_TEST_CASE(tilt_correction_is_bounded_at_the_edge, HoldDown) {
   const double length = 0.3, slowly = kGravity / length;
   BodyAcceleration desired;
@@ -130,7 +131,7 @@ BOOST_FIXTURE_TEST_CASE(tilt_correction_is_bounded_at_the_edge, HoldDown) {
   BOOST_TEST(desired.alpha.x() == 0.5 * slowly);
 }
 
-// Feet that turn it back throw it up, and off the ground nothing brakes.
+// Feet that turn the body back also push it up, and a body in the air cannot brake.
 BOOST_FIXTURE_TEST_CASE(tilt_correction_is_zero_while_the_body_rises_fast, HoldDown) {
   const double length = 0.3;
   const Vector3 requested(-300.0, 400.0, 50.0);
@@ -142,7 +143,7 @@ BOOST_FIXTURE_TEST_CASE(tilt_correction_is_zero_while_the_body_rises_fast, HoldD
     return desired.alpha.head<2>().norm() * length / kGravity;
   };
   const auto close = boost::test_tools::tolerance(1e-9);
-  BOOST_TEST(turning(2.0) == 1.0, close);  // the default's edge_rise: as ever
+  BOOST_TEST(turning(2.0) == 1.0, close);  // default edge_rise: full tilt correction
   gains.edge_rise = 0.8;
   BOOST_TEST(turning(-1.0) == 1.0, close);
   BOOST_TEST(turning(0.3) == 1.0, close);
@@ -151,7 +152,8 @@ BOOST_FIXTURE_TEST_CASE(tilt_correction_is_zero_while_the_body_rises_fast, HoldD
   BOOST_TEST(turning(2.0) == 0.0);
 }
 
-// Inside, a body that was thrown up is to come down; at the edge height may be had for braking.
+// Inside the support a body that was pushed up must come down. At the edge, braking is more
+// important than height and tilt.
 BOOST_FIXTURE_TEST_CASE(height_and_tilt_weights_decrease_only_at_the_edge, HoldDown) {
   gains.edge_height = 0.2;
   gains.edge_tilt = 0.1;

@@ -20,7 +20,7 @@ std::array<float, 4> to_floats(const Quaternion& q) {
   return {float(q.w()), float(q.x()), float(q.y()), float(q.z())};
 }
 
-// A reader and what it is given; gyroscope and accelerometer can be held, and so can the joints.
+// An IMU reader and its inputs. Gyroscope, accelerometer and joints can each keep their last value.
 struct ImuReaderFixture {
   RobotConfig config = quadruped_config();
   ImuReader reader;
@@ -41,7 +41,7 @@ struct ImuReaderFixture {
   }
 };
 
-// Feet that stand, under a base that turns and travels.
+// A base that turns and translates over standing feet.
 struct TurningBase {
   Robot robot = quadruped();
   RobotState state = random_state(robot, 3);
@@ -51,7 +51,8 @@ struct TurningBase {
   Gains gains;
   ImuReading imu;
 
-  // @param w_assumed what the dynamics take the rate for; as in the estimator, at no velocity
+  // @param w_assumed angular velocity in the dynamics, whose base has no linear velocity, as in the
+  // estimator
   explicit TurningBase(const Vector3& w_assumed = Vector3(0.1, 0.2, -0.4)) {
     dynamics.update(state.q, state.v, Vector3::UnitZ());
     Vector6 twist;
@@ -171,7 +172,7 @@ BOOST_AUTO_TEST_CASE(sample_noise_is_estimated_within_10_percent_during_motion) 
       noise.update(Vector3(body, -body, kGravity) + noise_vector, kPeriod);
     }
     BOOST_TEST(std::abs(noise.sigma() / sigma - 1.0) < 0.1);
-    noise.update(Vector3::Constant(100.0), kPeriod);  // a blow
+    noise.update(Vector3::Constant(100.0), kPeriod);  // an impact
     BOOST_TEST(noise.sigma() < 1.3 * sigma);
   }
   SampleNoise noise;
@@ -208,7 +209,7 @@ BOOST_FIXTURE_TEST_CASE(valid_sensor_is_averaged_over_the_tick, TurningBase) {
   const double sigma2 = gains.noise_gyroscope * gains.noise_gyroscope;
   BOOST_TEST(fresh.w_variance > 0.2 * sigma2);
   BOOST_TEST(fresh.w_variance < 2.0 * sigma2);
-  imu.w_age = imu.f_age = 5;  // old by 8 ms
+  imu.w_age = imu.f_age = 5;  // 8 ms old
   const ImuInput held = step(preprocessor);
   BOOST_TEST(held.w_variance > fresh.w_variance + 0.15);
   BOOST_TEST(held.f_variance > fresh.f_variance + 15.0);
@@ -222,11 +223,12 @@ BOOST_FIXTURE_TEST_CASE(frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates,
   BOOST_TEST((by_legs.w_base - w_base).norm() < 1e-9);
   imu.R_world_base = imu.R_world_base * exp_so3(kPeriod * Vector3(0.2, 0.3, -0.1));
   const ImuInput by_quaternion = step(preprocessor);
-  // What the legs have told meanwhile is not told twice: in all it is the quaternion's turn.
+  // The rotation that the legs measured meanwhile is not counted twice: the sum is the
+  // quaternion's.
   const Vector3 both = by_legs.w_base + by_quaternion.w_base;
   BOOST_TEST((both - Vector3(0.2, 0.3, -0.1)).norm() < 1e-3);
   BOOST_TEST(by_quaternion.w_variance < by_legs.w_variance);
-  imu.R_world_base = imu.R_world_base * exp_so3(Vector3(0.0, 0.0, 0.2));  // the vendor begins anew
+  imu.R_world_base = imu.R_world_base * exp_so3(Vector3(0.0, 0.0, 0.2));  // vendor resets its yaw
   BOOST_TEST((step(preprocessor).w_base - w_base).norm() < 1e-9);
   imu.has_quaternion = false;
   BOOST_TEST((step(preprocessor).w_base - w_base).norm() < 1e-9);
@@ -265,12 +267,12 @@ BOOST_AUTO_TEST_CASE(quaternion_disagrees_after_1_s_of_contradiction) {
   const Quaternion turned(Eigen::AngleAxisd(2.0, Vector3::UnitZ()));
   QuaternionCheck check;
   BOOST_TEST((check.verdict() == SensorVerdict::kUnjudged));
-  BOOST_TEST((after(3.0, turned, 0.0, check) == SensorVerdict::kGood));  // nobody knows the yaw
+  BOOST_TEST((after(3.0, turned, 0.0, check) == SensorVerdict::kGood));  // yaw is not observable
   BOOST_TEST((after(0.98, tilted, 0.01, check) == SensorVerdict::kGood));
   BOOST_TEST(std::abs(check.tilt_difference() - 0.15) < 1e-9);
   BOOST_TEST((after(0.04, tilted, 0.01, check) == SensorVerdict::kDisagrees));
   BOOST_TEST((after(1.1, turned, 0.01, check) == SensorVerdict::kGood));
-  BOOST_TEST((after(3.0, tilted, 0.05, check) == SensorVerdict::kGood));  // we know no better
+  BOOST_TEST((after(3.0, tilted, 0.05, check) == SensorVerdict::kGood));  // our tilt is uncertain
   ImuReading none;
   none.quaternion = SensorVerdict::kZero;
   check.update(none, Matrix3::Identity(), 0.01, kPeriod);
@@ -292,7 +294,7 @@ BOOST_AUTO_TEST_CASE(accelerometer_starts_the_estimator_without_a_quaternion) {
   BOOST_TEST((estimator.report().quaternion == SensorVerdict::kZero));
 }
 
-// Legs and the vendor's quaternion agree, and not with the gyroscope.
+// The legs and the vendor's quaternion agree with each other, but not with the gyroscope.
 BOOST_FIXTURE_TEST_CASE(legs_and_quaternion_outvote_a_wrong_gyroscope, TurningBase) {
   ImuPreprocessor preprocessor;
   const auto turn = [&](const Vector3& w) {
@@ -308,7 +310,7 @@ BOOST_FIXTURE_TEST_CASE(legs_and_quaternion_outvote_a_wrong_gyroscope, TurningBa
     BOOST_TEST(preprocessor.gyroscope_rejected());
   }
   imu.w_base = w_base;
-  BOOST_TEST((step(preprocessor).w_base - w_base).norm() < 1e-6);  // nothing of the lie is left
+  BOOST_TEST((step(preprocessor).w_base - w_base).norm() < 1e-6);  // the error leaves no trace
   BOOST_TEST(!preprocessor.gyroscope_rejected());
 }
 

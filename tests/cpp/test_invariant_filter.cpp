@@ -43,7 +43,7 @@ struct Random {
   ErrorCovariance covariance() {
     ErrorCovariance P;
     for (int i = 0; i < kSize; ++i) P.set_variance(i, 1, positive());
-    // correct() of a measurement of nothing (W = 0) adds K S K'.
+    // correct() with W = 0, a measurement without information, adds K S K'.
     for (int k = 0; k < 10; ++k) {
       ErrorCovariance::Columns K{};
       for (auto& column : K) {
@@ -75,7 +75,7 @@ struct Random {
   }
 };
 
-// xi' = Phi xi + noise, as Hartley et al. 2020 have it (eq. 52), one Euler step.
+// xi' = Phi xi + noise: one Euler step of Hartley et al. 2020, eq. 52.
 Covariance transition(const ErrorPropagation& m) {
   Covariance Phi = Covariance::Identity();
   Phi.block<3, 3>(kVelocity, kRotation) = m.dt * skew(Vector3(0.0, 0.0, -kGravity));
@@ -116,7 +116,7 @@ void copy(const Eigen::Matrix<double, kSize, 3>& from, ErrorCovariance::Columns&
   }
 }
 
-// What P knows of yaw and of where everything is: nothing that the feet say may add to it.
+// Information of P on absolute position and yaw. Foot measurements must not add to it.
 Eigen::Vector4d unobservable_information(const Covariance& P) {
   const Covariance information = P.inverse();
   Eigen::Vector4d out;
@@ -135,7 +135,7 @@ FeetMatrix square_feet() {
   return feet;
 }
 
-// A base that sways over feet that stand, and an IMU whose readings integrate to just that.
+// A base that sways over standing feet, and an IMU whose readings integrate exactly to this motion.
 struct SwayingBase {
   double size = 1.0;  // 0: at rest
   Vector3 gyroscope_bias = Vector3::Zero(), accelerometer_bias = Vector3::Zero();
@@ -143,7 +143,7 @@ struct SwayingBase {
   Gains gains;
   FeetMatrix feet = square_feet();
   Vector3 lever = Vector3::Zero();
-  double normal_noise = 0.0;  // [rad] of the ground's normal, from tick to tick
+  double normal_noise = 0.0;  // [rad] noise of the ground normal per tick
   InvariantFilter filter;
   Random random;
   double t = 0.0;
@@ -189,7 +189,7 @@ struct SwayingBase {
     const double sigma = gains.noise_foot_position;
     filter.correct(y, Eigen::Vector4d::Constant(sigma * sigma), gains.gate_foot, lever);
   }
-  // Another normal: a round sole touches the ground elsewhere.
+  // Change the ground normal: a round sole then touches the ground at another point.
   void tilt_ground() {
     constexpr double kRadius = 0.02;
     const Vector3 noise = normal_noise * random.vector();
@@ -209,13 +209,14 @@ struct SwayingBase {
   double variance(int i) const { return filter.covariance()(i, i); }
 };
 
-// A state on the group, and one that is off by xi.
+// A state on the group. perturbed() applies an error xi to it.
 struct State {
   Quaternion R = exp_so3(Vector3(0.3, -0.2, 0.5));
   Vector3 v{0.4, -0.3, 0.2}, p{0.5, 0.7, 0.3};
   FeetMatrix feet = square_feet();
 
-  // exp(xi) of this, J taken as 1 - xi x: for small turns, or for any in this way of writing xi.
+  // R becomes dR R, and a vector x becomes dR x + xi_x, with dR = exp(xi_R). To first order this is
+  // exp(xi) X.
   State perturbed(const Column& xi) const {
     State out;
     const Quaternion dR = exp_so3(xi.segment<3>(kRotation));
@@ -233,7 +234,7 @@ struct State {
   }
 };
 
-// The group's error of one filter against another: X_estimate X^-1.
+// The error of one filter against another, X_estimate X^-1; the inverse of State::perturbed().
 Column error_of(const InvariantFilter& estimate, const InvariantFilter& truth) {
   Column xi = Column::Zero();
   const Quaternion dR = estimate.quaternion() * truth.quaternion().conjugate();
@@ -302,7 +303,7 @@ BOOST_AUTO_TEST_CASE(covariance_correction_matches_the_dense_joseph_form) {
     const Covariance left = Covariance::Identity() - K * H;
     const Covariance expected = left * before * left.transpose() + K * R * K.transpose();
     BOOST_REQUIRE(max_relative_difference(to_dense(P), expected) < 1e-12);
-    if (round % 2 == 0) {  // nothing was learnt of what cannot be seen
+    if (round % 2 == 0) {  // no information on unobservable states was gained
       const Eigen::Vector4d was = unobservable_information(before),
                             is = unobservable_information(to_dense(P));
       BOOST_REQUIRE((is - was).norm() < 1e-8 * was.norm());
@@ -346,7 +347,7 @@ BOOST_AUTO_TEST_CASE(covariance_stays_symmetric_and_positive_definite_over_many_
   }
 }
 
-// Each part's doubt alone, so that the columns of Phi can be read off the covariance.
+// Only one part has variance at first, so the columns of the covariance equal those of Phi.
 BOOST_AUTO_TEST_CASE(error_propagation_matches_finite_differences_of_the_group_error) {
   const State truth;
   const ImuInput imu = example_imu_step();
@@ -359,7 +360,7 @@ BOOST_AUTO_TEST_CASE(error_propagation_matches_finite_differences_of_the_group_e
       Column xi = Column::Zero();
       xi[column] = h;
       InvariantFilter off = truth.perturbed(xi).filter();
-      ImuInput read = imu;  // a bias that is too high takes away from what is read
+      ImuInput read = imu;  // the filter subtracts its bias from the reading
       read.w_base -= xi.segment<3>(kGyroscopeBias);
       read.f_base -= xi.segment<3>(kAccelerometerBias);
       move(off, read);
@@ -374,7 +375,7 @@ BOOST_AUTO_TEST_CASE(error_propagation_matches_finite_differences_of_the_group_e
     for (int column = first; column < first + count; ++column) {
       const Column expected = difference(column);
       for (int i = 0; i < kSize; ++i) {
-        // An Euler step leaves out what is of second order in the tick.
+        // An Euler step omits terms of second order in dt.
         BOOST_TEST(std::abs(filter.covariance()(i, column) - expected[i]) < 3e-5,
                    "row " << i << ", column " << column);
       }
@@ -441,7 +442,7 @@ BOOST_FIXTURE_TEST_CASE(gyroscope_and_accelerometer_biases_are_estimated, Swayin
   run(20.0);
   BOOST_TEST((filter.gyroscope_bias() - gyroscope_bias).norm() < 1e-3);
   BOOST_TEST(std::abs(filter.accelerometer_bias().z() - 0.1) < 5e-3);
-  // The same with noise, swaying: and all three axes.
+  // The same with noise, while the base sways: now all three axes are observable.
   SwayingBase moving;
   moving.gyroscope_bias = gyroscope_bias;
   moving.accelerometer_bias = Vector3(0.08, -0.06, 0.1);
@@ -471,7 +472,7 @@ BOOST_AUTO_TEST_CASE(unobservable_yaw_and_position_gain_no_information) {
       BOOST_TEST((now.array() <= known.array() * (1.0 + 1e-6)).all());
       known = now;
     }
-    // Of the parts alone, position's breathes by a hundredth with the body that it is measured on.
+    // The variance of the position alone varies by up to 1 % with the sway.
     const double slack = size > 0.0 ? 0.99 : 1.0;
     double yaw = sway.variance(kRotation + 2), x = sway.variance(kPosition);
     const double start = x;
@@ -484,14 +485,14 @@ BOOST_AUTO_TEST_CASE(unobservable_yaw_and_position_gain_no_information) {
     }
     BOOST_TEST(x >= start);
     if (size > 0.0) continue;
-    // At rest a tilt and a horizontal bias of the accelerometer look the same.
+    // At rest a tilt and a horizontal accelerometer bias cannot be told apart.
     BOOST_TEST(std::sqrt(sway.variance(kAccelerometerBias)) > 0.8 * 0.1);
     BOOST_TEST(std::sqrt(sway.variance(kAccelerometerBias + 1)) > 0.8 * 0.1);
     BOOST_TEST(std::sqrt(sway.variance(kAccelerometerBias + 2)) < 0.3 * 0.1);
   }
 }
 
-// A tilt and a bias that look the same must stay what they were, whatever trembles.
+// At rest a tilt and a horizontal bias look the same. Noise must not change either of them.
 BOOST_AUTO_TEST_CASE(noise_at_rest_does_not_change_the_accelerometer_bias) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     SwayingBase sway;
@@ -506,11 +507,12 @@ BOOST_AUTO_TEST_CASE(noise_at_rest_does_not_change_the_accelerometer_bias) {
     const Vector3 early = sway.filter.accelerometer_bias();
     sway.run(240.0);
     const Vector3 learnt = sway.filter.accelerometer_bias() - early;
-    BOOST_TEST(learnt.head<2>().norm() < 5e-4);  // made at each tick's attitude: 26e-4 and more
+    // Linearisation at each tick's attitude would give 26e-4 or more.
+    BOOST_TEST(learnt.head<2>().norm() < 5e-4);
   }
 }
 
-// The ground's normal is found from the believed feet: it trembles, and that is no news.
+// The ground normal is computed from the estimated feet, so its noise is no new information.
 BOOST_AUTO_TEST_CASE(ground_normal_noise_gives_no_information_on_tilt_or_bias) {
   const auto bias_variance_after = [](double normal_noise) {
     SwayingBase sway;
@@ -523,10 +525,11 @@ BOOST_AUTO_TEST_CASE(ground_normal_noise_gives_no_information_on_tilt_or_bias) {
                            sway.variance(kAccelerometerBias + 1));
   };
   const Eigen::Vector2d share = bias_variance_after(1e-3).cwiseQuotient(bias_variance_after(1e-9));
-  BOOST_TEST(share.minCoeff() > 0.99);  // measured at each tick's lever: next to nothing is left
+  // Linearisation at each tick's lever would leave almost nothing.
+  BOOST_TEST(share.minCoeff() > 0.99);
 }
 
-// Standing feet tell a vertical bias from all else, so a jump must not be laid to the tilt.
+// Standing feet make a vertical bias observable, so a step of it must not change the tilt.
 BOOST_AUTO_TEST_CASE(step_of_the_vertical_bias_is_estimated_within_1_to_6_s) {
   const auto check_bias_step = [](double jump, double noise, double seconds) {
     SwayingBase sway;
@@ -546,17 +549,18 @@ BOOST_AUTO_TEST_CASE(step_of_the_vertical_bias_is_estimated_within_1_to_6_s) {
   };
   for (const double jump : {0.7, -0.7}) {
     check_bias_step(jump, 0.05, 1.0);
-    check_bias_step(jump, 0.45, 6.0);  // three times sigma sqrt(dt) / drift
+    check_bias_step(jump, 0.45, 6.0);  // 6 s: three times sigma sqrt(dt) / drift
   }
 }
 
-// A small turn is the estimate's own noise, a greater one is true: then the error moves at it.
+// A smaller rotation may be noise of the estimate. After a larger one the error dynamics are
+// linearised at the new attitude.
 BOOST_AUTO_TEST_CASE(error_dynamics_are_recomputed_after_10_mrad_of_rotation) {
   Gains gains;
   gains.accelerometer_drift = gains.accelerometer_drift_vertical = 0.0;
   State level;
   level.R.setIdentity();
-  // P of (v_y, b_x) is -dt sigma^2 times the sum of R_yx over the ticks.
+  // The covariance of (v_y, b_x) is -dt sigma^2 times the sum of R_yx over the ticks.
   const auto turned = [&](std::initializer_list<double> headings) {
     InvariantFilter filter = level.filter({0.0, 0.0, 0.0, 0.0, 1.0});
     ImuInput imu;
@@ -584,13 +588,13 @@ BOOST_AUTO_TEST_CASE(error_dynamics_are_recomputed_after_10_mrad_of_rotation) {
 BOOST_AUTO_TEST_CASE(measurement_is_recomputed_after_10_mrad_of_lever_rotation) {
   State level;
   level.R.setIdentity();
-  const Vector3 lever(0.0, 0.0, 1.0);  // long, and feet well known: it decides
+  const Vector3 lever(0.0, 0.0, 1.0);  // long lever and accurate feet: the lever dominates
   const auto lean = [&](double angle) { return exp_so3(Vector3(angle, 0.0, 0.0)) * lever; };
   const auto after = [&](std::initializer_list<double> angles) {
     InvariantFilter filter = level.filter({0.3, 0.0, 0.001, 0.0, 0.0});
     const FeetMatrix y = filter.R_world_base().transpose() * (filter.feet().colwise() - filter.p());
     for (const double& angle : angles) {
-      // All but the last measure next to nothing: they only bring their lever.
+      // All corrections but the last have almost no information; they only set the lever.
       const bool measures = &angle == std::prev(angles.end());
       filter.correct(y, Eigen::Vector4d::Constant(measures ? 1e-6 : 1e15), 4.0, lean(angle));
     }
@@ -606,13 +610,13 @@ BOOST_AUTO_TEST_CASE(accelerometer_bias_variance_converges_to_its_initial_value)
   Gains gains;
   gains.accelerometer_drift = 0.02;
   gains.start_accelerometer_bias = 0.1;
-  const double forgets = 50.0;  // [s] 2 (start / drift)^2
+  const double forgets = 50.0;  // [s] time constant of the bias, 2 (start / drift)^2
   ImuInput imu;
   imu.f_base = kGravity * Vector3::UnitZ();
   imu.dt = 0.01;
   const auto variance_after = [&](double sigma) {
     State level;
-    level.R.setIdentity();  // the vertical bias wanders further
+    level.R.setIdentity();  // level: only the z bias has the extra vertical drift
     InvariantFilter filter = level.filter({0.0, 0.0, 0.0, 0.0, sigma});
     for (int k = 0; k < 4.0 * forgets / imu.dt; ++k) {
       filter.predict(gains, imu, Eigen::Vector4d::Zero());
@@ -623,7 +627,7 @@ BOOST_AUTO_TEST_CASE(accelerometer_bias_variance_converges_to_its_initial_value)
   BOOST_TEST(variance_after(0.0) == 0.01, boost::test_tools::tolerance(1e-3));
   BOOST_TEST(variance_after(0.5) == 0.01, boost::test_tools::tolerance(2e-2));
 
-  SwayingBase sway;  // at rest the vertical bias is seen
+  SwayingBase sway;  // at rest the vertical bias is observable
   sway.size = 0.0;
   sway.accelerometer_bias = Vector3(0.0, 0.0, 0.08);
   sway.start({0.05, 0.5, 0.002, 0.02, 0.1});
@@ -675,7 +679,7 @@ BOOST_FIXTURE_TEST_CASE(foot_innovation_between_one_and_five_gates_is_downweight
 BOOST_AUTO_TEST_CASE(foot_noise_is_estimated_from_innovations) {
   SwayingBase sway;
   sway.size = 0.0;
-  sway.noise_foot = 0.006;  // thrice the guess
+  sway.noise_foot = 0.006;  // three times the initial value
   sway.start({0.05, 0.5, 0.002, 0.02, 0.1});
   FootNoise noise;
   noise.reset(sway.gains);

@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kWatts = 80.0;
 
-// A leg that has come free from under the body is flung: nothing holds its thigh.
+// A leg that comes free from under the body runs away: nothing holds its thigh.
 struct RunawayLeg {
   Robot robot = quadruped();
   RisePlan plan = plan_rise(robot, kWatts);
   JointImpedance impedance{robot, plan, kWatts};
 
-  // What the motors take [W], their own damping included.
+  // Return the power of the motors [W], including their own damping.
   double power(double thigh) {
     LowState report = resting_sample(robot, 0);
     report.motorState[FL_1].dq = static_cast<float>(thigh);
@@ -34,17 +34,17 @@ struct RunawayLeg {
 
 BOOST_AUTO_TEST_SUITE(joint_impedance)
 
-// By their damping alone the motors would take two, and ten, times the power.
+// Damping alone would take 2 and 10 times the power limit.
 BOOST_FIXTURE_TEST_CASE(braking_a_runaway_leg_stays_within_the_power_limit, RunawayLeg) {
   for (const double factor : {2.0, 10.0}) {
     const double thigh = std::sqrt(factor * kWatts / plan.damping);
     BOOST_TEST(power(thigh) < kWatts * (1.0 + 1e-6));
     BOOST_TEST(power(-thigh) < kWatts * (1.0 + 1e-6));
-    BOOST_TEST(power(thigh) > 0.9 * kWatts);  // it does brake with what there is
+    BOOST_TEST(power(thigh) > 0.9 * kWatts);  // it brakes with the power that is available
   }
 }
 
-// Torques that hold a whole robot are far beyond what hot motors have left.
+// Torques that hold a whole robot are far beyond the torque share of hot motors.
 BOOST_FIXTURE_TEST_CASE(power_limiting_keeps_the_motor_torque_share, RunawayLeg) {
   const double share = 0.05;
   impedance.set_torque_share(Vector12::Constant(share));
@@ -53,7 +53,8 @@ BOOST_FIXTURE_TEST_CASE(power_limiting_keeps_the_motor_torque_share, RunawayLeg)
     report.motorState[FL_1].dq = static_cast<float>(way * std::sqrt(0.98 * kWatts / plan.damping));
     impedance.read(report);
     JointReference reference;
-    reference.q = impedance.q() - Vector12::Constant(0.4 * way);  // all but FL_1 brake well
+    // The springs pull against the motion of FL_1.
+    reference.q = impedance.q() - Vector12::Constant(0.4 * way);
     const Vector12 tau = impedance.torques(reference, 1.0);
     for (int i = 0; i < kMotors; ++i) {
       BOOST_TEST(std::abs(tau[i]) <= share * robot.config().tau_max[i]);
@@ -75,13 +76,13 @@ BOOST_FIXTURE_TEST_CASE(damping_decreases_while_the_body_rotates, RunawayLeg) {
   };
   BOOST_TEST(after(0.5) == 1.0);
   impedance.reduce_damping(3.0, 0.002);
-  BOOST_TEST(impedance.damping() > 0.9 * plan.damping);  // not at once: no step of torque
+  BOOST_TEST(impedance.damping() > 0.9 * plan.damping);  // gradually: no step of torque
   BOOST_TEST(std::abs(after(3.0) - 0.25) < 0.01);
   BOOST_TEST(std::abs(after(1.1) - 0.625) < 0.01);
   BOOST_TEST(std::abs(after(0.0) - 1.0) < 0.01);
 }
 
-// A leg that is caught under the body comes free faster than its torques can follow.
+// A leg that has caught under the body comes free faster than its torques can change.
 BOOST_FIXTURE_TEST_CASE(released_springs_stay_within_the_power_limit, RunawayLeg) {
   for (const double turning : {0.0, 3.0}) {
     for (int tick = 0; tick < 100; ++tick) impedance.reduce_damping(turning, 0.002);
@@ -91,15 +92,15 @@ BOOST_FIXTURE_TEST_CASE(released_springs_stay_within_the_power_limit, RunawayLeg
     const Vector12 hold = impedance.torques(reference, 0.0);
     for (int i : {RR_0, RR_1, RR_2, FL_1}) reference.q[i] += 0.4;
     const Vector12 pull = impedance.torques(reference, 0.0) - hold;
-    // Each at the speed at which it takes most, braked by its motor alone.
+    // Each spring at the speed at which it takes most power, braked only by its motor.
     const double released = pull.squaredNorm() / (4.0 * impedance.damping());
     BOOST_TEST(released < 1.01 * kWatts);
-    BOOST_TEST(released > 0.6 * kWatts);  // it does pull with what there is
+    BOOST_TEST(released > 0.6 * kWatts);  // it pulls with the power that is available
     BOOST_TEST(std::abs(pull[RR_0] - pull[FL_1]) < 1e-9);
   }
 }
 
-// Legs that bear the body are not caught, and need all of it.
+// Loaded legs have not caught, and they need the full spring torque.
 BOOST_FIXTURE_TEST_CASE(loaded_legs_apply_the_full_spring_torque, RunawayLeg) {
   impedance.read(resting_sample(robot, 0));
   JointReference reference;
@@ -110,7 +111,7 @@ BOOST_FIXTURE_TEST_CASE(loaded_legs_apply_the_full_spring_torque, RunawayLeg) {
   BOOST_TEST(std::abs(pull[FL_1] + 0.1 * plan.stiffness) < 1e-9);
 }
 
-// As legs take the body's weight their pull grows without a step.
+// The spring torque grows without a step while the legs take the weight of the body.
 BOOST_FIXTURE_TEST_CASE(spring_torque_increases_smoothly_with_leg_load, RunawayLeg) {
   impedance.read(resting_sample(robot, 0));
   JointReference still, taut;
@@ -124,7 +125,7 @@ BOOST_FIXTURE_TEST_CASE(spring_torque_increases_smoothly_with_leg_load, RunawayL
     before = pull;
   }
   BOOST_TEST(least > -0.02);
-  BOOST_TEST(most < 0.3);  // [N.m]; twelve in all
+  BOOST_TEST(most < 0.3);  // [N.m] per step of load; 12 in total
 }
 
 BOOST_AUTO_TEST_SUITE_END()

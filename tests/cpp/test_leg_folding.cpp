@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How legs fold, and how a robot goes on from where it is.
+// How legs fold, and how a rise continues from the present pose.
 #include <boost/test/unit_test.hpp>
 #include <random>
 
@@ -15,13 +15,13 @@ namespace {
 constexpr double kTick = 0.002;  // [s]
 constexpr int kThigh = 1;        // of FR
 
-/// Legs without mass that go where they are wanted, FR's thigh no further than it can.
+/// Massless legs that follow their references; the thigh of FR turns back to `thigh_limit` only.
 struct FoldingLegs {
   RisePlan plan = plan_rise(quadruped(), 50.0);
   LegFolding legs{plan, 2.0};
   Vector12 q = plan.standing;
-  double lean = 0.0;         // [rad] of the body, right side down
-  double thigh_limit = 1e9;  // [rad] that the thigh can turn back
+  double lean = 0.0;         // [rad] roll of the body, right side down
+  double thigh_limit = 1e9;  // [rad] limit of the thigh of FR
 
   Vector3 up() const { return {0.0, std::sin(lean), std::cos(lean)}; }
   const JointReference& step() {
@@ -30,7 +30,7 @@ struct FoldingLegs {
     q[kThigh] = std::min(q[kThigh], thigh_limit);
     return reference;
   }
-  /// [s] until they are folded or stuck, or this long
+  /// Run until the legs are folded or stuck, at most `seconds`. @return elapsed time [s]
   double run(double seconds) {
     double time = 0.0;
     while (time < seconds && !legs.done() && !legs.stuck()) {
@@ -59,7 +59,7 @@ BOOST_FIXTURE_TEST_CASE(legs_fold_from_random_joint_angles, FoldingLegs) {
   }
 }
 
-// Bent, it would lift the body as its hip opens.
+// Bent, the leg would lift the body while its hip opens.
 BOOST_FIXTURE_TEST_CASE(leg_tucked_inward_is_extended_before_its_hip_abducts, FoldingLegs) {
   const double in = -plan.hip_outward_max[0];
   q.head<3>() << in, -0.4, plan.lower[2];
@@ -79,7 +79,7 @@ BOOST_FIXTURE_TEST_CASE(legs_are_released_and_extended_when_the_body_rolls, Fold
   run(0.1);
   lean = 0.5;
   for (double time = 0.0; time < 1.0; time += kTick) {
-    BOOST_TEST(legs.step(q, up(), kTick).dq.norm() == 0.0);  // q stays: limp on the ground
+    BOOST_TEST(legs.step(q, up(), kTick).dq.norm() == 0.0);  // q stays: the legs are released
     BOOST_TEST(!legs.done());
   }
   BOOST_TEST((legs.step(q, up(), kTick).q - q).cwiseAbs().maxCoeff() < 0.01);
@@ -88,7 +88,7 @@ BOOST_FIXTURE_TEST_CASE(legs_are_released_and_extended_when_the_body_rolls, Fold
   }
   BOOST_TEST(std::abs(q[kThigh] - 1.9) < 0.35);
   BOOST_TEST(q[2] > -1.55);
-  run(8.0);  // it leans still, but no further
+  run(8.0);  // the body still leans, but does not roll further
   BOOST_TEST(legs.done());
   BOOST_TEST(!legs.rolled_over());
 }
@@ -101,15 +101,15 @@ BOOST_FIXTURE_TEST_CASE(repeated_rolls_are_reported_as_continued_rolling, Foldin
     BOOST_TEST((legs.step(q, up(), kTick).dq.norm() > 0.0));
     lean = 0.65;
     run(0.9);
-    BOOST_TEST(legs.step(q, up(), kTick).dq.norm() == 0.0);  // let go of: it may fall back yet
+    BOOST_TEST(legs.step(q, up(), kTick).dq.norm() == 0.0);  // released for 1 s
     lean = 0.0;
     run(0.2);
     BOOST_TEST(!legs.rolled_over());
   }
-  lean = 0.6;  // it leans only
+  lean = 0.6;  // the body leans, but does not roll over
   run(0.1);
   BOOST_TEST(!legs.rolled_over());
-  legs.step(q, {-std::sin(0.72), 0.0, std::cos(0.72)}, kTick);  // nose up, on a front leg
+  legs.step(q, {-std::sin(0.72), 0.0, std::cos(0.72)}, kTick);  // nose up: no roll
   BOOST_TEST(!legs.rolled_over());
   for (const double side : {0.72, -0.72}) {
     LegFolding rolling = legs;
@@ -145,15 +145,15 @@ BOOST_FIXTURE_TEST_CASE(side_folded_after_a_roll_is_reported, FoldingLegs) {
   lean = 0.5;
   run(0.1);
   lean = 0.0;
-  run(1.0);  // let go of
+  run(1.0);  // the legs are released for 1 s
   BOOST_TEST((legs.folded_side(q) == none));
   run(4.0);
   BOOST_TEST((legs.folded_side(q) == left));
   LegFolding rolling = legs;
   rolling.step(q, {0.0, std::sin(0.6), std::cos(0.6)}, kTick);
-  BOOST_TEST((rolling.folded_side(q) == none));  // folded it is, but let go of
+  BOOST_TEST((rolling.folded_side(q) == none));  // folded, but released
   legs.side_weighed();
-  BOOST_TEST((legs.folded_side(q) == none));  // until a leg has caught again
+  BOOST_TEST((legs.folded_side(q) == none));  // none until a leg has caught again
 }
 
 BOOST_FIXTURE_TEST_CASE(folded_legs_refold_from_their_current_angles_after_a_roll, FoldingLegs) {
@@ -161,7 +161,7 @@ BOOST_FIXTURE_TEST_CASE(folded_legs_refold_from_their_current_angles_after_a_rol
   run(8.0);
   BOOST_TEST(legs.done());
   JointReference at{q, Vector12::Zero()};
-  at.q[0] -= 0.2;  // as they are weighed
+  at.q[0] -= 0.2;  // as while they are weighed
   BOOST_TEST(!legs.detect_rollover(at, up(), kTick));
   BOOST_TEST(legs.done());
   lean = 0.5;
@@ -189,14 +189,14 @@ BOOST_FIXTURE_TEST_CASE(body_that_blocks_all_legs_is_pinned, FoldingLegs) {
     return legs.pinned(q, up());
   };
   BOOST_TEST(pinned(-1, 0.0));
-  q[3] += 0.5;  // as lies a leg that was moved, and caught elsewhere
+  q[3] += 0.5;  // a leg was moved and has caught elsewhere
   BOOST_TEST(!legs.pinned(q, up()));
   BOOST_TEST(!pinned(2, 0.0));        // one leg folds
-  BOOST_TEST(!pinned(-1, 0.2, 9.0));  // the body gives way
-  BOOST_TEST(!pinned(-1, 0.5));       // or rolls, and is let go of
+  BOOST_TEST(!pinned(-1, 0.2, 9.0));  // the tilt of the body changes
+  BOOST_TEST(!pinned(-1, 0.5));       // the body rolls, and the legs are released
 }
 
-// It takes turns, but is not let go of: that would take a second more.
+// The legs fold in an order, but they are not released, which would take one more second.
 BOOST_FIXTURE_TEST_CASE(body_that_leans_from_the_start_is_not_rolling, FoldingLegs) {
   const Vector12 lying = q;
   legs.start(q, up());
@@ -211,8 +211,8 @@ BOOST_FIXTURE_TEST_CASE(body_that_leans_from_the_start_is_not_rolling, FoldingLe
   }
 }
 
-// Those that prop the lower side up stay until the others are folded.
-BOOST_FIXTURE_TEST_CASE(legs_of_a_leaning_body_fold_one_side_at_a_time, FoldingLegs) {
+// The diagonal pair that supports the lower side waits until the other pair is folded.
+BOOST_FIXTURE_TEST_CASE(legs_of_a_leaning_body_fold_one_diagonal_pair_at_a_time, FoldingLegs) {
   const Vector12 standing = q;
   const double in = -plan.hip_outward_max[FR_0];
   const auto waits = [&](double angle, double front_right_hip, double front_left_thigh) {
@@ -236,17 +236,17 @@ BOOST_FIXTURE_TEST_CASE(legs_of_a_leaning_body_fold_one_side_at_a_time, FoldingL
   BOOST_TEST((waits(0.0, 0.0, 0.7) == none));
   BOOST_TEST((waits(0.3, 0.0, 0.7) == right));
   BOOST_TEST((waits(-0.3, 0.0, 0.7) == left));
-  BOOST_TEST((waits(0.3, in, 0.7) == left));   // FR lies under the body, FL props it
+  BOOST_TEST((waits(0.3, in, 0.7) == left));   // FR is under the body, FL supports it
   BOOST_TEST((waits(0.3, in, 2.3) == right));  // FL's foot is in the air
 }
 
-// It would turn the body over, were the others folded.
+// The rear leg would turn the body over once the other legs are folded.
 BOOST_FIXTURE_TEST_CASE(rear_leg_tucked_under_a_leaning_body_folds_first, FoldingLegs) {
   const Vector12 standing = q;
   const auto right_rear_waits = [&](double rr_hip, double rr_thigh, double rl_hip) {
     q = standing;
     q[RR_0] = rr_hip, q[RR_1] = rr_thigh, q[RL_0] = rl_hip;
-    lean = -0.3;  // FL props it, and RR would wait with it
+    lean = -0.3;  // FL supports the body, and RR would wait with it
     const Vector3 before = q.segment<kLegJoints>(RR_0);
     legs.start(q, up());
     run(0.2);
@@ -256,17 +256,17 @@ BOOST_FIXTURE_TEST_CASE(rear_leg_tucked_under_a_leaning_body_folds_first, Foldin
   BOOST_TEST(right_rear_waits(0.0, 0.7, 0.0));
   BOOST_TEST(!right_rear_waits(right_in, 0.7, 0.0));
   BOOST_TEST(right_rear_waits(right_in, 2.3, 0.0));      // its knee is up
-  BOOST_TEST(right_rear_waits(right_in, 0.7, left_in));  // both are
+  BOOST_TEST(right_rear_waits(right_in, 0.7, left_in));  // both rear legs are drawn in
 }
 
-// The way round takes its time from when the leg begins.
+// The detour time of a leg starts when the leg starts to fold.
 BOOST_FIXTURE_TEST_CASE(leg_that_waited_is_still_extended_first, FoldingLegs) {
   const double in = -plan.hip_outward_max[RR_0];
   q.segment<kLegJoints>(RR_0) << in, -0.4, plan.lower[RR_2];
-  q[RL_0] = -plan.hip_outward_max[RL_0];  // so is RL, or RR would go first
+  q[RL_0] = -plan.hip_outward_max[RL_0];  // RL is drawn in too, or RR would fold first
   lean = -0.3;
   legs.set_wait(3.0);
-  thigh_limit = plan.standing[kThigh] + 0.3;  // FR catches: the others wait for all of it
+  thigh_limit = plan.standing[kThigh] + 0.3;  // FR catches: others wait 3 s
   legs.start(q, up());
   run(2.9);
   BOOST_TEST(q[RR_0] == in);
@@ -294,7 +294,7 @@ BOOST_FIXTURE_TEST_CASE(caught_leg_backs_out_and_retries, FoldingLegs) {
   for (double time = 0.0; time < 3.0; time += kTick) {
     step();
     backed = backed || q[kThigh] < thigh_limit - 0.25;
-    if (backed) thigh_limit = 1e9;  // it slips off
+    if (backed) thigh_limit = 1e9;  // the leg comes free
   }
   BOOST_TEST(backed);
   run(8.0);
@@ -306,10 +306,10 @@ BOOST_FIXTURE_TEST_CASE(folded_side_is_reported_while_the_other_side_is_caught, 
   thigh_limit = 1.0;
   legs.start(q, up());
   run(3.0);
-  BOOST_TEST((legs.folded_side(q) == none));  // a first catch is nothing
+  BOOST_TEST((legs.folded_side(q) == none));  // one catch is not enough
   run(9.0);
   BOOST_TEST((legs.folded_side(q) == left));
-  thigh_limit = 1e9;  // it slips off: that side caught, and tells nothing of the other
+  thigh_limit = 1e9;  // FR comes free; it had caught, so only the left side can be reported
   run(20.0);
   const std::array<bool, kLegs> folded = legs.folded_side(q);
   BOOST_TEST(legs.done());

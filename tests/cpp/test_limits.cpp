@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(hip_inward_limits_only_hip_joints_and_only_inward) {
   }
 }
 
-// A joint that takes all the bounds allow: full speed ahead, and yet it stops before the end.
+// With the largest allowed accelerations a joint reaches full speed, and still stops in time.
 BOOST_FIXTURE_TEST_CASE(joint_at_maximum_acceleration_stops_before_its_limit, LimitsFixture) {
   const double dt = 0.002;
   for (const double direction : {1.0, -1.0}) {
@@ -98,7 +98,8 @@ BOOST_FIXTURE_TEST_CASE(joint_beyond_its_position_or_speed_limit_is_driven_back,
   BOOST_TEST(limits.a_upper[5] < -50.0);
 }
 
-// The whole program on an ideal robot: asked down through the floor, its knees stop in time.
+// The whole controller on an ideal robot: the body is requested too low, and the knees stop in
+// time.
 BOOST_AUTO_TEST_CASE(body_requested_too_low_keeps_joints_inside_their_limits) {
   const Robot robot = tight_limit_quadruped(30.0, 0.35);
   const RobotConfig& c = robot.config();

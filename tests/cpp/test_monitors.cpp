@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each of the supervisor's small observers sees, and what it must not.
+// What each monitor of the supervisor detects, and what it must not detect.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
@@ -17,11 +17,11 @@ namespace {
 constexpr double kTick = 0.002;  // [s]
 constexpr int kNoLeg = -1;
 
-/// Thighs and calves that swing, measured as encoders do: rounded angles, noisy speeds.
+/// Swinging thighs and calves, as encoders measure them: quantised angles, noisy velocities.
 struct SwingingJoints {
   std::mt19937 random{1};
   std::normal_distribution<double> noise{0.0, 0.05};  // [rad/s]
-  double speed = 0.6;                                 // [rad/s] greatest
+  double speed = 0.6;                                 // [rad/s] largest
   double time = 0.0;
   LowState report{};
 
@@ -35,7 +35,7 @@ struct SwingingJoints {
     }
     return report;
   }
-  /// The leg's joints as they were.
+  /// Set the joints of a leg back to an earlier sample.
   void freeze_leg(const LowState& before, int leg) {
     for (int i = kLegJoints * leg; i < kLegJoints * (leg + 1); ++i) {
       report.motorState[i].q = before.motorState[i].q;
@@ -44,7 +44,7 @@ struct SwingingJoints {
   }
 };
 
-/// [ticks] until it says so, or as many as there are
+/// Return the number of ticks until see() returns true, at most `most`.
 template <typename See>
 int ticks_until(int most, See&& see) {
   for (int k = 1; k <= most; ++k) {
@@ -82,12 +82,12 @@ BOOST_FIXTURE_TEST_CASE(moving_resting_or_slow_joints_are_not_dead_encoders, Swi
     watch.update(next(), kTick, kNoLeg);
     BOOST_REQUIRE(watch.motor() < 0);
   }
-  for (int k = 0; k < 5000; ++k) {  // joints at 50 Hz under a link at 500
+  for (int k = 0; k < 5000; ++k) {  // joints at 50 Hz, samples at 500 Hz
     if (k % 10 == 0) next();
     watch.update(report, kTick, kNoLeg);
     BOOST_REQUIRE(watch.motor() < 0);
   }
-  const LowState kept = report;  // a leg at rest whose speeds have an offset
+  const LowState kept = report;  // a leg at rest whose velocities have an offset
   for (int k = 0; k < 5000; ++k) {
     next();
     freeze_leg(kept, 2);
@@ -152,7 +152,7 @@ BOOST_FIXTURE_TEST_CASE(correct_or_slow_clock_and_wrong_speeds_raise_no_fault, S
   expect_quiet([](int) {}, 0.5 * kTick);
   expect_quiet([&](int k) { report.motorState[5].dq = k % 25 == 0 ? 25.0F : 0.0F; }, kTick);
   expect_quiet([&](int) { freeze_leg(LowState{}, 3); }, kTick);
-  expect_quiet(  // four that turn faster than they do, in two reports of ten
+  expect_quiet(  // four calves that report 5 rad/s in two samples of ten
       [&](int k) {
         for (const int i : {2, 5, 8, 11}) {
           if (k % 10 < 2) report.motorState[i].dq = std::copysign(5.0F, report.motorState[i].dq);
@@ -160,7 +160,7 @@ BOOST_FIXTURE_TEST_CASE(correct_or_slow_clock_and_wrong_speeds_raise_no_fault, S
       },
       kTick);
   speed = 0.0;
-  expect_quiet([](int) {}, 2.0 * kTick);  // at rest there is nothing to see
+  expect_quiet([](int) {}, 2.0 * kTick);  // at rest the clock cannot be checked
   expect_quiet(
       [&](int) {
         for (int i = 0; i < kMotors; ++i) report.motorState[i].dq += float(20.0 * noise(random));
@@ -171,9 +171,9 @@ BOOST_FIXTURE_TEST_CASE(correct_or_slow_clock_and_wrong_speeds_raise_no_fault, S
 BOOST_AUTO_TEST_CASE(alternation_is_distinguished_from_motion_and_steps) {
   constexpr double kShare = 0.04;
   const auto settled = [](auto&& signal) {
-    Alternation zigzag;
+    Alternation alternation;
     double mean = 0.0;
-    for (int k = 0; k < 500; ++k) mean = zigzag.update(signal(k), kShare);
+    for (int k = 0; k < 500; ++k) mean = alternation.update(signal(k), kShare);
     return mean;
   };
   BOOST_TEST(settled([](int k) { return k % 2 ? 1.0 : -1.0; }) > 3.9);
@@ -186,11 +186,11 @@ BOOST_AUTO_TEST_CASE(one_wrong_sample_in_ten_is_not_frequent) {
   std::mt19937 random{7};
   std::normal_distribution<double> noise{0.0, 0.1};
   const auto ever = [&](int begin, auto&& wrong) {
-    Alternation zigzag;
+    Alternation alternation;
     bool often = false;
     for (int k = 0; k < 1000; ++k) {
-      zigzag.update((k > begin && wrong(k) ? 0.0 : 5.0) + noise(random), 0.04, 0.5);
-      often |= zigzag.is_frequent();
+      alternation.update((k > begin && wrong(k) ? 0.0 : 5.0) + noise(random), 0.04, 0.5);
+      often |= alternation.is_frequent();
     }
     return often;
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The SDK's two protections that know the joints' limits.
+// The SDK's two protections that use the joint limits.
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// Hips of which the right ones are the mirror of the left ones, as on an Aliengo.
+// Hips whose limits on the right mirror those on the left, as on an Aliengo.
 RobotConfig mirrored_hips() {
   RobotConfig config = quadruped_config();
   for (const int hip : {FL_0, RL_0}) {

@@ -16,7 +16,7 @@ using namespace surefoot;
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kLimit = 300.0;  // [W] of the controller under test
+constexpr double kLimit = 300.0;  // [W] power limit of the controller
 
 struct Demand {
   explicit Demand(int seed) {
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(torques_within_the_limit_are_unchanged) {
   }
 }
 
-// Against every point of a fine grid, with limits from far too little to nearly enough.
+// Compare with a fine grid of scales, for limits from 0 to 90 % of the full power.
 BOOST_AUTO_TEST_CASE(scale_is_the_largest_within_the_limit) {
   int limited = 0, exceeded_at_hold = 0, exceeded = 0;
   for (int seed = 0; seed < 200; ++seed) {
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(holding_torques_balance_gravity) {
   Dynamics dynamics(robot);
   dynamics.update(state.q, state.v, Vector3::UnitZ());
   const Vector12 hold = holding_torques(dynamics, robot.mass(), state, Eigen::Vector4d::Ones());
-  // In equilibrium: h = S' tau + J' f with forces that the torques themselves tell.
+  // In equilibrium h = S' tau + J' f, with the forces that follow from the torques.
   Vector6 left = dynamics.h_base();
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& one = dynamics.legs()[leg];

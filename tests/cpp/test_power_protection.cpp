@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The SDK's protections: the truth table measured on the vendor's library, and where ours differs.
+// The SDK's protections: the truth table measured on the vendor's library, and where Surefoot
+// differs.
 #include <boost/test/unit_test.hpp>
 #include <cstring>
 #include <limits>
@@ -21,14 +22,15 @@ LowState state_with_power(float watts, int motor = 0) {
   return state;
 }
 
-// A protection, and what it says of some watts.
+// A protection, called with a given power.
 struct Guard {
   Safety safety{quadruped()};
   LowCmd cmd = init_low_cmd();
   int operator()(float watts, int level = 1) {
     return safety.power_protect(cmd, state_with_power(watts), level);
   }
-  // Number of the first call of a pattern, 'x' over and '.' under 100 W, that trips; 0: none.
+  // Repeat a pattern of calls, 'x' above and '.' below 100 W. @return number of the first call that
+  // trips; 0: none
   int first_trip(const char* pattern, int calls) {
     const std::size_t length = std::strlen(pattern);
     for (int k = 0; k < calls; ++k) {

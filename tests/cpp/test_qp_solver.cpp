@@ -9,9 +9,9 @@ using namespace surefoot;
 
 namespace {
 
-constexpr int kDefaultChanges = 100;  // changes of the active rows; with none ProxQP has to solve
+constexpr int kDefaultChanges = 100;  // limit of active-set changes; with 0, ProxQP solves
 
-/// Solves a random program; says whether more was needed than the rows that were active last.
+/// Solve a QP and check it. @return whether its active constraints differed from the last ones
 bool solve_and_check(QpSolver& solver, const QpProblem& p, double tolerance) {
   const QpResult result = solver.solve(p);
   BOOST_TEST((result.status == Status::kOk));
@@ -19,7 +19,8 @@ bool solve_and_check(QpSolver& solver, const QpProblem& p, double tolerance) {
   return result.iterations > 1;
 }
 
-/// Rows through one vertex, rows twice, rows held between equal bounds: all satisfied by x = 0.
+/// Make a QP with rows through one vertex, duplicate rows and rows with equal bounds. x = 0
+/// satisfies all of them.
 QpProblem degenerate(int seed) {
   QpProblem p = RandomQp(seed).problem;
   p.u.tail(20).setZero();
@@ -29,7 +30,7 @@ QpProblem degenerate(int seed) {
   return p;
 }
 
-/// Pairs of rows that hardly differ.
+/// Make a QP with pairs of nearly parallel rows.
 QpProblem near_parallel(int seed) {
   QpProblem p = RandomQp(seed).problem;
   for (int row = 0; row < 20; row += 2) {
@@ -83,7 +84,7 @@ BOOST_AUTO_TEST_CASE(degenerate_and_near_parallel_constraints_are_solved) {
   }
 }
 
-// Some of them are beyond ProxQP: those it has to refuse.
+// ProxQP cannot solve some of them; it must refuse those.
 BOOST_AUTO_TEST_CASE(proxqp_alone_solves_97_percent_of_degenerate_qps) {
   QpSolver solver(12, 0, 72, 1e-6, 0);
   int refused = 0;
@@ -134,7 +135,8 @@ BOOST_AUTO_TEST_CASE(nan_qp_is_refused_and_the_next_qp_is_solved) {
   }
 }
 
-// What nobody can solve uses all of ProxQP's budget, however long the other method tried before.
+// An infeasible QP uses the whole budget of ProxQP, however many changes the active set made
+// before.
 BOOST_AUTO_TEST_CASE(active_set_changes_do_not_use_the_proxqp_iteration_budget) {
   QpSolver after_changes(12, 0, 72, 1e-6), at_once(12, 0, 72, 1e-6, 0);
   int changes = 0;
@@ -155,7 +157,7 @@ BOOST_AUTO_TEST_CASE(active_set_changes_do_not_use_the_proxqp_iteration_budget) 
   BOOST_TEST(changes > 100);
 }
 
-// Whoever starts from the answer takes every row that is not zero for active.
+// A warm start takes every row with a nonzero multiplier for active.
 BOOST_AUTO_TEST_CASE(inactive_constraints_have_zero_multipliers) {
   for (const int max_changes : {kDefaultChanges, 0}) {
     QpSolver solver(12, 0, 72, 1e-9, max_changes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The generated dynamics against Pinocchio's algorithms.
+// Compare the generated dynamics with Pinocchio's algorithms.
 #include <boost/test/unit_test.hpp>
 #include <pinocchio/multibody.hpp>
 
@@ -10,7 +10,7 @@ using namespace surefoot;
 
 namespace {
 
-// A quadruped of the shape, none of whose lengths, masses and inertias is like another's.
+// Make a quadruped with the same joint layout but random lengths, masses and inertias.
 pinocchio::Model randomised_model(int seed) {
   std::srand(seed);
   pinocchio::Model model = quadruped().model();

@@ -21,12 +21,12 @@ struct RecoveryStepsFixture : CapturePointRobot {
     feet = contact_points(dynamics);
     support.latch(feet);
   }
-  // Speed forwards that brings the capture point within `margin` of the front feet.
+  // Set a forward velocity that brings the capture point within `margin` [m] of the front feet.
   void lean_forwards(double margin) {
     const double front = std::min(feet(0, FR_), feet(0, FL_)) - dynamics.p_world_com().x();
     set_com_velocity(Vector3(omega() * (front - margin), 0.0, 0.0));
   }
-  // As StandReference does in a tick.
+  // Run one tick, as StandReference does.
   void tick(const Eigen::Vector4d& contact) {
     FeetMatrix seen = feet;
     Eigen::Vector4d standing = contact;
@@ -64,15 +64,15 @@ BOOST_FIXTURE_TEST_CASE(lifted_foot_near_the_edge_steps_toward_the_capture_point
   wait(kFrontRightUp, 0.05);
   BOOST_TEST(steps.foot_offsets()(2, FR_) > 0.0);  // lifted
   wait(kFrontRightUp, 0.5);
-  const Vector3 way = steps.foot_offsets().col(FR_);
-  BOOST_TEST(way.x() == gains.foot_step, boost::test_tools::tolerance(0.02));
-  BOOST_TEST(std::abs(way.y()) < 0.2 * gains.foot_step);
-  BOOST_TEST(way.z() < -0.01);  // and pressed down
+  const Vector3 displacement = steps.foot_offsets().col(FR_);
+  BOOST_TEST(displacement.x() == gains.foot_step, boost::test_tools::tolerance(0.02));
+  BOOST_TEST(std::abs(displacement.y()) < 0.2 * gains.foot_step);
+  BOOST_TEST(displacement.z() < -0.01);  // and pressed down
   for (const int leg : {FL_, RR_, RL_}) BOOST_TEST(steps.foot_offsets().col(leg).isZero());
 }
 
 BOOST_FIXTURE_TEST_CASE(step_is_shorter_inside_the_edge_margin, RecoveryStepsFixture) {
-  gains.foot_step = 0.5;  // more than is asked
+  gains.foot_step = 0.5;  // longer than the step that is needed
   lean_forwards(0.0);
   wait(kFrontRightUp, 0.5);
   const double whole = offset_length(FR_);
@@ -84,7 +84,8 @@ BOOST_FIXTURE_TEST_CASE(step_is_shorter_inside_the_edge_margin, RecoveryStepsFix
   BOOST_TEST(offset_length(FR_) < 0.5 * whole);
 }
 
-// Feet that are not where they belong yet must not move the frame that says where that is.
+// Feet that are not at their targets yet must not move the support frame, from which the targets
+// are measured.
 BOOST_FIXTURE_TEST_CASE(all_feet_step_without_contact_and_the_support_frame_stays,
                         RecoveryStepsFixture) {
   lean_forwards(0.0);
@@ -92,9 +93,9 @@ BOOST_FIXTURE_TEST_CASE(all_feet_step_without_contact_and_the_support_frame_stay
   wait(Eigen::Vector4d::Zero(), 0.05);
   BOOST_TEST((support.origin() - origin).norm() < 1e-6);
   for (int leg = 0; leg < kLegs; ++leg) {
-    const Vector3 way = target_position(leg) - feet.col(leg);
-    BOOST_TEST(way.x() > 0.05);
-    BOOST_TEST(way.z() > 0.01);
+    const Vector3 displacement = target_position(leg) - feet.col(leg);
+    BOOST_TEST(displacement.x() > 0.05);
+    BOOST_TEST(displacement.z() > 0.01);
   }
 }
 
@@ -125,7 +126,7 @@ BOOST_FIXTURE_TEST_CASE(landed_foot_stays_and_its_nominal_position_moves_to_it,
     BOOST_TEST((target_position(FR_) - landed).head<2>().norm() < 1e-4);
   }
   BOOST_TEST(offset_length(FR_) < 1e-6);
-  // The middle of the feet has moved along by a quarter.
+  // The centre of the feet has moved by a quarter of the step.
   BOOST_TEST((support.origin() - feet.rowwise().mean()).norm() < 1e-4);
 }
 
@@ -138,7 +139,7 @@ BOOST_FIXTURE_TEST_CASE(capture_point_outside_the_support_lifts_one_loaded_foot,
   for (const int leg : {FR_, FL_, RL_}) BOOST_TEST(!steps.is_lifting_off(leg));
   const Eigen::Vector4d hind_right_up(1.0, 1.0, 0.0, 1.0);
   tick(hind_right_up);
-  BOOST_TEST(!steps.is_lifting_off(RR_));  // it has left, and would bear again
+  BOOST_TEST(!steps.is_lifting_off(RR_));  // it has left the ground, and may carry load again
   wait(hind_right_up, 0.05);
   BOOST_TEST(steps.foot_offsets()(1, RR_) < -0.02);
   BOOST_TEST(steps.foot_offsets()(2, RR_) > 0.0);
@@ -152,7 +153,7 @@ BOOST_FIXTURE_TEST_CASE(capture_point_inside_the_support_lifts_no_loaded_foot,
   BOOST_TEST(steps.foot_offsets().isZero());
 }
 
-// It is not left without its load for long.
+// The foot stays unloaded only for a short time.
 BOOST_FIXTURE_TEST_CASE(foot_that_fails_to_lift_returns_to_stance, RecoveryStepsFixture) {
   gains.foot_step = 0.3;
   move_capture_point_right(0.01);
@@ -165,7 +166,7 @@ BOOST_FIXTURE_TEST_CASE(foot_that_fails_to_lift_returns_to_stance, RecoverySteps
   BOOST_TEST(offset_length(RR_) < 1e-3);
 }
 
-// Nor is it tried again and again, with the capture point still where it was.
+// The foot is not lifted again while the capture point is still outside.
 BOOST_FIXTURE_TEST_CASE(foot_that_failed_to_lift_is_not_retried_while_still_outside,
                         RecoveryStepsFixture) {
   gains.foot_step = 0.3;
@@ -191,7 +192,7 @@ BOOST_FIXTURE_TEST_CASE(stopped_step_returns_to_zero_without_a_jump, RecoverySte
   const double before = offset_length(FR_);
   BOOST_TEST(before > 0.0);
   steps.stop(kDt);
-  BOOST_TEST(offset_length(FR_) > 0.9 * before);  // by no jump
+  BOOST_TEST(offset_length(FR_) > 0.9 * before);  // without a jump
   for (int k = 0; k < 1000; ++k) steps.stop(kDt);
   BOOST_TEST(offset_length(FR_) < 1e-3);
 }

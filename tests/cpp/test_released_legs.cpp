@@ -11,8 +11,8 @@ using namespace surefoot;
 
 namespace {
 
-// A robot pushed forward whose rear right calf runs towards its limit: what its foot's place asks
-// of it is more than it may do. A limit met at a rate of 200 is far enough away to ask nothing.
+// A robot pushed forward whose rear right calf runs towards its limit: the desired foot
+// acceleration needs more than the calf may do. With joint_limit_rate = 200 the limit does not act.
 struct StretchedLeg : CapturePointRobot {
   JointTable joints = make_joint_table(robot);
   const int calf = 3 * RR_ + 2;
@@ -23,7 +23,7 @@ struct StretchedLeg : CapturePointRobot {
     state.v[joints[calf].v] = 6.0;
   }
 
-  // Where it is and as fast as it goes.
+  // Set the foot reference to the present position and velocity of the foot.
   void set_foot_target_to_its_motion() {
     reference.feet[RR_].p_world = dynamics.legs()[RR_].p_world_contact;
     reference.feet[RR_].v_world = dynamics.legs()[RR_].v_world_contact;
@@ -41,7 +41,7 @@ struct StretchedLeg : CapturePointRobot {
     return r * r * room - 2.0 * r * state.v[joints[calf].v];
   }
   double calf_acceleration(const Solution& s) const { return s.accelerations[joints[calf].v]; }
-  // What the body was counted to feel beyond what forces and legs do to it [N], [N.m].
+  // Return the wrench on the base that neither foot forces nor leg motion explain [N], [N.m].
   Vector6 base_wrench_residual(const Solution& s) {
     dynamics.update(state.q, state.v, Vector3::UnitZ());
     Vector6 a_base = s.accelerations.head<6>();
@@ -56,7 +56,8 @@ struct StretchedLeg : CapturePointRobot {
     }
     return wrench;
   }
-  // Its calf may only go back, its thigh no slower than this; all its body may ask of it is let go.
+  // The calf must move back at 100 rad/s^2, the thigh has a lower limit, and the leg is fully
+  // released.
   JointLimits rear_right_limits(double thigh) const {
     JointLimits limits(kMotors);
     limits.a_lower.setConstant(-1e3);
@@ -91,7 +92,7 @@ BOOST_FIXTURE_TEST_CASE(only_unloaded_feet_are_released_and_only_near_the_edge, 
   }
 }
 
-// Believed on the ground or not: a foot that swings, or that was given up, is not to bear.
+// Swing feet and feet with little planned load are released, whatever their contact confidence.
 BOOST_FIXTURE_TEST_CASE(swing_and_lightly_loaded_feet_are_released_too, StretchedLeg) {
   JointLimits limits(kMotors);
   reference.feet[FL_].stance = false;
@@ -106,7 +107,7 @@ BOOST_FIXTURE_TEST_CASE(swing_and_lightly_loaded_feet_are_released_too, Stretche
 BOOST_FIXTURE_TEST_CASE(released_leg_has_wider_upper_and_lower_joint_bounds, StretchedLeg) {
   const QpLayout layout(kMotors);
   const double more = 1e4 / QpUnits(robot).angular;
-  state = standing_state(robot);  // its foot is asked what the leg can do
+  state = standing_state(robot);  // the leg can produce its foot's acceleration
   set_com_velocity(Vector3(kOverTheEdge, 0.0, 0.0));
   set_foot_target_to_its_motion();
   for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
@@ -138,7 +139,8 @@ BOOST_FIXTURE_TEST_CASE(unloaded_stretched_leg_is_not_released_inside_the_suppor
   }
 }
 
-// Its foot called down by what the leg cannot do, the body must not count on that swing.
+// The reference requests a foot acceleration that the leg cannot produce. The body must not count
+// on the reaction of that motion.
 BOOST_FIXTURE_TEST_CASE(body_near_the_edge_uses_no_impossible_leg_motion, StretchedLeg) {
   for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {
     reference.feet[RR_].a_world = Vector3(0.0, 0.0, -150.0);
@@ -178,15 +180,15 @@ BOOST_FIXTURE_TEST_CASE(released_leg_torques_match_its_motion, StretchedLeg) {
   BOOST_TEST((tau - expected).norm() < 1e-9);
 }
 
-// The conditions of Karush, Kuhn and Tucker: what is still missing pulls no joint that is free, and
-// presses one that is held against its limit.
+// Karush-Kuhn-Tucker conditions: the remaining error has no gradient along a free joint, and pushes
+// a limited joint against its limit.
 BOOST_FIXTURE_TEST_CASE(other_joints_of_a_released_leg_still_track_the_foot_target, StretchedLeg) {
   set_com_velocity(Vector3(kOverTheEdge, 0.0, 0.0));
   dynamics.update(state.q, state.v, Vector3::UnitZ());
   const Matrix3& J = dynamics.legs()[RR_].J_leg;
   const Vector3 asked(20.0, -240.0, 500.0);
-  // As the calf gives way the thigh turns the other way: past a limit that it met at first, or, if
-  // that is too far for it, on to there, and then the calf has room.
+  // As the calf is limited, the thigh turns the other way. It may pass a limit that it met at
+  // first. If its limit is further away, it stops there, and the calf is free.
   for (const auto& [thigh, thigh_met] : {std::pair{-1e3, false}, {-100.0, false}, {600.0, true}}) {
     const JointLimits limits = rear_right_limits(thigh);
     Eigen::VectorXd a = Eigen::VectorXd::Zero(robot.nv()), tau = Eigen::VectorXd::Zero(kMotors);
@@ -212,7 +214,7 @@ BOOST_FIXTURE_TEST_CASE(only_released_feet_get_feasible_acceleration_targets, St
   set_com_velocity(Vector3(kOverTheEdge, 0.0, 0.0));
   dynamics.update(state.q, state.v, Vector3::UnitZ());
   JointLimits limits = rear_right_limits(-1e3);
-  limits.a_upper[3 * FL_ + 2] = -100.0;  // one that bears has its limit too, and is not asked less
+  limits.a_upper[3 * FL_ + 2] = -100.0;  // a loaded leg with a limit keeps its target
   const Vector3 asked(20.0, -240.0, 500.0);
   FeetMatrix feet;
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -220,7 +222,7 @@ BOOST_FIXTURE_TEST_CASE(only_released_feet_get_feasible_acceleration_targets, St
     feet.col(leg) = L.J_leg * asked + L.drift;
   }
   FeetMatrix within = feet;
-  limit_foot_accelerations(dynamics, limits, 1.0, within);  // no leg turns as well as that
+  limit_foot_accelerations(dynamics, limits, 1.0, within);  // all legs count as singular
   BOOST_TEST((within - feet).isZero(0.0));
   limit_foot_accelerations(dynamics, limits, 1e-9, within);
   for (const int leg : {FR_, FL_, RL_}) BOOST_TEST((within - feet).col(leg).isZero(0.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is looked at while a robot lies that is about to rise.
+// Checks of a lying robot before it rises.
 #include <boost/test/unit_test.hpp>
 
 #include "quadruped.hpp"
@@ -15,7 +15,8 @@ namespace {
 constexpr double kTick = 0.002;  // [s]
 using Verdict = LegWeightCheck::Verdict;
 
-/// What bears the legs of a lying robot: hips by their side of the body, thighs a little.
+/// Return the torques that hold the legs of a lying robot: hips by side of the body, thighs a
+/// little.
 Vector12 leg_torques(double hip = 0.7, double thigh = 0.3) {
   Vector12 tau;
   tau << -hip, thigh, 0.0, hip, thigh, 0.0, -hip, thigh, 0.0, hip, thigh, 0.0;
@@ -37,7 +38,7 @@ struct FoldedLegs {
     }
     return weight_check.verdict();
   }
-  /// A body that turns about an axis as the rear feet are pressed down. @return [rad] most
+  /// Run the press check with a body that turns as the rear feet press. @return largest turn [rad]
   template <typename Turn>
   double press(Turn&& turn, double borne = 0.3) {
     press_check.start(plan.folded);
@@ -81,11 +82,11 @@ BOOST_FIXTURE_TEST_CASE(wrong_side_motor_is_named_and_wrong_weight_is_reported, 
   std::swap(swapped[0], swapped[3]);
   BOOST_TEST((weigh(swapped) == Verdict::kWrongSide));
   BOOST_TEST(weight_check.motor() == 0);
-  Vector12 down = leg_torques();  // it lies on the ground
+  Vector12 down = leg_torques();  // the leg lies on the ground
   down[3] *= 5.0;
   BOOST_TEST((weigh(down) == Verdict::kWrongSide));
   BOOST_TEST(weight_check.motor() == 3);
-  Vector12 inward = leg_torques();  // the front legs
+  Vector12 inward = leg_torques();  // both front legs
   inward[0] = inward[3] *= 2.2;
   inward[0] *= -1.0;
   BOOST_TEST((weigh(inward) == Verdict::kWrongSide));
@@ -98,17 +99,18 @@ BOOST_FIXTURE_TEST_CASE(wrong_side_motor_is_named_and_wrong_weight_is_reported, 
 
 BOOST_FIXTURE_TEST_CASE(one_folded_side_is_weighed_while_the_other_does_not_move, FoldedLegs) {
   const std::array<bool, kLegs> left = {false, true, false, true};
-  Vector12 interfering = leg_torques();  // the right legs hold each other
+  Vector12 interfering = leg_torques();  // the right legs block each other
   interfering[0] = 9.0, interfering[6] = -9.0;
   BOOST_TEST((weigh(interfering, left) == Verdict::kFits));
   BOOST_TEST((weigh(interfering) != Verdict::kFits));
   BOOST_TEST((weigh(leg_torques(4.0), left) == Verdict::kWrongWeight));
-  Vector12 leant_on = leg_torques();  // the body takes of what they weigh, or turns it round
+  // The body carries part of their weight, or reverses their torque.
+  Vector12 leant_on = leg_torques();
   leant_on[3] *= 0.15, leant_on[9] *= -3.0;
   BOOST_TEST((weigh(leant_on, left) == Verdict::kFits));
-  leant_on[9] *= -0.05;  // both alike
+  leant_on[9] *= -0.05;  // both ratios alike
   BOOST_TEST((weigh(leant_on, left) == Verdict::kFits));
-  leant_on[9] = 4.0 * leg_torques()[9];  // and makes nothing so heavy
+  leant_on[9] = 4.0 * leg_torques()[9];  // the body cannot make a leg that heavy
   BOOST_TEST((weigh(leant_on, left) == Verdict::kWrongSide));
   BOOST_TEST(weight_check.motor() == 9);
   weight_check.start(plan.folded, left);
@@ -178,14 +180,14 @@ BOOST_AUTO_TEST_CASE(legs_far_lighter_than_expected_are_detected) {
   };
   BOOST_TEST(light(leg_torques(0.7, 0.3)));
   BOOST_TEST(!light(leg_torques(5.0, 3.0)));
-  BOOST_TEST(!light(leg_torques(5.0, 0.3)));    // thighs that the ground holds up
+  BOOST_TEST(!light(leg_torques(5.0, 0.3)));    // the ground holds the thighs up
   BOOST_TEST(!light(leg_torques(-9.0, -9.0)));  // the body lies on its legs
-  Vector12 some = leg_torques(0.7, 0.3);        // two legs: the others rest on something
+  Vector12 some = leg_torques(0.7, 0.3);        // two legs hang free, the others rest on something
   some.head<6>() = leg_torques(5.0, 3.0).head<6>();
   BOOST_TEST(light(some));
   some[9] = 5.0;  // one leg and a half
   BOOST_TEST(!light(some));
-  BOOST_TEST(!light(0.5 * leg_torques(5.0, -3.0)));  // hips alone: thighs are pushed
+  BOOST_TEST(!light(0.5 * leg_torques(5.0, -3.0)));  // only the hips agree: the thighs are pushed
   Vector12 apart = leg_torques(5.0, 3.0);
   for (int i = 0; i < kMotors; ++i) apart[i] *= 0.55 - 0.04 * i;
   BOOST_TEST(!light(apart));

@@ -11,7 +11,7 @@ using namespace surefoot;
 
 namespace {
 
-// The message of the surefoot::Error that `action` throws; empty when it throws none.
+// Return the message of the surefoot::Error that `action` throws; empty if it throws none.
 template <typename Action>
 std::string error_of(Action&& action) {
   try {

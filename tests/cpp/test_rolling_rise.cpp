@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A lying body that rolls while a Supervisor gets it up.
+// A lying body that rolls during a rise with a Supervisor.
 #include <boost/test/unit_test.hpp>
 
 #include "robot_states.hpp"
@@ -16,7 +16,7 @@ constexpr double kJointFriction = 0.5;  // [N.m.s/rad] of every joint
 constexpr float kRollSpeed = 1.2F;      // [rad/s]
 constexpr float kG = static_cast<float>(kGravity);
 
-/// Left legs without inertia that hang free once it rises; the right ones are caught.
+/// Massless left legs that hang free during the rise; the right legs have caught.
 struct CaughtLegs {
   Robot robot = quadruped();
   RisePlan plan = plan_rise(robot, 50.0);
@@ -60,7 +60,7 @@ struct CaughtLegs {
   void roll_to(float angle) {
     while (roll_angle < angle) step(kRollSpeed);
   }
-  /// Does it weigh the left legs: folded, but for the hip, which goes outward?
+  /// Return whether the left legs are weighed: folded, with the hip outward.
   bool is_weighing() const {
     const double out =
         std::copysign(report.motorState[FL_0].q - plan.folded[FL_0], plan.hip_outward_max[FL_0]);
@@ -68,7 +68,7 @@ struct CaughtLegs {
            folded_once;
   }
   bool folded_once = false;
-  /// Until they are weighed; at most 20 s.
+  /// Step until the left legs are weighed, at most 20 s.
   void fold() {
     for (int k = 0; k < 10000 && !is_weighing(); ++k) {
       step();
@@ -76,7 +76,7 @@ struct CaughtLegs {
     }
     BOOST_REQUIRE(is_weighing());
   }
-  /// Most that a caught leg is pulled with, beyond its weight [N.m].
+  /// Return the largest torque on a caught leg beyond its weight [N.m].
   double pull() {
     const Vector12 weight = legs.leg_gravity_torques();
     double most = 0.0;

@@ -8,7 +8,7 @@ using namespace surefoot;
 
 namespace {
 
-/// A log of some ticks, the k-th at k seconds.
+/// Make a log of `ticks` ticks, one per second.
 RunLog log_of_ticks(std::size_t capacity, int ticks) {
   RunLog log(capacity);
   for (int k = 0; k < ticks; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Legs whose foot slides off, or has lost the ground, and that their own torques fling.
+// Runaway legs: legs that their own torques accelerate after their foot lost contact.
 #include <boost/test/unit_test.hpp>
 #include <random>
 
@@ -13,7 +13,8 @@ BOOST_AUTO_TEST_SUITE(runaway_legs)
 
 constexpr double kTick = 0.002;  // [s]
 
-// FR's thigh gathers ddq [rad/s^2] from dq [rad/s] on for 10 ticks: by how much its power rises.
+// Accelerate the thigh of FR by ddq [rad/s^2] from dq [rad/s] for 10 ticks. @return power rise of
+// its leg [W]
 double rise(double ddq, double tau, double dq = 0.0) {
   RunawayLegs legs;
   Vector12 speeds = Vector12::Constant(0.1), torques = Vector12::Constant(5.0);
@@ -31,9 +32,9 @@ BOOST_AUTO_TEST_CASE(power_rise_counts_only_torques_that_drive_the_joint) {
   BOOST_TEST(rise(0.0, 10.0) == 0.0);
   BOOST_TEST(rise(200.0, 10.0) == 10.0 * 200.0 * 0.015, percent);
   BOOST_TEST(rise(-200.0, -10.0) == 10.0 * 200.0 * 0.015, percent);
-  BOOST_TEST(rise(200.0, -10.0) == 0.0);        // they brake it
-  BOOST_TEST(rise(200.0, 10.0, -10.0) == 0.0);  // they still do in 15 ms
-  // -2.4 rad/s by now, 3.6 in 15 ms: they drive it from rest on.
+  BOOST_TEST(rise(200.0, -10.0) == 0.0);        // the torque brakes
+  BOOST_TEST(rise(200.0, 10.0, -10.0) == 0.0);  // it still brakes after 15 ms
+  // -2.4 rad/s now and 3.6 rad/s in 15 ms: the torque drives the joint from rest on.
   BOOST_TEST(rise(400.0, 10.0, -9.6) == 10.0 * 3.6, percent);
 }
 
@@ -44,22 +45,22 @@ BOOST_AUTO_TEST_CASE(gaps_nan_and_speed_jumps_detect_no_runaway_leg) {
     legs.update(Vector12::Constant(dq), dt);
     return legs.power_rise(torques, 2);
   };
-  BOOST_TEST(after(3.0, kTick) == 0.0);  // the first
+  BOOST_TEST(after(3.0, kTick) == 0.0);  // first sample
   BOOST_TEST(after(3.5, kTick) > 10.0);
-  BOOST_TEST(after(4.0, 0.010) == 0.0);  // a gap, as long as a gap is ever told
+  BOOST_TEST(after(4.0, 0.010) == 0.0);  // a gap, which TickClock reports as 10 ms at most
   BOOST_TEST(after(4.5, kTick) > 10.0);
   BOOST_TEST(after(std::nan(""), kTick) == 0.0);
   BOOST_TEST(after(4.5, kTick) == 0.0);
   BOOST_TEST(after(5.0, kTick) > 10.0);
-  BOOST_TEST(after(17.0, kTick) == 0.0);  // a lie, and the truth after it
+  BOOST_TEST(after(17.0, kTick) == 0.0);  // a wrong sample, then a right one
   BOOST_TEST(after(5.1, kTick) == 0.0);
   BOOST_TEST(after(5.6, kTick) > 10.0);
   legs.reset();
   BOOST_TEST(after(6.0, kTick) == 0.0);
 }
 
-// Noise of an encoder's speed, 0.05 rad/s, at the torques of a stand: far below a leg's share of
-// the least power there is, 90 W / 4.
+// Noise of an encoder's velocity, 0.05 rad/s, at the torques of a stand stays below a leg's share
+// of the lowest power limit, 90 W / 4.
 BOOST_AUTO_TEST_CASE(encoder_noise_detects_no_runaway_leg) {
   std::mt19937 generator(1);
   std::normal_distribution<double> noise(0.0, 0.05);
@@ -76,7 +77,8 @@ BOOST_AUTO_TEST_CASE(encoder_noise_detects_no_runaway_leg) {
   BOOST_TEST(most < 0.9 * 90.0 / 4.0);
 }
 
-/// Two controllers, one of them with a limit [W], on a robot whose right fore calf gathers speed.
+/// Two controllers, one of them with a power limit [W], on a robot whose front right calf
+/// accelerates.
 struct RunawayScene {
   explicit RunawayScene(double watts)
       : free(robot), limited(robot, robot.config().gains, options_with_limit(watts)) {
@@ -102,7 +104,7 @@ struct RunawayScene {
   void accelerate_leg() {
     for (int k = 1; k <= 3; ++k) step(0.6F * static_cast<float>(k));
   }
-  /// What a leg is left of its torques.
+  /// Return the share of its torque that the limit leaves the calf of a leg.
   double torque_ratio(int leg) const {
     const int calf = kLegJoints * leg + 2;
     return command.motorCmd[calf].tau / unlimited_command.motorCmd[calf].tau;
@@ -116,7 +118,7 @@ struct RunawayScene {
   RunawayLegs legs;
   LowState report = resting_sample(robot, 0);
   LowCmd unlimited_command, command;
-  double rise = 0.0;  // [W] of that leg, by the torques without a limit
+  double rise = 0.0;  // [W] power rise of that leg with the unlimited torques
   float along = 1.0F;
 };
 
@@ -145,7 +147,7 @@ BOOST_AUTO_TEST_CASE(power_limit_above_the_rise_leaves_torques_identical) {
 }
 
 BOOST_AUTO_TEST_CASE(lost_leg_is_not_checked_for_runaway) {
-  RunawayScene robot(2.0);  // its torques are small, and not sent at all
+  RunawayScene robot(2.0);  // the lost leg's torques are small, and not sent at all
   for (StandController* c : {&robot.free, &robot.limited}) c->give_up_leg(0);
   for (int k = 0; k < 5; ++k) robot.step(0.0F);
   const int calf = robot.robot.motor_to_v()[FR_2] - 6;
@@ -157,11 +159,12 @@ BOOST_AUTO_TEST_CASE(lost_leg_is_not_checked_for_runaway) {
   }
 }
 
-// A leg that takes the body's weight from a fall brakes; by the time it drives, the body is slow.
+// A landing leg brakes as it takes the weight of the body; when it starts to drive, the body is
+// slow.
 BOOST_AUTO_TEST_CASE(landing_leg_is_not_a_runaway_leg) {
   RunawayLegs legs;
   double most = 0.0;
-  for (int k = 0; k < 200; ++k) {  // critically damped, from 5 rad/s, 10 N.m a motor
+  for (int k = 0; k < 200; ++k) {  // critically damped from 5 rad/s, 10 N.m per motor
     const double t = k * kTick, w = 20.0;
     legs.update(Vector12::Constant(5.0 * (w * t - 1.0) * std::exp(-w * t)), kTick);
     most = std::max(most, legs.power_rise(Vector12::Constant(10.0), 0));

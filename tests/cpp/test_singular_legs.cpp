@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Legs near singular: a straight knee, a foot at the height of its hip.
+// Legs near a singularity: a straight knee, a foot at the height of its hip.
 #include <boost/test/unit_test.hpp>
 
 #include "surefoot/whole_body_controller.hpp"
@@ -9,7 +9,7 @@ using namespace surefoot;
 
 namespace {
 
-// Greatest step of a torque along a path, and greatest of all, apart where the form changes.
+// Largest torque steps on a path, without and with a change of the form, and the largest torque.
 struct TorqueSteps {
   double smooth = 0.0, switching = 0.0, torque = 0.0;
   int switches = 0;
@@ -73,8 +73,8 @@ BOOST_FIXTURE_TEST_CASE(foot_at_hip_height_is_solved_within_torque_limits, WideR
   }
 }
 
-// Four thousand poses through a knee that bends the other way, and a foot that rises past its hip.
-// No torque steps, not even where the form changes.
+// 4000 poses through a knee that bends to the other side, and through a foot that rises above its
+// hip. The torques do not jump, not even where the form changes.
 BOOST_FIXTURE_TEST_CASE(torques_stay_bounded_and_continuous_through_a_singularity, WideRangeRobot) {
   for (const bool stance : {true, false}) {
     Reference stance_template;

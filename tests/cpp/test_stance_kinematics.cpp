@@ -68,7 +68,7 @@ BOOST_FIXTURE_TEST_CASE(knees_keep_their_bending_direction, StanceKinematicsFixt
 }
 
 BOOST_FIXTURE_TEST_CASE(solution_starts_from_the_given_joint_angles, StanceKinematicsFixture) {
-  Eigen::VectorXd mirrored = state.q;  // knees the other way: as good an answer
+  Eigen::VectorXd mirrored = state.q;  // knees bent the other way: also a solution
   for (int leg = 0; leg < kLegs; ++leg) {
     mirrored[robot.motor_to_q()[3 * leg + 1]] *= -1.0;
     mirrored[robot.motor_to_q()[3 * leg + 2]] *= -1.0;

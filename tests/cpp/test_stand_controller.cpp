@@ -80,12 +80,12 @@ BOOST_FIXTURE_TEST_CASE(repeated_tick_is_stale, RunningController) {
   BOOST_TEST(motors_brake(controller.update(report)));
 }
 
-// The robot has damped by itself meanwhile, and stands elsewhere or not at all.
+// The robot has damped by itself meanwhile, and may not stand in its old pose.
 BOOST_FIXTURE_TEST_CASE(long_sample_gap_latches_damping, RunningController) {
   tick += 90;
   BOOST_TEST(torque_mode(step()));
   tick += 5000;
-  step();  // one leap may be a mad tick
+  step();  // a single jump may be a wrong tick
   BOOST_TEST(motors_brake(step()));
   BOOST_TEST((controller.status() == Status::kDamping));
   BOOST_TEST((controller.fault() == Status::kStaleTick));
@@ -93,7 +93,7 @@ BOOST_FIXTURE_TEST_CASE(long_sample_gap_latches_damping, RunningController) {
   BOOST_TEST(torque_mode(step()));
 }
 
-// Torques of sensors that are dead are those that were planned, and no plan outlives a reset.
+// Without torque measurements the estimator uses the planned torques. reset() must forget the plan.
 BOOST_FIXTURE_TEST_CASE(reset_clears_the_planned_torques, RunningController) {
   for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = 0.0F;
   for (int i = 0; i < 50; ++i) step();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a StandController can be told: options, body references.
+// Options and body references of a StandController.
 #include <boost/test/unit_test.hpp>
 
 #include "robot_states.hpp"
@@ -10,7 +10,7 @@ using namespace surefoot;
 
 namespace {
 
-// A report of a robot that stands, shaken by a phase.
+// Sample of a standing robot with a small oscillation on its sensors.
 LowState disturbed_sample(const Robot& robot, std::uint32_t tick) {
   LowState report = resting_sample(robot, tick);
   const float wave = std::sin(0.03F * static_cast<float>(tick));
@@ -19,7 +19,7 @@ LowState disturbed_sample(const Robot& robot, std::uint32_t tick) {
   for (int i = 0; i < kMotors; ++i) {
     report.motorState[i].q += 0.005F * wave;
     report.motorState[i].dq = 0.3F * wave * (i % 2 ? 1.0F : -1.0F);
-    report.motorState[i].tauEst += 0.01F * wave;  // torques that stand still are not believed
+    report.motorState[i].tauEst += 0.01F * wave;  // the estimator ignores constant torques
   }
   return report;
 }
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(motor_damping_is_added_only_when_requested) {
   BOOST_CHECK_THROW(StandController(robot, Gains(), options), Error);
 }
 
-// The estimator hands over dynamics in a frame of its own: both forms have to know.
+// The estimator's dynamics are in a frame of their own, and both forms have to account for it.
 BOOST_AUTO_TEST_CASE(both_forms_send_the_same_torques_to_a_moving_robot) {
   const Robot robot = quadruped();
   StandOptions general;

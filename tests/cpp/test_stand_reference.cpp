@@ -19,7 +19,7 @@ struct StandReferenceFixture {
     dynamics.update(state.q, state.v, Vector3::UnitZ());
     stand.latch(dynamics, state.q);
   }
-  // The whole scene, robot and ground, moved in the world: what drift looks like.
+  // Move robot and ground together in the world, as a drift of the estimate does.
   Dynamics drifted(const Vector3& p, const Quaternion& R) const {
     Eigen::VectorXd q = state.q;
     q.head<3>() = p + R * Vector3(q.head<3>());
@@ -56,7 +56,7 @@ BOOST_FIXTURE_TEST_CASE(reference_equals_the_state_at_the_latched_pose, StandRef
 BOOST_FIXTURE_TEST_CASE(reference_follows_drift_of_position_and_yaw, StandReferenceFixture) {
   const Quaternion yaw(Eigen::AngleAxisd(1.3, Vector3::UnitZ()));
   const Dynamics moved = drifted(Vector3(3.0, -2.0, 0.5), yaw);
-  // The ground's normal turns too, slowly: give it the time.
+  // The ground normal follows slowly, so wait.
   for (int tick = 0; tick < 5000; ++tick) {
     stand.update(gains, moved, Eigen::Vector4d::Ones(), 0.002);
   }
@@ -84,7 +84,7 @@ BOOST_FIXTURE_TEST_CASE(lifted_foot_does_not_tilt_the_ground_normal, StandRefere
   for (int tick = 0; tick < 500; ++tick) {
     stand.update(gains, lifted, Eigen::Vector4d(0, 1, 1, 1), 0.002);
   }
-  // All that a foot without contact weighs is 1e-6.
+  // A foot without contact has a weight of 1e-6.
   BOOST_TEST((stand.reference().ground_normal - before).norm() < 1e-6);
 }
 
@@ -92,7 +92,7 @@ BOOST_FIXTURE_TEST_CASE(feet_of_a_lifted_robot_follow_the_body_and_extend_downwa
                         StandReferenceFixture) {
   const double before =
       stand.update(gains, dynamics, Eigen::Vector4d::Ones(), 0.002).feet[FR_].p_world.z();
-  // Feet that hang 0.1 m further below the body than they stood.
+  // Robot and feet are 0.1 m higher and have no contact.
   const Dynamics lifted = drifted(Vector3(0, 0, 0.1), Quaternion::Identity());
   double height = 0.0;
   for (int tick = 0; tick < 1000; ++tick) {
@@ -102,7 +102,7 @@ BOOST_FIXTURE_TEST_CASE(feet_of_a_lifted_robot_follow_the_body_and_extend_downwa
   const double hangs = lifted.p_world_base().z() - height;
   BOOST_TEST(hangs > 1.05 * stood);
   BOOST_TEST(hangs < 1.25 * stood);
-  // Back on the ground the feet count at once, where they are.
+  // Back on the ground the feet are stance feet at once, at their present positions.
   const double there =
       stand.update(gains, lifted, Eigen::Vector4d::Ones(), 0.002).feet[FR_].p_world.z();
   BOOST_TEST(std::abs(there - lifted.legs()[FR_].p_world_contact.z()) < 1e-6);

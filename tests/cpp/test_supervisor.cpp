@@ -15,14 +15,14 @@ using namespace surefoot;
 
 namespace {
 
-/// A robot at rest, hips so far out that it does not stand, reports every 2 ms; nothing that it is
-/// told moves it.
+/// A robot at rest, with hips so far out that it counts as lying, and a sample every 2 ms. Commands
+/// do not move it.
 struct RestingRobot {
   Robot robot = quadruped();
   Supervisor supervisor;
   LowState report = resting_sample(robot, 0);
   LowCmd last = init_low_cmd();
-  float lateral_gravity = 0.0F;  ///< [m/s^2] what y feels of gravity
+  float lateral_gravity = 0.0F;  ///< [m/s^2] gravity along the accelerometer's y axis
   explicit RestingRobot(const SupervisorOptions& options = {})
       : supervisor(robot, robot.config().gains, options) {
     for (int i = 0; i < kMotors; ++i) {
@@ -41,7 +41,7 @@ struct RestingRobot {
       step();
     }
   }
-  /// One tick; sensors are never quite still, and motors give what they are told.
+  /// Run one tick. Sensor values change a little, and motors report the commanded torques.
   void step() {
     report.tick += 2;
     report.imu.gyroscope[2] = report.tick % 4 == 0 ? 1e-5F : -1e-5F;
@@ -50,9 +50,10 @@ struct RestingRobot {
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
     last = supervisor.update(report);
   }
-  /// FR's hip goes along with what it is told: a lying robot that nothing moves is another's.
+  /// Move the hip of FR as a rise would: if no leg of a rising robot moves, it counts as another
+  /// robot.
   void move_hip() {
-    run(0.55);  // the legs are looked at first
+    run(0.55);  // the light leg check comes first
     for (int i = 0; i < 250; ++i) {
       report.motorState[0].q += 0.002F;
       report.motorState[0].dq = 1.0F;
@@ -60,7 +61,7 @@ struct RestingRobot {
     }
     report.motorState[0].dq = 0.0F;
   }
-  /// The body turns over its right side by an angle [rad], at 1.5 rad/s, as all sensors say.
+  /// Roll the body over its right side by `angle` [rad] at 1.5 rad/s; all sensors agree.
   void roll(float angle) {
     constexpr float kRate = 1.5F, kStep = 0.002F * kRate, kG = static_cast<float>(kGravity);
     report.imu.gyroscope[0] = kRate;
@@ -93,7 +94,7 @@ BOOST_FIXTURE_TEST_CASE(arming_requires_all_checks_for_1_s, RestingRobot) {
   BOOST_TEST(motors_brake(last));
 }
 
-// What ready says is what arm() answers, and nothing refuses without a word.
+// arming().ready and arm() agree, and a refusal always names a check.
 BOOST_FIXTURE_TEST_CASE(blocking_fault_is_listed_among_failed_arming_checks, RestingRobot) {
   run(1.2);
   const auto turning = report.imu.gyroscope;
@@ -103,10 +104,10 @@ BOOST_FIXTURE_TEST_CASE(blocking_fault_is_listed_among_failed_arming_checks, Res
   int named = 0;
   for (int k = 0; k < 2000; ++k) {
     run(0.002);
-    if (supervisor.arming().ready) break;  // and not asked: it would be armed
+    if (supervisor.arming().ready) break;  // arm() would succeed
     const RequestStatus said = supervisor.arm();
     BOOST_REQUIRE((said == RequestStatus::kNotReady));
-    named += failures() == "fault: gyroscope keeps the robot down, expected no fault that does";
+    named += failures() == "fault: gyroscope keeps the robot down, expected no such fault";
   }
   BOOST_TEST(named > 0);
   BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
@@ -135,14 +136,14 @@ BOOST_FIXTURE_TEST_CASE(failed_arming_checks_are_named, RestingRobot) {
   expect("accelerometer");
   report.imu.quaternion = {0.9F, 0.0F, 0.0F, 0.0F};
   expect("quaternion");
-  constexpr double kJump = 2.5;  // [s] for which a jump of the attitude bars a robot from arming
-  report.imu.quaternion = {0.0F, 0.0F, 0.4794F, 0.8776F};  // x y z w of 1 rad of yaw
+  constexpr double kJump = 2.5;  // [s] for which an attitude jump blocks arming
+  report.imu.quaternion = {0.0F, 0.0F, 0.4794F, 0.8776F};  // 1 rad of yaw in the order x y z w
   expect("attitude: the quaternion leans 57.3 deg off the vertical", kJump);
   const auto lean = [&](float felt, float said) {  // [rad] of pitch
     report.imu.accelerometer = {-9.81F * std::sin(felt), 0.0F, 9.81F * std::cos(felt)};
     report.imu.quaternion = {std::cos(0.5F * said), 0.0F, std::sin(0.5F * said), 0.0F};
   };
-  lean(0.1F, -0.1F);  // world to IMU
+  lean(0.1F, -0.1F);  // inverted: world to IMU
   expect("attitude: the quaternion leans 11.5 deg off the vertical", kJump);
   lean(0.1F, -0.06F);
   run(kJump);
@@ -153,11 +154,12 @@ BOOST_FIXTURE_TEST_CASE(failed_arming_checks_are_named, RestingRobot) {
   expect("motor_order: FR_1 and FR_2 seem swapped");
   const auto stop = static_cast<float>(quadruped().config().q_lower[FR_2]);
   report.motorState[FR_2].q = report.motorState[FR_1].q;
-  report.motorState[FR_1].q = stop - 0.1F;  // a knee that rests on its stop
+  report.motorState[FR_1].q = stop - 0.1F;  // a knee at its mechanical stop
   expect("motor_order: FR_1 and FR_2 seem swapped");
   report.motorState[FR_2].q = 0.8F;
   const auto end = static_cast<float>(quadruped().config().q_lower[FR_1]);
-  report.motorState[FR_1].q = end - 0.17F;  // a little outside its range is enough, and in FR_2's
+  // A little outside its own range, and inside that of FR_2.
+  report.motorState[FR_1].q = end - 0.17F;
   expect("motor_order: FR_1 and FR_2 seem swapped");
   report.imu.accelerometer = {6.0F, 0.0F, 7.8F};
   expect("tilt");
@@ -179,7 +181,7 @@ BOOST_AUTO_TEST_CASE(zero_arming_time_still_requires_passed_checks) {
 BOOST_FIXTURE_TEST_CASE(fast_clock_fault_does_not_block_the_next_rise, RestingRobot) {
   run(0.1);
   const LowState rest = report;
-  for (int k = 0; k <= 628; ++k) {  // legs that are turned by hand, while every 2 ms count for 4
+  for (int k = 0; k <= 628; ++k) {  // the legs are moved, and every 2 ms count as 4 ms
     const double phase = 0.01 * k;
     for (int i = 0; i < kMotors; ++i) {
       report.motorState[i].q = rest.motorState[i].q + float(0.2 * (1.0 - std::cos(phase)));
@@ -242,7 +244,7 @@ BOOST_FIXTURE_TEST_CASE(rise_with_stuck_legs_gives_up_and_damps, RestingRobot) {
   BOOST_TEST((supervisor.request(Mode::kRise) == RequestStatus::kAccepted));
   move_hip();
   run(12.0);
-  BOOST_TEST((supervisor.mode() == Mode::kRise));  // it tries again
+  BOOST_TEST((supervisor.mode() == Mode::kRise));  // it retries
   run(30.0);
   BOOST_TEST((supervisor.mode() == Mode::kPassive));
   BOOST_TEST(supervisor.rise_failed());
@@ -257,14 +259,14 @@ BOOST_FIXTURE_TEST_CASE(continued_rolling_is_reported_as_wiring_fault, RestingRo
   move_hip();
   roll(0.6F);
   run(0.1);
-  BOOST_TEST((supervisor.mode() == Mode::kRise));  // let go of: it may fall back yet
+  BOOST_TEST((supervisor.mode() == Mode::kRise));  // released: the body may still fall back
   roll(0.17F);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
   BOOST_TEST((supervisor.damping_fault() == FaultId::kWiring));
   BOOST_TEST(motors_brake(last));
 }
 
-// The springs that a rise had pulled with fade out: what is wrong meanwhile damps at once.
+// The springs of the rise fade out. A fault meanwhile damps at once.
 BOOST_FIXTURE_TEST_CASE(fault_during_spring_fade_out_damps_at_once, RestingRobot) {
   run(1.1);
   supervisor.arm();
@@ -361,7 +363,8 @@ BOOST_FIXTURE_TEST_CASE(each_sample_fault_is_detected_within_its_time, RestingRo
     r.motorState[0].tauEst = 8.0F;
   });
   int reports = 0;
-  expect(FaultId::kPower, [&](LowState& r, const LowState&) {  // of a blow, disbelieved at first
+  // An impact, whose gyroscope values are rejected at first.
+  expect(FaultId::kPower, [&](LowState& r, const LowState&) {
     r.imu.gyroscope[0] = std::min(4.0F * float(++reports), 12.0F);
     r.motorState[0].q += r.tick % 4 == 0 ? 1e-4F : -1e-4F;
     r.motorState[0].dq = 15.0F;
@@ -369,7 +372,7 @@ BOOST_FIXTURE_TEST_CASE(each_sample_fault_is_detected_within_its_time, RestingRo
   });
 }
 
-// Bad reports are bridged for 10 ms; joints go on meanwhile.
+// The command hold bridges bad samples for 10 ms, while the joints move on.
 BOOST_FIXTURE_TEST_CASE(joint_motion_during_bad_samples_is_not_a_joint_jump, RestingRobot) {
   run(0.1);
   const float speed = 18.0F;  // [rad/s]
@@ -413,7 +416,7 @@ BOOST_FIXTURE_TEST_CASE(temperature_and_battery_faults_sit_the_robot_down, Resti
   });
 }
 
-// Two look at the IMU; what either finds begins once.
+// Two monitors check the IMU; a fault that both detect is counted once.
 BOOST_FIXTURE_TEST_CASE(lasting_fault_is_counted_once, RestingRobot) {
   run(1.2);
   const auto stuck = report.imu.gyroscope;
@@ -435,7 +438,7 @@ BOOST_FIXTURE_TEST_CASE(frozen_sensors_are_reported_while_lying, RestingRobot) {
   }
   BOOST_TEST(supervisor.faults().has(FaultId::kFrozen));
   BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
-  BOOST_TEST(failures() == "fault: frozen keeps the robot down, expected no fault that does");
+  BOOST_TEST(failures() == "fault: frozen keeps the robot down, expected no such fault");
   run(1.2);
   BOOST_TEST(!supervisor.faults().has(FaultId::kFrozen));
   BOOST_TEST((supervisor.arm() == RequestStatus::kAccepted));
@@ -454,7 +457,7 @@ BOOST_FIXTURE_TEST_CASE(arming_is_refused_while_a_stop_is_pending, RestingRobot)
   run(1.2);
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
   BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
-  BOOST_TEST(failures() == "fault: button keeps the robot down, expected no fault that does");
+  BOOST_TEST(failures() == "fault: button keeps the robot down, expected no such fault");
 }
 
 BOOST_AUTO_TEST_CASE(rise_plan_is_slower_at_lower_power) {
@@ -497,7 +500,7 @@ BOOST_AUTO_TEST_CASE(published_values_are_read_consistently) {
     std::array<long, 20> values{};
   };
   Seqlock<Pair> published;
-  constexpr int kReads = 20000;  // while it is being written
+  constexpr int kReads = 20000;  // while the writer runs
   std::atomic<int> reads{0};
   std::atomic<bool> over{false};
   std::thread writer([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A supervisor whose reports come over a link: silence, other robots, robots that stand already.
+// A supervisor with samples from a link: gaps, link loss, and robots that already stand.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
@@ -17,7 +17,7 @@ SupervisorOptions options(Start start) {
   return options;
 }
 
-/// A robot that stands still whatever it is told, and gives the torques it is told.
+/// A robot that stands still whatever its commands are, and reports the commanded torques.
 struct StandingRobot {
   explicit StandingRobot(Start start = Start::kStanding)
       : supervisor(robot, robot.config().gains, options(start)) {
@@ -28,7 +28,7 @@ struct StandingRobot {
   }
   void step(int milliseconds = 2) {
     report.tick += milliseconds;
-    // Sensors are never quite still.
+    // Real sensor values change in every sample.
     report.motorState[3].dq = -report.motorState[3].dq;
     report.imu.gyroscope[2] = 1e-6F * float(report.tick % 7);
     for (int i = 0; i < kMotors; ++i) report.motorState[i].tauEst = last.motorCmd[i].tau;
@@ -48,7 +48,7 @@ struct StandingRobot {
   LowCmd last = init_low_cmd();
 };
 
-/// The same with its legs apart, as if it lay: it is armed and on its way up.
+/// The same robot with spread legs, as if it lay: armed and rising.
 struct RisingRobot : StandingRobot {
   RisingRobot() : StandingRobot(Start::kLying) {
     for (int leg = 0; leg < kLegs; ++leg) {
@@ -121,7 +121,7 @@ BOOST_FIXTURE_TEST_CASE(missing_samples_hold_the_last_command_for_10_ms, RisingR
   BOOST_TEST((supervisor.request(Mode::kSit) == RequestStatus::kAccepted));
 }
 
-// Of 14 ms between reports a loop at 500 Hz bridges the most; none of them has a number.
+// A loop at 500 Hz bridges most of the 14 ms between two samples, and each sample is NaN.
 BOOST_FIXTURE_TEST_CASE(bad_samples_14_ms_apart_latch_damping, StandingRobot) {
   run(0.1);
   report.imu.gyroscope[0] = NAN;
@@ -231,7 +231,7 @@ BOOST_FIXTURE_TEST_CASE(lost_link_damps_until_armed_again, RisingRobot) {
   BOOST_TEST((supervisor.mode() == Mode::kDamping));
   BOOST_TEST((supervisor.damping_fault() == FaultId::kLink));
   BOOST_TEST((supervisor.arm() == RequestStatus::kNoState));
-  report.tick = 7;  // it began anew
+  report.tick = 7;  // the robot has restarted
   step();
   BOOST_TEST(motors_brake(last));
   BOOST_TEST((supervisor.arm() == RequestStatus::kNotReady));
@@ -247,7 +247,7 @@ BOOST_FIXTURE_TEST_CASE(lost_link_damps_until_armed_again, RisingRobot) {
 
 BOOST_FIXTURE_TEST_CASE(sample_gap_is_accepted_when_the_link_counts_samples, RisingRobot) {
   supervisor.count_samples(1.0, 0.0);
-  step(50);  // this program stood still, and the robot went on
+  step(50);  // this process was stopped while the robot continued
   step();
   step();
   BOOST_TEST((supervisor.mode() == Mode::kRise), to_string(supervisor.damping_fault()));
@@ -293,7 +293,8 @@ BOOST_AUTO_TEST_CASE(link_loss_of_an_unarmed_robot_keeps_it_passive) {
 
 BOOST_AUTO_TEST_CASE(arming_uses_the_sample_counts_of_the_link) {
   StandingRobot robot(Start::kLying);
-  // Two or three milliseconds from one report that is handed on to the next; none is missing.
+  // One to three milliseconds pass between the samples that the supervisor receives; none is
+  // missing.
   for (int k = 0; k < 600; ++k) {
     const int milliseconds = 1 + k % 3;
     robot.supervisor.count_samples(milliseconds, 0);
@@ -337,7 +338,7 @@ BOOST_FIXTURE_TEST_CASE(invalid_age_damps_and_refuses_requests, RisingRobot) {
 BOOST_AUTO_TEST_CASE(runner_cannot_run_twice) {
   const Robot robot = quadruped();
   UdpLinkOptions link;
-  link.port = 48123;  // not a robot's
+  link.port = 48123;  // no robot uses this port
   StandRunner runner(robot, robot.config().gains, {}, link, {});
   runner.stop();
   runner.run();

@@ -10,7 +10,7 @@ namespace {
 constexpr double kDt = 0.002;
 const Eigen::Vector4d kAllLoaded = Eigen::Vector4d::Ones();
 
-// Feet of a robot that heads a little to the left, one of them on a stone.
+// Feet of a robot with its heading to the left; one foot stands on a stone.
 struct SupportFrameFixture {
   FeetMatrix feet;
   SupportFrame frame;
@@ -48,7 +48,7 @@ BOOST_FIXTURE_TEST_CASE(frame_is_centred_between_the_feet_and_points_forward, Su
                           frame.nominal_feet().col(RR_) - frame.nominal_feet().col(RL_);
   BOOST_TEST(std::abs(std::atan2(forward.y(), forward.x())) < 1e-9);
   BOOST_TEST(forward.x() > 0.0);
-  // Its plane is the one closest to the feet: no slope is left in their heights.
+  // Its plane fits the feet best: their heights have no slope left.
   const Eigen::Vector2d left =
       frame.nominal_feet().topRows<2>() * frame.nominal_feet().row(2).transpose();
   BOOST_TEST(left.norm() < 2e-4);
@@ -64,7 +64,7 @@ BOOST_FIXTURE_TEST_CASE(stationary_feet_keep_the_frame_stationary, SupportFrameF
 BOOST_FIXTURE_TEST_CASE(frame_follows_position_and_yaw_drift_at_once, SupportFrameFixture) {
   const Quaternion yaw = exp_so3(Vector3(0.0, 0.0, 0.7));
   const Vector3 shift(5.0, -3.0, 0.4);
-  // About a vertical axis: only when the frame's own normal is vertical is that exact at once.
+  // For a turn about a vertical axis, this is exact at once only if the frame's normal is vertical.
   FeetMatrix level = feet;
   level.row(2).setConstant(0.1);
   frame.latch(level);
@@ -81,7 +81,7 @@ BOOST_FIXTURE_TEST_CASE(lifted_foot_moved_10_cm_does_not_move_the_frame, Support
   FeetMatrix lifted = feet;
   lifted.col(FL_) += Vector3(0.06, 0.0, 0.08);
   stand(lifted, Eigen::Vector4d(1, 0, 1, 1), 3.0);
-  // All that a foot without contact weighs is 1e-6.
+  // A foot without contact has a weight of 1e-6.
   BOOST_TEST((frame.origin() - before.origin()).norm() < 1e-6);
   BOOST_TEST(angle_between(frame.R_world_support(), before.R_world_support()) < 1e-5);
   BOOST_TEST((frame.nominal_feet() - before.nominal_feet()).norm() < 1e-6);
@@ -93,7 +93,7 @@ BOOST_FIXTURE_TEST_CASE(nominal_position_slowly_follows_a_displaced_stance_foot,
   stepped.col(RR_) += Vector3(0.03, 0.02, 0.0);
   frame.update(stepped, kAllLoaded, kDt);
   const double at_first = position_error(stepped);
-  // One of four feet: it pulls the frame by its share, not by all of its step.
+  // One of four feet moves the frame by its share of the step only.
   BOOST_TEST(at_first > 0.4 * 0.036);
   stand(stepped, kAllLoaded, 0.5);
   BOOST_TEST(position_error(stepped) < 0.5 * at_first);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every task's rows against the motion that happens, by finite differences along it.
+// Compare the rows of each task with the motion, by finite differences.
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
@@ -15,7 +15,7 @@ using namespace surefoot;
 
 namespace {
 
-// What the rows say happens, beyond what they ask for.
+// Return the acceleration by the rows minus the requested acceleration.
 Vector3 row_error(const BodyRows& rows, const PushedRobot& p) {
   return rows.A_base * p.a.head<6>() + rows.A_force * p.f - rows.b;
 }
@@ -44,7 +44,7 @@ BOOST_FIXTURE_TEST_CASE(base_position_rows_match_in_a_shifted_frame, PushedRobot
   resting.v.head<3>().setZero();
   Dynamics shifted = dynamics_at(robot, resting);
   shifted.shift(state.q.head<3>(), dynamics.v_world_base());
-  // The frame's own base acceleration lacks what shift() says.
+  // The base acceleration in the shifted frame does not include the part from shift().
   Vector6 a_base = a.head<6>();
   a_base.head<3>() -= shifted.a_base_shift();
   const BodyRows rows = base_position_task(Gains(), Vector3::Zero(), shifted);
@@ -125,7 +125,7 @@ BOOST_FIXTURE_TEST_CASE(foot_feedback_is_limited_to_foot_speed, PushedRobot) {
   }
 }
 
-// Order is what can go wrong here: q, v, posture and the table each have their own.
+// The joint orders of q, v, posture and joint table differ and must not be mixed up.
 BOOST_FIXTURE_TEST_CASE(posture_task_drives_each_joint_to_its_own_target, PushedRobot) {
   const JointTable joints = make_joint_table(robot);
   Eigen::VectorXd posture = Eigen::VectorXd::LinSpaced(kMotors, -0.5, 0.6);

@@ -10,14 +10,14 @@ namespace {
 
 using V = TickSequence::Arrival;
 
-/// Reports that come at the robot's pace, one every 2 ms, unless told otherwise.
+/// Samples that arrive every `pace`.
 struct Sequence : TickSequence {
   double time = 0.0;    // [s]
   double pace = 0.002;  // [s]
   Arrival take(std::uint32_t tick) { return TickSequence::classify(tick, time += pace); }
 };
 
-// Begun, with a report every `period` ms up to `last`.
+// Start a sequence with a sample every `period` ms, up to tick `last`.
 Sequence started_sequence(std::uint32_t period, std::uint32_t last) {
   Sequence s;
   for (std::uint32_t k = 5; k-- > 0;) s.take(last - k * period);
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(late_samples_reduce_the_lost_count) {
   }
   BOOST_TEST(s.lost() == 2U);
   BOOST_TEST((s.take(2013) == V::kNewer));
-  BOOST_TEST(s.lost() == 2001U);  // long silences too
+  BOOST_TEST(s.lost() == 2001U);  // long gaps count too
 }
 
 BOOST_AUTO_TEST_CASE(period_is_the_repeated_tick_step) {
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(period_is_the_repeated_tick_step) {
   const auto learning = s.lost();
   BOOST_TEST(learning > before);
   for (std::uint32_t tick = 156; tick < 156 + 40; tick += 4) s.take(tick);
-  BOOST_TEST(s.lost() == learning);  // it reports half as often now
+  BOOST_TEST(s.lost() == learning);  // the robot sends half as often now
 }
 
 BOOST_AUTO_TEST_CASE(restart_is_detected_from_consecutive_old_ticks) {
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(restart_is_detected_from_consecutive_old_ticks) {
   }
 }
 
-// A network that held some up delivers them at once; what came meanwhile is newer.
+// A network that has held samples back delivers them in a burst, after newer samples.
 BOOST_AUTO_TEST_CASE(late_burst_is_not_a_restart) {
   for (const std::uint32_t late : {6U, 90U, 900U}) {
     Sequence s;

@@ -8,14 +8,14 @@ using namespace surefoot;
 namespace {
 
 constexpr double kTick = 0.002, kLimit = 20.0;
-constexpr double kStep = TorqueRateLimiter::kMaxRate * kTick * kLimit;  // [N.m] most in a period
+constexpr double kStep = TorqueRateLimiter::kMaxRate * kTick * kLimit;  // [N.m] largest per tick
 
 struct Rate {
   TorqueRateLimiter rate{Vector12::Constant(kLimit)};
   Vector12 tau = Vector12::Zero(), kd = Vector12::Constant(2.0), dq = Vector12::Zero();
 
   Rate() { rate.set_damping_only(kd[0]); }
-  // What motor 0 makes at this speed, its own damping included [N.m].
+  // Return the torque of motor 0 at this speed, including its own damping [N.m].
   double motor_torque() const { return tau[0] - kd[0] * dq[0]; }
 };
 
@@ -36,7 +36,7 @@ BOOST_FIXTURE_TEST_CASE(reduced_damping_counts_as_torque_change, Rate) {
   dq[0] = 6.0;
   rate.limit(tau, kd, dq, kTick);
   const double before = motor_torque();
-  kd.setConstant(1.0);  // 6 N.m less of braking at once
+  kd.setConstant(1.0);  // removes 6 N.m of braking at once
   BOOST_TEST(rate.limit(tau, kd, dq, kTick));
   BOOST_TEST(std::abs(motor_torque() - before) < kStep + 1e-12);
   BOOST_TEST(motor_torque() > before);
@@ -45,10 +45,10 @@ BOOST_FIXTURE_TEST_CASE(reduced_damping_counts_as_torque_change, Rate) {
     rate.limit(tau, kd, dq, kTick);
     tau.setZero();
   }
-  BOOST_TEST(!rate.limit(tau, kd, dq, kTick));  // there in the end
+  BOOST_TEST(!rate.limit(tau, kd, dq, kTick));  // the target is reached
 }
 
-// As after reports that were missing for longer than the last command lives.
+// As after a gap in the samples that is longer than the command hold.
 BOOST_FIXTURE_TEST_CASE(damping_ends_within_the_torque_rate, Rate) {
   dq[0] = 6.0;
   tau[0] = -3.0;
@@ -60,7 +60,7 @@ BOOST_FIXTURE_TEST_CASE(damping_ends_within_the_torque_rate, Rate) {
   BOOST_TEST(std::abs(motor_torque() - before) < kStep + 1e-12);
 }
 
-// A joint that moves fast brakes at its motor's limit: its damping asks for more than that.
+// A fast joint brakes at the limit of its motor, because its damping requests more than that.
 BOOST_FIXTURE_TEST_CASE(command_after_damping_is_within_motor_limits, Rate) {
   for (const double speed : {15.0, -15.0}) {
     dq[0] = speed;
@@ -69,11 +69,11 @@ BOOST_FIXTURE_TEST_CASE(command_after_damping_is_within_motor_limits, Rate) {
     kd.setZero();
     BOOST_TEST(rate.limit(tau, kd, dq, kTick));
     BOOST_TEST(std::abs(tau[0]) <= kLimit);
-    BOOST_TEST(std::abs(tau[0]) > kLimit - 1.01 * kStep);  // and it goes on braking
+    BOOST_TEST(std::abs(tau[0]) > kLimit - 1.01 * kStep);  // braking continues
   }
 }
 
-// The motors' own damping takes over at once, and goes on from there.
+// Damping with the same gain continues without added torques, although it exceeds the motor limit.
 BOOST_FIXTURE_TEST_CASE(constant_damping_beyond_the_motor_limit_is_unchanged, Rate) {
   dq[0] = 15.0;
   kd.setConstant(3.0);
@@ -85,7 +85,7 @@ BOOST_FIXTURE_TEST_CASE(constant_damping_beyond_the_motor_limit_is_unchanged, Ra
   }
 }
 
-// While the damping stays the speeds have no say, whatever they are told to be.
+// While the damping gain is constant, joint speeds have no effect, even if they are wrong.
 BOOST_FIXTURE_TEST_CASE(wrong_joint_speeds_cause_no_torque_jump, Rate) {
   rate.set_damping_only(kd[0]);
   double before = 0.0;
@@ -98,7 +98,8 @@ BOOST_FIXTURE_TEST_CASE(wrong_joint_speeds_cause_no_torque_jump, Rate) {
   }
 }
 
-// One report of 25 says 25 rad/s, while damping fades and torques go as fast as they may.
+// One sample in 25 has 25 rad/s, while the damping fades and the torques change at the largest
+// rate.
 BOOST_FIXTURE_TEST_CASE(speed_spike_of_one_sample_causes_no_torque_step, Rate) {
   double before = 0.0;
   for (int k = 0; k < 50; ++k) {
@@ -106,7 +107,7 @@ BOOST_FIXTURE_TEST_CASE(speed_spike_of_one_sample_causes_no_torque_step, Rate) {
     dq[0] = k % 25 == 3 ? 25.0 : 0.5;
     kd.setConstant(2.0 - 0.04 * k);
     rate.limit(tau, kd, dq, kTick);
-    const double fades = 0.04 * 0.5;  // [N.m] that the true speed's damping ends by
+    const double fades = 0.04 * 0.5;  // [N.m] change of damping torque at the true speed
     BOOST_TEST(std::abs(tau[0] - before) < kStep + fades + 1e-12);
     before = tau[0];
   }

@@ -18,7 +18,7 @@ using namespace surefoot;
 
 namespace {
 
-// The robot's side: a plain socket on a port of its own.
+// The robot's end of the link: a plain socket with its own port.
 struct Peer {
   int fd = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0);
   int port = 0;
@@ -48,7 +48,7 @@ struct Peer {
     encode_low_state(state, {}, g, frame);
     send(link, frame.bytes.data(), frame.size);
   }
-  // The newest command that came; tau of motor 0, or NaN when it damps.
+  // Return tau of motor 0 in the newest command; NaN: damping, infinity: no command arrived.
   double tau() {
     LowCmd cmd;
     FrameExtras extras;
@@ -118,7 +118,7 @@ BOOST_FIXTURE_TEST_CASE(restarted_robot_is_accepted_and_counted, LinkFixture) {
   robot.send_state(link, 50000);
   BOOST_TEST(link.receive());
   for (const std::uint32_t tick : {3, 5, 7, 9}) robot.send_state(link, tick);
-  BOOST_TEST(!link.receive());  // may still be old ones that were held up
+  BOOST_TEST(!link.receive());  // may still be old samples that were delayed
   robot.send_state(link, 11);
   BOOST_TEST(link.receive());
   BOOST_TEST(std::uint32_t(link.state().tick) == 11U);
@@ -126,7 +126,7 @@ BOOST_FIXTURE_TEST_CASE(restarted_robot_is_accepted_and_counted, LinkFixture) {
 }
 
 BOOST_FIXTURE_TEST_CASE(state_age_includes_the_time_in_the_socket_buffer, LinkFixture) {
-  // The kernel begins to stamp datagrams some time after the first socket has asked for it.
+  // The kernel starts to stamp datagrams some time after the first socket has requested it.
   std::uint32_t tick = 1;
   for (int attempt = 0; attempt < 20; ++attempt, tick += 2) {
     robot.send_state(link, tick);

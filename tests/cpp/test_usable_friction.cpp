@@ -12,13 +12,13 @@ namespace {
 constexpr double kNominalShare = 0.7, kEdgeDistance = 0.06;
 
 struct UsableFrictionFixture : CapturePointRobot {
-  // Where it comes to rest.
+  // Return the steady-state share of friction.
   Eigen::Vector4d share() {
     UsableFriction friction;
     friction.update(dynamics, state, reference, robot.mass(), 1.0);
     return friction.update(dynamics, state, reference, robot.mass(), 1.0);
   }
-  // Leans until the capture point is so far inside the left edge.
+  // Move the capture point to `margin` [m] inside the left edge.
   void lean_to(double margin) {
     const double edge = contact_points(robot, state.q)(1, FL_);
     set_com_velocity(Vector3(0.0, (edge - margin - dynamics.p_world_com().y()) * omega(), 0.0));
@@ -38,11 +38,11 @@ BOOST_FIXTURE_TEST_CASE(friction_share_rises_from_0_7_to_1_at_the_edge, UsableFr
   }
 }
 
-// A push that will take it there is met before the body moves.
+// A push that will move the capture point to the edge raises the share before the body moves.
 BOOST_FIXTURE_TEST_CASE(predicted_push_displacement_raises_the_friction_share,
                         UsableFrictionFixture) {
   const double inside = capture_margin(dynamics, reference);
-  const double enough = inside * omega() * robot.mass() / 0.1;  // [N] for a tenth of a second
+  const double enough = inside * omega() * robot.mass() / 0.1;  // [N] for 0.1 s
   state.f_external.y() = 0.2 * enough;
   BOOST_TEST((share().array() - kNominalShare).abs().maxCoeff() < 1e-12);
   state.f_external.y() = enough;
@@ -56,7 +56,7 @@ BOOST_FIXTURE_TEST_CASE(slipping_feet_use_their_reduced_friction, UsableFriction
       1e-12);
 }
 
-// The end of a push reads as a push the other way.
+// The end of a push looks like a push in the opposite direction.
 BOOST_FIXTURE_TEST_CASE(inward_push_does_not_reduce_the_friction_share, UsableFrictionFixture) {
   lean_to(0.0);
   state.f_external.y() = -20.0 * robot.mass();

@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(weight_smooth_reduces_force_changes_between_ticks) {
   }
 }
 
-// The equations of motion and the feet's accelerations, with Pinocchio's own functions.
+// Check the equations of motion with Pinocchio's own functions.
 BOOST_AUTO_TEST_CASE(a_solution_satisfies_the_full_equations_of_motion_in_either_form) {
   const Robot robot = quadruped();
   for (const QpForm form : {QpForm::kCondensed, QpForm::kGeneral}) {

@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(invalid_stick_value_centres_all_sticks_and_keeps_buttons) {
 BOOST_AUTO_TEST_CASE(sticks_and_arrows_move_the_body) {
   WirelessRemote remote;
   remote.ly = 1.0F;
-  remote.lx = 0.04F;  // not at rest to the last digit
+  remote.lx = 0.04F;  // not exactly at rest
   remote.buttons = static_cast<std::uint16_t>(Button::kUp);
   const BodyReference r = remote_reference(remote);
   BOOST_TEST(r.x > 0.0);

@@ -5,7 +5,7 @@
 #include "wbc/form_selector.hpp"
 #include "wbc/qp_layout.hpp"
 
-// Joints with room for what no limit should keep from happening here.
+// A quadruped with joint limits so wide that they do not act in these tests.
 inline surefoot::Robot wide_range_quadruped() {
   surefoot::RobotConfig config = quadruped_config();
   config.q_lower.setConstant(-3.0);

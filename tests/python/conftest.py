@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A robot and Pinocchio's own view of it, for tests that check one against the other."""
+"""Robots with their Pinocchio models, for tests that compare Surefoot with Pinocchio."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Body:
         self.weight = robot.mass * 9.81  # [N]
 
     def with_config(self, **changes) -> Body:
-        """The same robot with some fields of its configuration replaced."""
+        """Return the same robot with some fields of its configuration replaced."""
         config = self.robot.config
         for field, value in changes.items():
             setattr(config, field, value)
@@ -32,7 +32,7 @@ class Body:
         return Body(surefoot.Robot.from_serialized_model(text, config))
 
     def random_state(self, seed: int, speed: float = 0.3) -> surefoot.RobotState:
-        """Near the standing pose, base 0.3 m up, moving."""
+        """Return a random moving state near the standing pose, with the base at 0.3 m."""
         rng = np.random.default_rng(seed)
         state = surefoot.RobotState(self.robot.nq, self.robot.nv)
         q = self.robot.q_standing()
@@ -42,7 +42,7 @@ class Body:
         return state
 
     def reference_at(self, state: surefoot.RobotState, normal=UP) -> surefoot.Reference:
-        """Asks for what the state has already, and that the feet stop."""
+        """Return a reference that equals the state, except that its feet are at rest."""
         reference = surefoot.Reference()
         reference.p_com = pin.centerOfMass(self.model, self.data, state.q, state.v)
         reference.v_com = self.data.vcom[0]
@@ -54,13 +54,13 @@ class Body:
         return reference
 
     def contact_points(self, q, normal=UP):
-        """Where the feet touch the ground, (4, 3), world."""
+        """Return the contact points of the feet, (4, 3), world frame [m]."""
         pin.framesForwardKinematics(self.model, self.data, q)
         centres = [self.data.oMf[i].translation for i in self.robot.foot_frame_ids]
         return np.array(centres) - self.robot.config.foot_radius * normal
 
     def contact_jacobian(self, q, normal=UP):
-        """Velocities of the rolling feet's contact points from v, (12, nv), world."""
+        """Return the Jacobian (12, nv) of the rolling feet's contact points, world axes."""
         pin.computeJointJacobians(self.model, self.data, q)
         pin.updateFramePlacements(self.model, self.data)
         roll = pin.skew(self.robot.config.foot_radius * normal)
@@ -71,7 +71,13 @@ class Body:
         return np.vstack(rows)
 
     def resting_sample(self, tick: int, R_world_base=LEVEL, loads=(0.25,) * 4):
-        """What the sensors say of the standing pose at rest; loads are shares of the weight."""
+        """Return the LowState of a robot at rest in its standing pose.
+
+        Args:
+            tick: Robot clock [ms].
+            R_world_base: Attitude of the base.
+            loads: Load of each foot as a share of the weight, FR FL RR RL.
+        """
         config, q = self.robot.config, self.robot.q_standing()
         q[3:7] = pin.Quaternion(R_world_base).coeffs()
         forces = np.outer(loads, self.weight * UP).ravel()
@@ -90,7 +96,7 @@ class Body:
 
 
 def rotation(q):
-    """R_world_base of Pinocchio's q."""
+    """Return R_world_base of Pinocchio's q."""
     return pin.Quaternion(*np.roll(q[3:7], 1)).toRotationMatrix()
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A short log with every sensor and some motion, and what can be done to it."""
+"""A short sensor log of a moving go1, and functions that modify and write logs."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def robot() -> surefoot.Robot:
 
 @functools.cache
 def moving_log() -> SensorLog:
-    """A go1 that turns and leans on its feet for 1.6 s."""
+    """Return the log of a go1 that turns and leans on its feet for 1.6 s."""
     requests = (parse_reference("yaw=8,roll=6,pitch=-4@0.3"), parse_reference("yaw=-6,roll=0@0.9"))
     recorder = SensorRecorder()
     run_stand(StandSettings(duration=1.6, references=requests), sensors=recorder)
@@ -32,7 +32,7 @@ def moving_log() -> SensorLog:
 
 
 def with_columns(log: SensorLog | None = None, **columns) -> SensorLog:
-    """The log with columns in place of its own; None takes one away."""
+    """Return the log with some columns replaced; None removes a column."""
     log = log or moving_log()
     rows = {**log.columns, **columns}
     rows = {name: values for name, values in rows.items() if values is not None}
@@ -41,7 +41,7 @@ def with_columns(log: SensorLog | None = None, **columns) -> SensorLog:
 
 
 def reorder_legs(order, values):
-    """Columns (n, 12) with legs in another order."""
+    """Return columns (n, 12) with the legs in another order."""
     return values.reshape(-1, 4, 3)[:, order].reshape(-1, 12)
 
 
@@ -52,7 +52,7 @@ def write_rows(path, header, rows):
 
 
 def small_table(rows: int = 5):
-    """The least that suffices: names and lists of numbers, by column."""
+    """Return the smallest valid log: a list of rows for each column name."""
     table = {"time": [[0.002 * k] for k in range(rows)]}
     table["gyroscope"] = [[0.0, 0.0, 0.0]] * rows
     table["accelerometer"] = [[0.0, 0.0, 9.81]] * rows
@@ -61,7 +61,7 @@ def small_table(rows: int = 5):
 
 
 def small_csv(path, table=None):
-    """Write small_table() as a CSV; the header says name_k."""
+    """Write a table, by default small_table(), as a CSV file with header names name_k."""
     table = table or small_table()
     header, parts = [], []
     for name, values in table.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Limits of pushes against closed formulas, against integration, and against what must hold."""
+"""Push limits, compared with closed formulas, with integration and with invariants."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from surefoot.assess.quasi_static import quasi_static_force
 from surefoot.assess.stance_model import StanceModel, direction_vector, stance_model
 
 G = 9.81
-# Mass, height, distances to the edge; impulses sideways and forward at once, sideways in 0.1 s.
+# Mass [kg], height [m], distance to the lateral and the forward edge [m]; LIP push limits [N.s]:
+# lateral and forward for an instantaneous push, lateral for a push of 0.1 s.
 TABLE = {
     "a1": (13.7, 0.315, 0.129, 0.18, 9.9, 14.0, 12.9),
     "go1": (13.1, 0.335, 0.126, 0.18, 8.9, 12.9, 11.6),
@@ -68,19 +69,22 @@ def test_push_limit_matches_an_integrated_pendulum(
 def tips(
     p: Pendulum, max_brake_force: float, force: float, duration: float, push_height: float
 ) -> bool:
-    """Push a pendulum that brakes as hard as its edge and B allow, in small steps."""
+    """Integrate a pushed pendulum in small steps; return whether it tips.
+
+    It brakes with the largest force that the support edge and max_brake_force allow.
+    """
     x, v, t, dt = 0.0, 0.0, 0.0, 2e-5
     while t < 20.0:
         pushed = force if t < duration else 0.0
         most = (p.mass * G * (p.edge_distance - x) - push_height * pushed) / p.com_height
         ground = min(max_brake_force, most)
         if v <= 0.0 and pushed <= ground:
-            return False  # it stands still, or comes back
+            return False  # it stops or returns
         v += dt * (pushed - ground) / p.mass
         x, t = x + dt * v, t + dt
         if x > p.edge_distance:
             return True
-    raise AssertionError("neither tips nor stops")
+    raise AssertionError("the pendulum neither tips nor stops within 20 s")
 
 
 @pytest.fixture(params=["a1", "go1", "go2", "b1"])
@@ -91,7 +95,7 @@ def stance(request) -> StanceModel:
 def test_pinned_pose_has_its_feet_on_the_ground(stance: StanceModel) -> None:
     assert np.abs(stance.contacts[:, 2]).max() < 1e-9
     assert 0.25 < stance.height < 0.55
-    # Virtual work: a foot that carries nothing is carried by its leg alone, far below the limit.
+    # The weight of the legs alone needs torques far below the limits.
     assert np.all(np.abs(stance.gravity_torque) < 0.3 * stance.torque_limit)
     for leg in range(4):
         own = np.zeros(12, dtype=bool)
@@ -120,7 +124,7 @@ def test_weak_motors_reduce_the_quasi_static_force_until_infeasible(stance: Stan
 
 
 def standing_torques(stance: StanceModel) -> np.ndarray:
-    """Torques of a stand with a quarter of the weight on each foot, roughly."""
+    """Return approximate standing torques: a quarter of the weight on each foot [N.m]."""
     force = np.array([0.0, 0.0, stance.mass * G / 4])
     return stance.gravity_torque - sum(J.T @ force for J in stance.jacobians)
 

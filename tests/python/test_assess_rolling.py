@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball foot that rolls has not moved; one that slides, lifts or turns in the air has."""
+"""Rolling of a ball foot is no displacement; sliding, lifting and motion in the air are."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def quaternions(axis: np.ndarray, angles: np.ndarray) -> np.ndarray:
 def rolling(
     angle: float, bearing: bool = True, normal: np.ndarray = UP
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A wheel about y that turns by an angle, and what its centre does on the ground."""
+    """Return centres, attitudes and loaded flags of a foot that rolls about y by an angle."""
     axis, angles = np.array([0.0, 1.0, 0.0]), np.linspace(0.0, angle, N)
     centre = RADIUS * angles[:, None] * np.cross(axis, normal)
     turns = quaternions(axis, angles)
@@ -26,7 +26,7 @@ def rolling(
 def test_rolling_without_slip_is_no_displacement() -> None:
     for angle in (-0.4, 0.4, 2.0):
         feet, turns, bearing = rolling(angle)
-        # Both signs of a quaternion are the same attitude.
+        # q and -q are the same attitude.
         turns[N // 2 :] *= -1.0
         left = remove_rolling(feet, turns, bearing, RADIUS, UP)
         assert np.abs(feet).max() > 0.01

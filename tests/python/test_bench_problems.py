@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Recorded programs: what they are of, their files, and that they repeat."""
+"""Recorded QP sequences: contents, files and repeatability."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from surefoot import QpForm
 from surefoot.bench.problems import load_sequence, record_problems
 from surefoot.cli import main
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def pushed():
-    # Some of the programs of an a1 so pushed are elastic.
+    # At this push some QPs of an a1 are elastic.
     return record_problems("a1", "push80", QpForm.CONDENSED)
 
 
@@ -52,7 +54,7 @@ def test_the_general_form_has_equalities():
 def test_three_legged_stance_unloads_one_foot():
     (s,) = record_problems("a1", "limp", QpForm.CONDENSED)
     assert len(s) == 3000
-    # In the air the foot's forces are held between zero and zero.
+    # The force bounds of a foot in the air are l = u = 0.
     fixed = (s.l == s.u).sum(axis=1)
     assert fixed[0] == 0 and fixed[1100] > 0 and fixed[-1] == 0
 
@@ -83,7 +85,7 @@ def test_bench_command_exports_sequences_and_a_qpbenchmark_set(tmp_path, capsys)
     first = np.load(files[0])
     assert first["P"].shape == (12, 12) and first["G"].shape[0] == first["h"].shape[0]
     with pytest.raises(ValueError):
-        _ = first["lb"]  # none: what qpsolvers takes for absent
+        _ = first["lb"]  # stored as None: qpsolvers then applies no bound
 
 
 def test_unknown_scenario_is_refused():

@@ -18,12 +18,12 @@ BAD = {
     "shortened option": ["stand", "--dur", "3"],
     "unknown robot": ["stand", "--robot", "go7"],
     "no number": ["stand", "--duration", "long"],
-    "no time at all": ["stand", "--duration", "0"],
-    "negative time": ["stand", "--duration", "-3"],
-    "time that is not a number": ["stand", "--duration", "nan"],
-    "endless time": ["stand", "--duration", "inf"],
-    "rate off the millisecond": ["stand", "--rate", "333"],
-    "rate beyond the millisecond": ["stand", "--rate", "2000"],
+    "zero duration": ["stand", "--duration", "0"],
+    "negative duration": ["stand", "--duration", "-3"],
+    "duration that is not a number": ["stand", "--duration", "nan"],
+    "infinite duration": ["stand", "--duration", "inf"],
+    "period not in whole milliseconds": ["stand", "--rate", "333"],
+    "period below a millisecond": ["stand", "--rate", "2000"],
     "rate of zero": ["stand", "--rate", "0"],
     "unknown sensors": ["stand", "--sensors", "perfect"],
     "unknown foot force": ["stand", "--foot-force", "alive"],
@@ -35,15 +35,15 @@ BAD = {
     "negative payload": ["stand", "--payload", "-2"],
     "bad push": ["stand", "--push", "lateral:8:0.1"],
     "push after the end": ["stand", "--duration", "1", "--push", "lateral:8:0.1@2"],
-    "push at no height": ["stand", "--push", "lateral:8:0.1:high@1"],
+    "push height that is not a number": ["stand", "--push", "lateral:8:0.1:high@1"],
     "reference without time": ["stand", "--reference", "roll=10"],
-    "reference of no axis": ["stand", "--reference", "lean=10@1"],
+    "reference of an unknown axis": ["stand", "--reference", "lean=10@1"],
     "reference after the end": ["stand", "--duration", "1", "--reference", "roll=10@2"],
     "unknown form": ["stand", "--form", "dense"],
     "prediction too long": ["stand", "--predict-ms", "51"],
     "prediction that is not a number": ["stand", "--predict-ms", "nan"],
     "negative delay": ["stand", "--delay-ms", "-2"],
-    "endless delay": ["stand", "--delay-ms", "inf"],
+    "infinite delay": ["stand", "--delay-ms", "inf"],
     "negative lag": ["stand", "--motor-lag-ms", "-1"],
     "lag that is not a number": ["stand", "--motor-lag-ms", "nan"],
     "negative armature": ["stand", "--armature-scale", "-1"],
@@ -51,15 +51,15 @@ BAD = {
     "negative backlash": ["stand", "--backlash-deg", "-1"],
     "too much backlash": ["stand", "--backlash-deg", "5.1"],
     "backlash without rotors": ["stand", "--backlash-deg", "1", "--armature-scale", "0"],
-    "ground that rises": ["stand", "--soft-ground", "-0.01"],
-    "ground like water": ["stand", "--soft-ground", "0.11"],
-    "ground hardly soft": ["stand", "--soft-ground", "1e-6"],
+    "negative ground sink": ["stand", "--soft-ground", "-0.01"],
+    "ground sink too large": ["stand", "--soft-ground", "0.11"],
+    "ground sink too small": ["stand", "--soft-ground", "1e-6"],
     "soft ground without number": ["stand", "--soft-ground", "mud"],
     "negative seed": ["stand", "--seed", "-1"],
     "fractional seed": ["stand", "--seed", "1.5"],
     "negative damping": ["stand", "--motor-damping", "-1"],
     "missing gains file": ["stand", "--gains", "nowhere.toml"],
-    "json into no folder": ["stand", "--json", "no/such/folder/out.json"],
+    "json in a missing folder": ["stand", "--json", "no/such/folder/out.json"],
     "option without value": ["stand", "--json"],
     "report under a file": ["stand", "--report", f"{__file__}/report"],
     "urdf without config": ["stand", "--urdf", "a.urdf"],
@@ -67,16 +67,16 @@ BAD = {
     "name and files": ["stand", "--robot", "go1", "--urdf", "a.urdf", "--config", "b.toml"],
     "missing files": ["stand", "--urdf", "a.urdf", "--config", "b.toml"],
     "bench of unknown robot": ["bench", "--robot", "go7"],
-    "bench of hardly a tick": ["bench", "--ticks", "9"],
+    "bench with too few ticks": ["bench", "--ticks", "9"],
     "bench of unknown form": ["bench", "--form", "dense"],
-    "bench into no folder": ["bench", "--json", "no/such/folder/out.json"],
-    "export of nothing": ["export"],
+    "bench json in a missing folder": ["bench", "--json", "no/such/folder/out.json"],
+    "export without arguments": ["export"],
     "export without robot": ["export", "out.robot"],
     "export of unknown robot": ["export", "go7", "out.robot"],
     "export of two robots": ["export", "go1", "out.robot", "--urdf", "a", "--config", "b"],
     "export without config": ["export", "out.robot", "--urdf", "a.urdf"],
     "export of missing files": ["export", "out.robot", "--urdf", "a.urdf", "--config", "b.toml"],
-    "export into no folder": ["export", "go1", "no/such/folder/out.robot"],
+    "export to a missing folder": ["export", "go1", "no/such/folder/out.robot"],
     "gains of unknown robot": ["gains", "--robot", "go7"],
 }
 BAD_GAINS = {
@@ -95,7 +95,7 @@ def empty_folder(tmp_path, monkeypatch):
 
 
 def call(*words):
-    """Run the command in a process of its own."""
+    """Run the command in its own process."""
     line = [sys.executable, "-m", "surefoot.cli", *words]
     return subprocess.run(line, capture_output=True, text=True, timeout=60)
 
@@ -235,7 +235,7 @@ def test_exported_robot_file_loads_the_same_robot(capsys, tmp_path):
 
 @pytest.fixture
 def user_robot_files(tmp_path):
-    """A robot of one's own: a1's URDF with a TOML of another name and other gains."""
+    """Return the options of a user robot: a1's URDF with another name and foot_kp in its TOML."""
     known = surefoot.robot.description.describe_robot("a1")
     config = surefoot.robot.description._models_folder() / "a1.toml"
     text = (

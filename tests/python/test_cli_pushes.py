@@ -39,7 +39,7 @@ BAD = [
 
 
 class PlantWithLimit:
-    """Stands in for a plant: the limit depends on direction and duration."""
+    """A fake plant whose LIP push limit depends on direction and duration."""
 
     def lip_push_limit(self, direction, duration):
         return {"lateral": 12.0, "forward": 20.0}[direction] * (1.0 + duration)

@@ -30,24 +30,24 @@ def test_film_frames_are_denser_during_a_push(log):
     times = np.array(film.frame_ticks(log)) / log.rate
     pushed = (times >= PUSH.time) & (times < PUSH.time + PUSH.duration)
     assert times[0] == 0.0 and pushed.sum() >= 2
-    assert np.diff(times).max() <= film.PERIOD_S + 1e-9
+    assert np.diff(times).max() <= film.FRAME_PERIOD + 1e-9
 
 
 def test_film_of_a_long_run_has_a_frame_limit(log):
     rows = np.zeros((100_000, 1))
     long = dataclasses.replace(log, time=rows[:, 0])
-    assert len(film.frame_ticks(long)) <= film.MOST_PICTURES + 10
+    assert len(film.frame_ticks(long)) <= film.MAX_FRAMES + 10
 
 
 def test_stand_report_folder_contains_all_files_of_its_page(log, tmp_path, monkeypatch):
-    # The picture itself is not the question here; drawing it takes a graphics library.
-    monkeypatch.setattr(film, "_pictures", lambda log, wanted: (blank() for _ in wanted))
+    # This test does not check the pictures, and drawing them needs a graphics library.
+    monkeypatch.setattr(film, "_frames", lambda log, ticks: (blank() for _ in ticks))
     summary = summarise(log)
     command = ["surefoot", "stand", "--gains", "my gains.toml"]
     page = write_report(log, summary, tmp_path / "new" / "report", command).read_text()
     for file in re.findall(r'(?:src|href)="([^"]+)"', page):
         assert (tmp_path / "new" / "report" / file).stat().st_size > 0
-    assert "Asked: x +0.001 m at 0.2 s" in page and "Reached: " in page
+    assert "Requested: x +0.001 m at 0.2 s" in page and "Reached: " in page
     assert "film.webp" in page and "stand --gains &#x27;my gains.toml&#x27;" in page
     assert all(f"<code>{name}</code>" in page for name in summary)
     written = json.loads((tmp_path / "new" / "report" / "summary.json").read_text())
@@ -64,9 +64,9 @@ def test_film_failure_keeps_the_rest_of_the_report(log, tmp_path, monkeypatch):
     assert (tmp_path / "pose.png").exists() and not (tmp_path / "film.webp").exists()
 
 
-@pytest.mark.skipif(not ctypes.util.find_library("EGL"), reason="no library to draw with")
+@pytest.mark.skipif(not ctypes.util.find_library("EGL"), reason="no EGL library")
 def test_stand_command_makes_a_real_time_film(log, tmp_path):
-    # A process of its own chooses its graphics before MuJoCo is imported.
+    # A new process can choose its graphics library before it imports MuJoCo.
     line = [sys.executable, "-m", "surefoot.cli", "stand", "--duration", "0.3"]
     words = ["--push", str(PUSH), "--report", str(tmp_path)]
     done = subprocess.run([*line, *words], capture_output=True, text=True, timeout=60)

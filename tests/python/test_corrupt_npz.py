@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays whose headers are damaged, which no sum guards before they are read."""
+"""NPZ files with a corrupt array header and a valid checksum."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ CORRUPTIONS = {
 
 
 def corrupted_npz(name: str, old: bytes, new: bytes) -> bytes:
-    """Return an NPZ file of one array with its header hurt, its length as it was."""
+    """Return an NPZ file of one array whose header is corrupt and of unchanged length."""
     plain = io.BytesIO()
     np.save(plain, np.zeros(5))
     whole = plain.getvalue()

@@ -1,4 +1,4 @@
-"""A C++ user's project against an installed package: what the README and examples/ promise."""
+"""The code of README.md and examples/, built and run against the installed package."""
 
 from __future__ import annotations
 
@@ -11,9 +11,11 @@ from pathlib import Path
 import pytest
 import surefoot
 
+pytestmark = pytest.mark.build
+
 ROOT = Path(__file__).parents[2]
 CMAKE = Path(sys.executable).with_name("cmake")
-CUSTOM_TASK_OUTPUT = "camera at 0.080 m, wanted at 0.080 m\n"
+CUSTOM_TASK_OUTPUT = "camera at 0.080 m, desired 0.080 m\n"
 
 
 def _readme_blocks(language: str) -> list[str]:
@@ -31,7 +33,7 @@ def _example(name: str) -> str:
 
 
 def _cmake(folder: Path, *arguments: str) -> None:
-    """Run cmake as on an activated shell: its Python is the one that knows where Pinocchio is."""
+    """Run cmake with this environment's Python first on the PATH, which finds Pinocchio."""
     environment = {"CMAKE_BUILD_PARALLEL_LEVEL": "2", **os.environ}
     environment["PATH"] = f"{CMAKE.parent}:{environment['PATH']}"
     done = subprocess.run(
@@ -46,12 +48,12 @@ def _cmake(folder: Path, *arguments: str) -> None:
 
 
 def _cmake_install(folder: Path) -> str:
-    """Install by CMake alone what was compiled for the wheel: compiling takes minutes."""
+    """Install with CMake alone from the wheel's build folder: compiling again takes minutes."""
     built = str(next((ROOT / "build").glob("cp3*/CMakeCache.txt")).parent)
     prefix = str(folder / "prefix")
     try:
         _cmake(ROOT, "-S", ".", "-B", built, "-DSKBUILD=OFF")
-        _cmake(ROOT, "--build", built, "--target", "surefoot")  # links anew
+        _cmake(ROOT, "--build", built, "--target", "surefoot")  # links again
         _cmake(ROOT, "--install", built, "--prefix", prefix)
     finally:
         _cmake(ROOT, "-S", ".", "-B", built, "-DSKBUILD=2")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The estimator over a log: what it is given, what comes of it, which logs are refused."""
+"""The estimator on recorded logs: inputs, results and refused logs."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def test_derived_velocities_are_causal_and_accurate() -> None:
 
 def test_repeated_angles_hold_the_derived_velocity_then_decay_to_zero() -> None:
     time = 0.001 * np.arange(400)
-    angle = 2.0 * np.floor(time / 0.004) * 0.004  # encoders four times slower than the log
+    angle = 2.0 * np.floor(time / 0.004) * 0.004  # the encoders sample at a quarter of the log rate
     angle[200:] = angle[200]
     angle[50] = math.nan
     dq = derive_velocities(time, np.repeat(angle[:, None], 12, axis=1))[:, 0]
@@ -170,7 +170,7 @@ S = np.tile([-1.0, 1.0, 1.0], 4)
 CONTRADICTIONS = {
     "angles in degrees": (lambda c: {"q": c["q"] * DEG_PER_RAD}, "'q'", "in degrees"),
     "velocities in degrees": (lambda c: {"dq": c["dq"] * DEG_PER_RAD}, "'dq'", "deg/s"),
-    "velocities of the other sign": (lambda c: {"dq": -c["dq"]}, "'dq'", "expected its sign"),
+    "velocities of the other sign": (lambda c: {"dq": -c["dq"]}, "'dq'", "expected the same sign"),
     "gyroscope in degrees": (
         lambda c: {"gyroscope": c["gyroscope"] * DEG_PER_RAD},
         *("'gyroscope'", "deg/s"),
@@ -200,7 +200,7 @@ CONTRADICTIONS = {
         *("'q'", "RR RL FR FL"),
     ),
     "hips mirrored": (lambda c: {"q": S * c["q"], "dq": S * c["dq"]}, "'q'", "all hips mirrored"),
-    "feet in others' places": (
+    "feet at the places of other feet": (
         lambda c: {"q": c["q"] + np.tile([0.8, 0.0, 0.0, -0.8, 0.0, 0.0], 2), "dq": None},
         *("'q'", "foot FR at x ="),
     ),
@@ -218,7 +218,7 @@ CONTRADICTIONS = {
     ),
     "torques of the other sign": (
         lambda c: {"tauEst": -c["tauEst"]},
-        *("'tauEst'", "expected their sign"),
+        *("'tauEst'", "expected the same sign"),
     ),
 }
 
@@ -303,7 +303,7 @@ def test_report_is_written_when_all_rows_are_refused(tmp_path) -> None:
     spoiled = with_columns(tauEst=np.where(np.arange(12) == 4, 1e5, moving_log().sensor("tauEst")))
     made = run_estimator(robot(), spoiled)
     summary = summarise(made)
-    assert summary["position"] == [None] * 3 and "no row was taken" in summary["warnings"][-1]
+    assert summary["position"] == [None] * 3 and "accepted no row" in summary["warnings"][-1]
     assert write_report(made, summary, tmp_path).exists()
 
 
@@ -323,15 +323,15 @@ def test_estimate_command_writes_json_trajectory_and_report(tmp_path, capsys, mo
 BAD = {
     "no log": "estimate",
     "missing log": "estimate nowhere.csv",
-    "a log of no kind": "estimate log.txt",
+    "log with an unknown suffix": "estimate log.txt",
     "unknown robot": "estimate small.csv --robot go7",
-    "json into no folder": "estimate small.csv --json no/such/out.json",
-    "trajectory of no kind": "estimate small.csv --trajectory way.txt",
-    "trajectory into no folder": "estimate small.csv --trajectory no/such/way.csv",
+    "json in a missing folder": "estimate small.csv --json no/such/out.json",
+    "trajectory with an unknown suffix": "estimate small.csv --trajectory way.txt",
+    "trajectory in a missing folder": "estimate small.csv --trajectory no/such/way.csv",
     "report under a file": "estimate small.csv --report small.csv/page",
     "missing gains": "estimate small.csv --gains nowhere.toml",
-    "log of a stand of no kind": "stand --duration 0.1 --log out.txt",
-    "log of a stand into no folder": "stand --duration 0.1 --log no/such/out.csv",
+    "stand log with an unknown suffix": "stand --duration 0.1 --log out.txt",
+    "stand log in a missing folder": "stand --duration 0.1 --log no/such/out.csv",
 }
 
 

@@ -199,7 +199,13 @@ def test_gains_given_to_a_controller_are_copied(go1) -> None:
 
 
 def confidence_lost(go1, first: float, later: float) -> float:
-    """In a foot whose force has vanished, with the dwell time of a start and of later [s]."""
+    """Return the contact confidence that FR loses in 40 ms without force.
+
+    Args:
+        go1: Robot.
+        first: contact_dwell at the start [s].
+        later: contact_dwell from tick 10 on [s].
+    """
     gains = go1.robot.config.gains
     gains.contact_dwell = first
     controller = surefoot.StandController(go1.robot, gains)
@@ -211,14 +217,14 @@ def confidence_lost(go1, first: float, later: float) -> float:
         report.footForceEst[:] = 40
         report.footForceEst[0] = 0 if lifted else 40
         controller.update(report)
-        if later != first and tick == 10:  # they get there in 0.1 s
+        if later != first and tick == 10:  # the gain ramp takes 0.1 s
             controller.set_gains(gains)
     return 1.0 - float(controller.state.contact[0])
 
 
 def test_gains_reach_the_estimator_from_the_start_and_between_ticks(go1) -> None:
     fast, slow = confidence_lost(go1, 0.1, 0.1), confidence_lost(go1, 0.4, 0.4)
-    assert 0.2 < fast < 0.4  # of 40 ms, less what a filter's lag leaves undecided
+    assert 0.2 < fast < 0.4  # 40 ms of a 100 ms dwell time, minus the force filter's lag
     assert fast == pytest.approx(4.0 * slow)
     assert confidence_lost(go1, 0.1, 0.4) == pytest.approx(slow)
 
@@ -266,7 +272,7 @@ def test_gain_unit_in_a_file_is_checked(load) -> None:
 
 
 def pushed_torques(go1, change: Callable[[Gains], None]) -> np.ndarray:
-    """Torques while a push is worked off, gains changed in the midst of it."""
+    """Return the torques (250, 12) of a pushed robot; the gains change at tick 180 [N.m]."""
     plant = Plant("go1", PlantSettings(sensors="ideal"))
     controller = surefoot.StandController(plant.robot)
     state = plant.reset()

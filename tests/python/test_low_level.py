@@ -82,7 +82,7 @@ for slot in (0, 7, 19):
 
 
 def sample(code: str):
-    """Values of a field that differ from its default, as written and as packed."""
+    """Return values that differ from a field's default, and their packed bytes."""
     kind, count = code[-1], int(code[:-1] or 1)
     values = [-7.25 - k if kind == "f" else 17 + k for k in range(count)]
     return (np.array(values, dtype=kind) if count > 1 else values[0]), struct.pack(
@@ -224,7 +224,7 @@ for owner_name, owner in list(DOCUMENTED.items()):
 
 
 def docstring_of(name: str) -> str:
-    """A docstring without the signature line that a compiled function's begins with."""
+    """Return a docstring without the signature line that nanobind adds."""
     text = inspect.getdoc(DOCUMENTED[name]) or ""
     head, _, tail = text.partition("\n")
     return tail if head.startswith(f"{name.split('.')[-1]}(") else text

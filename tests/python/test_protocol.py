@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""surefoot.protocol: what C++ tests of the frames do not see of it."""
+"""The Python API of surefoot.protocol; the C++ tests check the frames."""
 
 from __future__ import annotations
 
@@ -61,13 +61,13 @@ def test_remote_round_trips_through_bytes() -> None:
     assert back.pressed(protocol.Button.B) and not back.pressed(protocol.Button.A)
     assert (back.lx, back.ry) == (-0.5, 1.0)
     garbage = bytes([0xFF] * 40)
-    read = protocol.WirelessRemote.from_bytes(garbage)  # sticks that are not finite
+    read = protocol.WirelessRemote.from_bytes(garbage)  # its stick values are not finite
     assert (read.lx, read.ly, read.rx, read.ry) == (0.0, 0.0, 0.0, 0.0)
-    assert read.pressed(protocol.Button.B)  # may be what damps the robot
+    assert read.pressed(protocol.Button.B)  # B damps the robot, so it is read even from such bytes
     assert len(remote.to_bytes()) == 40
 
 
 def test_default_generation_of_go2_raises_an_error() -> None:
     assert protocol.default_generation("b1") == "b1-v3.8"
-    with pytest.raises(Error, match="name a generation"):
+    with pytest.raises(Error, match="choose a generation"):
         protocol.default_generation("go2")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The store of long runs."""
+"""The result store of long runs."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_a_store_of_another_run_or_in_use_is_refused(tmp_path: Path) -> None:
     path = str(tmp_path / "store")
     with open_result_store(path, "surefoot assess", {"robot": "go1", "card": 1}):
         with (
-            pytest.raises(Error, match="at work in it"),
+            pytest.raises(Error, match="another run uses it"),
             open_result_store(path, "surefoot assess", {}),
         ):
             pass
@@ -52,6 +52,6 @@ def test_a_store_of_another_run_or_in_use_is_refused(tmp_path: Path) -> None:
 def test_invalid_store_line_is_named(tmp_path: Path, entry: str) -> None:
     path = tmp_path / "store"
     path.write_text('{"surefoot assess": {}}\n' + entry + "\n")
-    with pytest.raises(Error, match="line 2 is no entry of surefoot assess"):
+    with pytest.raises(Error, match="line 2 is not an entry of surefoot assess"):
         with open_result_store(str(path), "surefoot assess", {}):
             pass

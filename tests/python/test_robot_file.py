@@ -19,7 +19,7 @@ import sys, importlib.metadata
 class Absent:
     def find_spec(self, name, path=None, target=None):
         if name.split(".")[0] in ("pinocchio", "mujoco", "casadi", "example_robot_data", "cmeel"):
-            raise ImportError(name + " is not on this computer")
+            raise ImportError(name + " is not installed")
 sys.meta_path.insert(0, Absent())
 def files(name): raise importlib.metadata.PackageNotFoundError(name)
 importlib.metadata.files = importlib.metadata.distribution = files
@@ -38,7 +38,7 @@ def path(go1, tmp_path) -> Path:
 
 
 def with_checksum(content: bytes) -> bytes:
-    """Put the checksum that belongs to the content behind it."""
+    """Return the content with its checksum line recomputed."""
     body = content[: content.rindex(b"\nchecksum ")]
     return body + b"\nchecksum %d\n" % zlib.crc32(body)
 
@@ -59,7 +59,7 @@ def test_saved_robot_loads_unchanged(body, tmp_path) -> None:
 def test_changed_configuration_is_saved(go1, tmp_path) -> None:
     gains = surefoot.Gains()
     for k, info in enumerate(surefoot.gain_table()):
-        share = (100 - k) / 100.0  # falling, as contact_force_off has to stay below the one before
+        share = (100 - k) / 100.0  # decreasing: keeps contact_force_off below contact_force_on
         setattr(gains, info.name, (1 - share) * info.default + share * info.maximum)
     quat = np.array([0.1, 0.2, 0.3, 0.4]) / np.linalg.norm([0.1, 0.2, 0.3, 0.4])
     changes = {"name": "rex", "friction": 1 / 3, "quat_base_imu": quat, "p_base_imu": quat[1:]}

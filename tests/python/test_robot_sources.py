@@ -1,4 +1,4 @@
-"""Where a robot comes from: a name, a URDF, or a model built in Python; never two of them."""
+"""Sources of a robot: a name, a URDF or a Pinocchio model; exactly one of them."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ def model():
 
 @pytest.fixture
 def config(tmp_path):
-    """Return a function that writes go1's TOML, changed, and gives its path."""
+    """Return a function that writes a changed copy of go1's TOML and returns its path."""
 
     def write(old: str = "", new: str = "") -> Path:
         text = (MODELS / "go1.toml").read_text()

@@ -12,7 +12,7 @@ from surefoot.robot.loading import describe_robot, load_pinocchio_model
 
 ROBOTS = ["a1", "go1", "go2", "b1"]
 LEGS = ("FR", "FL", "RR", "RL")
-# SDK headers and URDFs, narrower of both: hip, thigh, calf of the right front leg [rad].
+# The narrower of the SDK's and the URDF's position limits [rad]: hip, thigh, calf of FR.
 LIMITS = {
     "a1": ([-0.802, -1.0472, -2.6965], [0.802, 4.1888, -0.9163]),
     "go1": ([-0.863, -0.663, -2.721], [0.863, 2.966, -0.888]),
@@ -42,7 +42,7 @@ def toml() -> str:
 
 @pytest.fixture
 def load(tmp_path):
-    """Load go1's URDF with a configuration of one's own."""
+    """Return a function that loads go1's URDF with a given configuration."""
 
     def load(text: str | bytes, urdf=None) -> surefoot.Robot:
         path = tmp_path / "mine.toml"
@@ -58,7 +58,7 @@ def changed(text: str, old: str, new: str) -> str:
 
 
 def without(text: str, key: str) -> str:
-    """Leave out one key, whatever its value and however many lines it takes."""
+    """Return the TOML text without one key, whose value may span several lines."""
     line = re.compile(rf"^{key} = (\[[^\]]*\]|[^\n]*)", re.MULTILINE)
     assert len(line.findall(text)) == 1
     return line.sub("", text)
@@ -109,7 +109,7 @@ def test_motion_range_is_limited_by_hip_inward(go1) -> None:
     config = go1.robot.config
     config.hip_inward = 0.4
     lower, upper = config.q_lower, config.q_upper
-    upper[[0, 6]], lower[[3, 9]] = 0.4, -0.4  # right legs come under the trunk by positive angles
+    upper[[0, 6]], lower[[3, 9]] = 0.4, -0.4  # positive angles move right legs under the trunk
     ranges = [surefoot.motion_range(config, motor) for motor in range(12)]
     assert ranges == list(zip(lower, upper, strict=True))
     assert surefoot.load_robot("b1").config.hip_inward == 0.4
@@ -119,7 +119,9 @@ def test_motion_range_is_limited_by_hip_inward(go1) -> None:
 
 def test_a_standing_pose_beyond_hip_inward_is_refused(load, toml: str) -> None:
     pose = changed(toml, "[0.0, 0.8, -1.6]", "[-0.3, 0.8, -1.6]")
-    with pytest.raises(surefoot.Error, match=r"hip_inward: got 0\.2.*least 0\.3, where FL_hip"):
+    with pytest.raises(
+        surefoot.Error, match=r"hip_inward: got 0\.2.*least 0\.3, the angle of FL_hip"
+    ):
         load(changed(pose, "[limits]", "[limits]\nhip_inward = 0.2"))
 
 
@@ -172,7 +174,7 @@ def test_motor_torque_falls_linearly_with_speed_only_while_driving(go1) -> None:
 
 
 def with_gain(toml: str, line: str) -> str:
-    """A TOML, whose last table is its gains, with one of them given otherwise."""
+    """Return a TOML with one gain replaced; [gains] must be its last table."""
     name = line.partition(" =")[0]
     rest = [old for old in toml.splitlines() if not old.startswith(f"{name} =")]
     return "\n".join([*rest, line, ""])

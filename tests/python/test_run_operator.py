@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What surefoot run tells its operator of a robot that is down."""
+"""What surefoot run prints about the readiness of a robot for arming."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_silent_robot_is_not_reported_as_ready(mode: Mode) -> None:
     said: list[str] = []
     readiness = ArmingMonitor(surefoot.load_robot("go1"), said.append)
     readiness.update(snapshot("standing", Mode.STAND, ready=True, armed=True), False)
-    # Braked, not yet latched: its clock may have stood still.
+    # The robot damps, but damping is not latched yet: the robot may be silent.
     readiness.update(snapshot("damping", mode, ready=True, armed=True), False)
     readiness.update(snapshot("damping", Mode.DAMPING, ready=False, armed=False), False)
     assert said == []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The protections as Python sees them; tests/cpp/test_power_protection.cpp has the truth table."""
+"""Python API of the protections; tests/cpp/test_power_protection.cpp has the truth table."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The runs of the long benchmarks: kept, gone on with, said."""
+"""Runs of the long benchmarks: stored, resumed and reported."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from seed_runs import Job, RunOutcome, add_seed_options, run_seeds, seeds_of
 
 
 def play(job: Job) -> RunOutcome:
-    """Odd seeds fail."""
+    """Return an outcome that fails for odd seeds."""
     ok = int(job[-1]) % 2 == 0
     return RunOutcome(ok, "" if ok else f"odd on {job[0]}")
 
 
 def refuse(job: Job) -> RunOutcome:
-    """Nobody is to be run again."""
+    """Fail: no job may run again."""
     raise AssertionError(f"{job} was run")
 
 
 def stall(job: Job) -> RunOutcome:
-    """The first one ends badly, the others not soon."""
+    """Raise an exception for seed 0; take 60 s for other seeds."""
     if job[-1] == 0:
         raise ValueError("broken")
     time.sleep(60.0)

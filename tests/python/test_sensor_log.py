@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Logs as files: what is read, under which names, and what is refused."""
+"""Sensor log files: formats, column names and refused files."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_written_log_reads_back_unchanged(tmp_path, suffix) -> None:
     again = read_log(path)
     assert set(again.columns) == set(log.columns)
     for name, values in log.columns.items():
-        kind = np.float64 if name.startswith("truth_") else np.float32  # as LowState has it
+        kind = np.float64 if name.startswith("truth_") else np.float32  # precision of LowState
         np.testing.assert_array_equal(again.columns[name].astype(kind), values, err_msg=name)
     np.testing.assert_array_equal(again.time, log.time)
     assert (again.ignored, again.warnings, again.clock) == ((), (), "tick")
@@ -118,7 +118,7 @@ def test_wrapping_tick_gives_continuous_time(tmp_path) -> None:
 
 def test_constant_tick_falls_back_to_the_time_column(tmp_path) -> None:
     log = read_log(small_csv(tmp_path / "a.csv", {"tick": [[0]] * 5, **small_table()}))
-    assert log.clock == "time" and "tick stands still" in log.warnings[0]
+    assert log.clock == "time" and "tick is constant" in log.warnings[0]
 
 
 def test_all_nan_optional_column_counts_as_missing(tmp_path) -> None:
@@ -157,7 +157,12 @@ BAD_CSV = {
     "twice the same": ({**small_table(), "acc": [[0.0] * 3] * 5}, "'acc_0'", "expected it once"),
     "a word": (cell("q", "broken"), "row 4", "'q_0'", "got 'broken'", "expected a number"),
     "a clock that goes back": (with_time(0.0, 0.002, 0.001), "'time'", "at row 2", "never goes"),
-    "a clock that stands still": (with_time(1.0, 1.0, 1.0), "'time'", "all say 1", "advances"),
+    "a clock that stands still": (
+        with_time(1.0, 1.0, 1.0),
+        "'time'",
+        "same value 1 in 3 rows",
+        "advances",
+    ),
     "milliseconds for seconds": (with_time(0.0, 2.0, 4.0), "'time'", "step of 2 s", "in seconds"),
     "seconds for ticks": (
         {**without("time"), "tick": [[0.002 * k] for k in range(5)]},
@@ -167,7 +172,7 @@ BAD_CSV = {
     "a needed column of NaN": (
         {**without("gyroscope"), "gyroscope": [["nan"] * 3] * 5},
         "'gyroscope'",
-        "got no row",
+        "NaN or infinity in every row",
     ),
 }
 
@@ -203,7 +208,7 @@ def test_rows_that_are_missing_or_ragged_are_refused(tmp_path) -> None:
     with pytest.raises(Error, match=r"row 4: got 2 cells, expected 19"):
         read_log(tmp_path / "a.csv")
     one = write_rows(tmp_path / "b.csv", ["time", "gyroscope"], [[0.0, "[0, 0, 0]"]])
-    with pytest.raises(Error, match=r"'gyroscope': got 1 number a row, expected 3 columns"):
+    with pytest.raises(Error, match=r"'gyroscope': got 1 number per row, expected 3 columns"):
         read_log(one)
 
 
@@ -228,7 +233,7 @@ def test_files_that_cannot_be_read_are_refused(tmp_path) -> None:
         with pytest.raises(Error, match=name):
             read_log(tmp_path / name)
     (tmp_path / "a.npz").write_bytes(b"no archive")
-    with pytest.raises(Error, match="no NPZ file"):
+    with pytest.raises(Error, match="no valid NPZ file"):
         read_log(tmp_path / "a.npz")
     (tmp_path / "a.csv").mkdir()
     with pytest.raises(Error, match="cannot read"):

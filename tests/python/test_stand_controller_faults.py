@@ -11,7 +11,7 @@ import surefoot
 from surefoot import FallbackLevel, LowState, StandController, Status
 
 PERIOD = 2  # [ms]
-HOLD_TICKS = 5  # ticks of 2 ms that the last good command may live
+HOLD_TICKS = 5  # ticks of 2 ms for which the last good command is repeated
 MOTOR = np.dtype(
     {
         "names": ["mode", "q", "dq", "tau", "Kp", "Kd"],
@@ -24,7 +24,7 @@ NON_FINITE_VALUES = [math.nan, math.inf, -math.inf, 1e30]
 
 
 def motors(commands):
-    """The twelve motors of commands (or of their bytes), shape (n, 12)."""
+    """Return the twelve motor commands of LowCmds or of their bytes, shape (n, 12)."""
     frames = [c if isinstance(c, bytes) else c.to_bytes() for c in commands]
     return np.array([np.frombuffer(frame, MOTOR, 12, 22) for frame in frames])
 
@@ -42,7 +42,7 @@ def is_torque_mode(commands):
 
 
 class Stand:
-    """A controller that hears of a robot standing still, and what it makes of that."""
+    """A controller that receives the samples of a robot standing still."""
 
     def __init__(self, body, tick: int = 1000, period: int = PERIOD, **options) -> None:
         gains = options.pop("gains", body.robot.config.gains)
@@ -51,14 +51,14 @@ class Stand:
         self.tick, self.period = tick, period
 
     def report(self) -> LowState:
-        """The next report: all well, one period on."""
+        """Return the next valid sample, one period later."""
         self.tick += self.period
         report = LowState.from_bytes(self.good)
         report.tick = self.tick % 2**32
         return report
 
     def run(self, ticks: int, spoil=lambda report: None):
-        """Commands and statuses of some ticks whose reports are spoilt."""
+        """Run some ticks with samples changed by `spoil`; return commands and statuses."""
         commands, statuses = [], []
         for _ in range(ticks):
             report = self.report()
@@ -84,7 +84,13 @@ TOPPLING_ACCELERATION = 10.0  # [rad/s^2]
 
 
 def toppling(axis: int, rate: float, angles: list[float]):
-    """All that an IMU says of a fall, gravity included, as a robot tips over."""
+    """Return a function that writes the IMU values of a robot that topples about an axis.
+
+    Args:
+        axis: Axis of the base, 0 .. 2.
+        rate: Largest angular velocity [rad/s].
+        angles: Receives the tilt of every tick [rad].
+    """
     turn, angle, speed = np.eye(3)[axis], 0.0, 0.0
 
     def spoil(report: LowState) -> None:
@@ -99,7 +105,7 @@ def toppling(axis: int, rate: float, angles: list[float]):
 
 
 def lift(stand: Stand, body) -> None:
-    """Take the robot off the ground, where its legs do not contradict a turn of the body."""
+    """Unload all feet, so that leg kinematics do not contradict a rotation of the body."""
     stand.good = body.resting_sample(0, loads=(0.0,) * 4).to_bytes()
     stand.run(30)
 
@@ -206,8 +212,8 @@ def test_straight_leg_stops_only_the_condensed_form(go1) -> None:
     commands, statuses = stand.run(20, straighten)
     assert is_torque_mode(commands[:HOLD_TICKS]).all()
     assert (
-        stand.controller.fallback_level_count(FallbackLevel.FORCES) == HOLD_TICKS
-    )  # the state is good: it is bridged
+        stand.controller.fallback_count(FallbackLevel.FORCES) == HOLD_TICKS
+    )  # the sample is valid: a fallback level gives torques
     assert set(statuses[:HOLD_TICKS]) == {Status.SINGULAR}
     assert damps(commands[HOLD_TICKS:]).all()
     stand = Stand(go1)
@@ -444,7 +450,7 @@ def test_single_tick_jump_is_refused_and_control_continues(stand) -> None:
 
 def test_lasting_tick_jump_latches_damping(stand) -> None:
     stand.run(20)
-    stand.tick += 600_000  # ten minutes in which nobody commanded the robot
+    stand.tick += 600_000  # the robot was without commands for ten minutes
     commands, statuses = stand.run(20)
     assert statuses == [Status.STALE_TICK] + [Status.DAMPING] * 19
     assert damps(commands[1:]).all()
@@ -488,7 +494,7 @@ def test_last_valid_estimate_is_kept_during_bad_samples(stand) -> None:
 
 
 def inside_limits(body, commands):
-    """Whether every motor's torque is one that the motor can give at rest."""
+    """Return for each command whether all torques are within the limits at rest."""
     return (np.abs(motors(commands)["tau"]) <= np.float32(body.robot.config.tau_max)).all(axis=1)
 
 
@@ -508,7 +514,7 @@ def test_random_bytes_give_only_valid_commands_or_damping(go1) -> None:
 
 
 def set_plausible_random_values(rng, report: LowState) -> None:
-    """Numbers that a sensor could say and no robot could mean."""
+    """Write random finite values to all used fields, with a unit quaternion."""
     report.imu.quaternion[:] = rng.normal(size=4)
     report.imu.quaternion[:] /= np.linalg.norm(report.imu.quaternion)
     size = 10.0 ** rng.uniform(-2, 3.9)

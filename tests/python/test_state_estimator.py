@@ -10,10 +10,10 @@ import surefoot
 from surefoot import SensorVerdict, StateEstimator, Status
 
 DT = 0.002
-SUBSTEPS = 4  # of true motion between two reports
-MOUNT = np.array([0.5, 0.5, -0.5, 0.5])  # no axis of the IMU is an axis of the base
+SUBSTEPS = 4  # integration steps of the true motion between two samples
+MOUNT = np.array([0.5, 0.5, -0.5, 0.5])  # turns every IMU axis onto another base axis
 TILTED = pin.rpy.rpyToMatrix(0.1, -0.08, 2.5)
-AIRBORNE = (0.0, 0.3, 0.35, 0.35)  # the right front foot is in the air
+AIRBORNE = (0.0, 0.3, 0.35, 0.35)  # FR is in the air
 
 
 def rotation(q):
@@ -21,12 +21,12 @@ def rotation(q):
 
 
 def tilt(q) -> float:
-    """Angle of the base's z axis from the vertical [deg]."""
+    """Return the angle of the base's z axis from the vertical [deg]."""
     return math.degrees(math.acos(min(1.0, rotation(q)[2, 2])))
 
 
 def feed(estimator, report, ticks: int, dt: float = DT):
-    """Take in the same report again and again; the states it leads to."""
+    """Update the estimator `ticks` times with the same sample; return its states."""
     states = []
     for _ in range(ticks):
         assert estimator.update(report, dt) == Status.OK
@@ -100,7 +100,7 @@ def test_gyroscope_bias_is_estimated_through_a_rotated_mount(go1) -> None:
 def test_gyroscope_bias_is_estimated_at_a_90_deg_heading(go1) -> None:
     estimator, report = StateEstimator(go1.robot), go1.resting_sample(0, loads=(0.0,) * 4)
     feed(estimator, report, 100)
-    report.imu.gyroscope[2] = math.pi  # turned by hand, in the air
+    report.imu.gyroscope[2] = math.pi  # a person turns the lifted robot
     feed(estimator, report, 250)
     report = go1.resting_sample(0)
     report.imu.gyroscope[0] = 0.02
@@ -111,14 +111,14 @@ def test_gyroscope_bias_is_estimated_at_a_90_deg_heading(go1) -> None:
 
 
 def moving_reports(body, seconds: float):
-    """A base that sways on rolling feet after a rest; reports, true velocities and attitudes."""
+    """Yield samples, true q and true v of a base that rests, then sways on rolling feet."""
     q, truth = body.robot.q_standing(), []
     arm, R_base_imu = body.robot.config.p_base_imu, pin.Quaternion(*MOUNT).toRotationMatrix()
     fine = DT / SUBSTEPS
     for k in range(SUBSTEPS * round(seconds / DT)):
         ramp = min(1.0, max(0.0, k * fine - 2.0))
         phase = 2 * math.pi * k * fine * np.array([1.0, 0.7, 1.3, 0.9, 1.1, 0.6])
-        # World velocity of the base, then its rate in base axes: 12 cm/s, 0.3 rad/s.
+        # Linear velocity in world axes, at most 0.12 m/s; angular in base axes, at most 0.3 rad/s.
         twist = ramp * np.array([0.12, 0.08, 0.06, 0.3, 0.3, 0.2]) * np.cos(phase)
         twist[:3] = rotation(q).T @ twist[:3]
         J = body.contact_jacobian(q)
@@ -178,7 +178,7 @@ def test_torques_detect_a_lifted_foot_without_foot_force(body) -> None:
 
 
 def loaded(body, first: float):
-    """A report in which the first foot bears these newtons, by footForceEst and by the torques."""
+    """Return a sample in which FR carries `first` newtons, by footForceEst and by torques."""
     share = first / body.weight
     rest = (1.0 - share) / 3.0
     report = body.resting_sample(0, loads=(share, rest, rest, rest))
@@ -193,9 +193,9 @@ def test_contact_ends_after_the_dwell_time(go1) -> None:
     leaving = contacts(feed(estimator, loaded(go1, 0), 30))
     dwell = round(go1.robot.config.gains.contact_dwell / DT)
     steps = -np.diff(leaving, prepend=1.0)
-    assert steps.max() <= 1.0 / dwell + 1e-9  # no sooner than the dwell ...
+    assert steps.max() <= 1.0 / dwell + 1e-9  # not faster than the dwell time
     assert leaving[dwell - 2] > 0.0
-    assert leaving[dwell + 4 :].max() == 0.0  # ... and a filter's lag later
+    assert leaving[dwell + 4 :].max() == 0.0  # after the dwell time and the filter's lag
 
 
 def test_one_wrong_force_sample_reduces_contact_by_at_most_0_2(go1) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""surefoot.symbolic and the generated dynamics against Pinocchio."""
+"""surefoot.symbolic and the generated dynamics, compared with Pinocchio."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def test_generated_dynamics_file_is_up_to_date():
     assert LEG_DYNAMICS.read_text() == _symbolic.leg_source(), "run `make generate`"
 
 
-# The controller's own torques, of real robots in any pose, against the equations of motion.
+# The controller's torques in random states must satisfy the equations of motion.
 def test_torques_of_random_states_match_pinocchio_inverse_dynamics(body):
     controller = surefoot.WholeBodyController(body.robot)
     usable = 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The model behind surefoot tune design: textbook loops, refusals, what it writes."""
+"""surefoot tune design: textbook loops, refused goals and output files."""
 
 from __future__ import annotations
 
@@ -43,12 +43,14 @@ from surefoot.tune.design.loop_model import Tick
 from surefoot.tune.design.margins import MAX_GAIN_FACTOR
 from surefoot.tune.design.stability_search import last_stable
 
+pytestmark = pytest.mark.slow
+
 NO_LIMITS = np.array([[-1e6, -1e6], [0.0, 0.0], [1e6, 1e6]])
 FRICTIONLESS_Z = Direction("z", False, 1.0, 0.0, 0.0, 1.0, 1.0, NO_LIMITS, 0.3)
 FRICTIONLESS_YAW = replace(FRICTIONLESS_Z, name="yaw", rotates=True)
 PUSH_OBSERVER_OFF = Observers(1e6, 0.016, 0.5, 0.0, 1.0)
 PUSH_OBSERVER_ON = Observers(0.15, 0.016, 0.5, 20.0, 1.0)
-FAST_TIMING = Timing(rate=2000.0, motor_lag=0.0)  # 1 ms from measurement to action
+FAST_TIMING = Timing(rate=2000.0, motor_lag=0.0)  # 1 ms from sample to torque
 
 
 @functools.cache
@@ -57,7 +59,7 @@ def body(robot: str = "go1") -> StandingBody:
 
 
 def continuous_delay_margin(goal: Goal) -> float:
-    """Phase margin over crossover of (kp + kd s) / s^2 [s]."""
+    """Return the delay margin of (kp + kd s) / s^2: phase margin / crossover frequency [s]."""
     kp, kd = goal.kp, goal.kd
     w = math.sqrt((kd**2 + math.sqrt(kd**4 + 4.0 * kp**2)) / 2.0)
     return math.atan2(kd * w, kp) / w
@@ -73,20 +75,20 @@ def test_poles_match_the_goal_without_delay(frequency: float, damping: float) ->
     )
     wn = 2.0 * math.pi * frequency
     wanted = wn * complex(-damping, math.sqrt(1.0 - damping**2))
-    # 1.25 ms of delay turn them a little.
+    # The sampled loop has 1.25 ms of delay, which moves the poles slightly.
     assert np.abs(s - wanted).min() < 0.05 * wn
 
 
 @pytest.mark.parametrize("goal", [Goal(2.0, 0.4), Goal(2.5, 0.8), Goal(5.0, 0.7)])
 def test_the_delay_margin_is_phase_margin_over_crossover(goal: Goal) -> None:
     loop = ClosedLoop(FRICTIONLESS_Z, FAST_TIMING, PUSH_OBSERVER_OFF)
-    own = 2.5 * FAST_TIMING.period  # one period each way, half a period of hold
+    own = 2.5 * FAST_TIMING.period  # one period each way, half a period of zero-order hold
     expected = continuous_delay_margin(goal) - own
     assert delay_margin(loop, goal.kp, goal.kd) == pytest.approx(expected, abs=0.0003)
 
 
 def test_gain_margin_matches_the_delayed_derivative_loop() -> None:
-    # kd exp(-j w T) / (j w), T = 2.5 periods: unstable from kd = pi / (2 T) on.
+    # The loop kd exp(-j w T) / (j w) with T = 2.5 periods is unstable for kd >= pi / (2 T).
     timing = Timing(rate=500.0, motor_lag=0.0)
     loop = ClosedLoop(FRICTIONLESS_Z, timing, PUSH_OBSERVER_OFF)
     kd = 20.0
@@ -143,9 +145,9 @@ def test_measured_directions_match_the_robot_model(robot: str) -> None:
     for name in ("x", "y", "z"):
         assert 1.0 < directions[name].inertia / body(robot).robot.mass < 1.4
         assert 1.0 < directions[name].base_motion_ratio < 1.2
-    # Downwards the program keeps four feet down by hold_down of the weight each. That has a price,
-    # which b1's height is worth more than, away from the edge: its feet are let go light.
-    # Nor is it asked to fall by more than leaves feet edge_load, less 0.35.
+    # The hold-down limits the downward acceleration: it keeps hold_down of the weight on each foot.
+    # On b1 the height task outweighs the hold-down penalty away from the edge, so feet carry less.
+    # The desired acceleration is limited too: the feet keep edge_load - 0.35 of the weight.
     gains = body(robot).robot.config.gains
     held = 9.81 * min(1.0 - 4.0 * gains.hold_down, 1.35 - gains.edge_load)
     limits = directions["z"].limits
@@ -163,7 +165,7 @@ def test_reported_pole_is_not_an_observer_pole(axis: str) -> None:
     goals = {axis: Goal(2.5, 0.8)}
     design = design_gains(DesignSettings(describe_robot("a1"), goals, Timing(delay=0.012)))
     margins = next(each for each in design.axes if each.name == axis).margins
-    # Delay makes the loop faster and, up to a point, looks like damping.
+    # Delay raises the frequency of the pole and, up to a point, its damping.
     assert 2.5 < margins.pole_frequency < 5.0
     assert 0.7 < margins.pole_damping < 1.0
 
@@ -229,7 +231,7 @@ def test_design_measures_the_qp_with_the_start_gains(
         assert run_cli(*words, "--gains", str(file)) == 0
         boundary[hold_down] = json.loads(capsys.readouterr().out)["axes"]["height"]["boundary"]
     usual, held = boundary.values()
-    # Held down by four fifths of the weight, it can fall with a fifth of gravity at most.
+    # With a hold-down of 4/5 of the weight, the body falls with g / 5 at most.
     assert usual == pytest.approx(6.46, rel=0.02)
     assert held == pytest.approx(13.18, rel=0.02)
 
@@ -265,7 +267,7 @@ def test_unstable_goal_is_refused_with_the_highest_stable_frequency(
     lines = capsys.readouterr().err.splitlines()
     assert len(lines) == 1 and "height" in lines[0] and f"{delay} ms" in lines[0]
     assert not file.exists()
-    # As it is printed: who types it in must not be refused again.
+    # Use the printed text: a user who enters it must not be refused again.
     greatest = lines[0].split("at most ")[1].split(" Hz")[0]
     assert 1.0 < float(greatest) < 6.0
     assert run_cli("--height", greatest, "--delay-ms", delay) == 0
@@ -283,7 +285,7 @@ def test_reported_greatest_frequency_is_stable() -> None:
     ("asked", "greatest", "said"),
     [
         (6.0, 4.8799, "; expected at most 4.87 Hz at this damping"),
-        (0.1, 4.8799, "; expected 0.2 .. 4.87 Hz at this damping"),  # the slow one is what is wrong
+        (0.1, 4.8799, "; expected 0.2 .. 4.87 Hz at this damping"),  # the goal is too slow
         (6.0, 0.0, "; no frequency from 0.2 Hz up is stable at this damping"),
     ],
 )
@@ -298,7 +300,7 @@ def test_refusal_rounds_the_stable_frequency_down(
 
 
 def test_delay_and_rate_limits_keep_the_margin_search_finite() -> None:
-    # 0.2 s at 500 Hz may be asked for; the search adds 0.1 s to it, which nobody gave.
+    # 0.2 s at 500 Hz is the longest delay allowed; the search adds up to 0.1 s to it.
     slow = ClosedLoop(FRICTIONLESS_Z, Timing(delay=0.2), PUSH_OBSERVER_OFF)
     assert delay_margin(slow, Goal(0.1, 0.8).kp, Goal(0.1, 0.8).kd) == pytest.approx(0.1)
     fast = Timing(rate=10_000.0, delay=0.01)
@@ -307,7 +309,7 @@ def test_delay_and_rate_limits_keep_the_margin_search_finite() -> None:
     assert delay_margin(loop, Goal(1.0, 0.8).kp, Goal(1.0, 0.8).kd) == fast.max_extra_delay
     settings = DesignSettings(describe_robot("go1"), {"height": Goal(2.0, 0.8)})
     for timing in (Timing(delay=0.25), Timing(rate=10_000.0, delay=0.012)):
-        with pytest.raises(surefoot.Error, match="further delay: got"):
+        with pytest.raises(surefoot.Error, match="additional delay: got"):
             design_gains(replace(settings, timing=timing))
 
 
@@ -343,7 +345,7 @@ def test_delay_and_rate_limits_keep_the_margin_search_finite() -> None:
             ["--bandwidth", "2", "--joint-friction-scale", "-1"],
             "--joint-friction-scale: got -1, expected 0 .. 10",
         ),
-        (["--bandwidth", "2", "--trust-imu", "0"], "trust in the IMU"),
+        (["--bandwidth", "2", "--trust-imu", "0"], "trust_imu"),
         (["--bandwidth", "2", "--robot", "dog"], "unknown robot"),
         (["--bandwidth", "2", "--toml", "/nowhere/g.toml"], "--toml"),
     ],
@@ -381,7 +383,7 @@ def test_margins_beyond_the_search_limit_are_not_drawn() -> None:
         figure = draw(design)
         shown = [len(ax.get_legend_handles_labels()[1]) for ax in figure.axes]
         assert shown == [1, kinds, kinds, kinds]
-        # The legend is of all four, not of the first, which has one kind.
+        # The legend covers all four plots; the first plot has only one kind of curve.
         assert len(figure.legends[0].get_texts()) == kinds
 
 

@@ -19,7 +19,7 @@ def rotation(q):
 
 
 def state_and_reference(body, seed: int, normal=UP, swing=()):
-    """A seeded state and a reference that asks for a little of everything."""
+    """Return a random state and a reference with small errors in every task."""
     rng = np.random.default_rng(1000 + seed)
     state = body.random_state(seed)
     reference = body.reference_at(state, normal)
@@ -44,7 +44,7 @@ def com_acceleration(body, state, a):
 
 
 def feet_acceleration(body, state, a, normal):
-    """Of the contact points of rolling spheres, (4, 3), world."""
+    """Return the accelerations of the rolling feet's contact points, (4, 3), world axes."""
     pin.forwardKinematics(body.model, body.data, state.q, state.v, a)
     roll = body.robot.config.foot_radius * normal
     rows = []
@@ -56,7 +56,7 @@ def feet_acceleration(body, state, a, normal):
 
 
 def authority(body, state, normal=UP):
-    """Centre-of-mass and angular acceleration of the base per newton of foot force, (6, 12)."""
+    """Return the map (6, 12) from foot forces to CoM and angular base accelerations."""
     nv = body.robot.nv
     M = pin.crba(body.model, body.data, state.q)
     M = np.triu(M) + np.triu(M, 1).T
@@ -166,7 +166,7 @@ def test_forces_have_minimum_norm(body) -> None:
 @pytest.mark.parametrize("normal", [UP, SLOPE], ids=["flat", "slope"])
 def test_forces_stay_inside_the_friction_cone_and_reach_it(body, normal) -> None:
     gains = body.robot.config.gains
-    # Nothing else may hold it back from the cone, and it must not press harder instead.
+    # Only the friction cone may limit the force, and the normal force must not grow instead.
     gains.weight_com_horizontal, gains.weight_com_vertical = 10.0, 10.0
     gains.weight_base_tilt, gains.edge_height, gains.weight_force = 0.01, 1.0, 0.05
     controller, reached = WholeBodyController(body.robot, gains), []
@@ -199,7 +199,7 @@ def test_friction_limit_comes_from_the_configuration(go1) -> None:
 
 
 def impossible_demands(body, count: int, speed: float):
-    """States of a robot whose joints fly about, and demands for the impossible."""
+    """Yield states with random joint velocities, and references that cannot be reached."""
     rng = np.random.default_rng(7)
     for seed in range(count):
         state = body.random_state(seed, speed)
@@ -228,7 +228,7 @@ def test_impossible_demands_are_solved_in_199_of_200_ticks(body) -> None:
     controller = WholeBodyController(body.robot)
     statuses = [controller.update(*ask).status for ask in impossible_demands(body, 200, speed=2.0)]
     usable = [surefoot.is_usable(status) for status in statuses]
-    assert sum(usable) >= 199  # the cap on iterations may refuse a tick, and says so
+    assert sum(usable) >= 199  # one tick may reach the iteration limit
     assert set(statuses) <= {Status.OK, Status.SATURATED, Status.MAX_ITERATIONS}
 
 
@@ -254,7 +254,7 @@ def test_torque_limits_are_constraints_of_the_qp(body, lift: float) -> None:
     indices, tau_max = np.array(weak.robot.motor_to_v) - 6, weak.robot.config.tau_max
     share = np.abs(solution.torques)[indices] / tau_max
     assert share.max() == pytest.approx(1.0, abs=1e-4)
-    # Had the torques been cut off afterwards, they would no longer go with the motion.
+    # Torques that were clipped after the solve would violate the equations of motion.
     effort = pin.rnea(weak.model, weak.data, state.q, state.v, solution.accelerations)
     effort -= weak.contact_jacobian(state.q).T @ solution.forces.T.ravel()
     np.testing.assert_allclose(effort[6:], solution.torques, atol=1e-4 * tau_max.max())
@@ -506,8 +506,8 @@ def test_any_finite_input_gives_finite_torques_within_limits(go1) -> None:
 
 
 def test_stand_controller_matches_the_whole_body_controller(body) -> None:
-    # The contact's place hangs on the ground's normal, which the estimator knows a tick late: soft
-    # feet, so that it does not show.
+    # The contact points depend on the ground normal, which the estimator updates one tick late. Low
+    # foot gains keep the effect small.
     gains = body.robot.config.gains
     gains.foot_kp, gains.foot_kd = 400.0, 35.0
     standing, rng = surefoot.StandController(body.robot, gains), np.random.default_rng(6)
@@ -520,12 +520,12 @@ def test_stand_controller_matches_the_whole_body_controller(body) -> None:
         standing.update(report)
         assert surefoot.is_usable(standing.status)
         if tick < 80:
-            continue  # the attitude is being found, the normal goes with it: a tick late is far off
+            continue  # the attitude converges: the normal of the last tick differs too much
         twin = WholeBodyController(body.robot, gains).update(standing.state, standing.reference)
         theirs = standing.solution
         tau_max = body.robot.config.tau_max.max()
         np.testing.assert_allclose(theirs.torques, twin.torques, atol=1e-3 * tau_max)
-        most = max(20.0, np.abs(twin.accelerations).max())  # it grows as the reports go astray
+        most = max(20.0, np.abs(twin.accelerations).max())  # grows as the random samples diverge
         np.testing.assert_allclose(theirs.accelerations, twin.accelerations, atol=1e-3 * most)
 
 
@@ -546,7 +546,7 @@ def test_heavy_task_does_not_disturb_unrelated_forces(go1, weight: float, form) 
 
         def write(self, state, rows) -> bool:
             rows.A_a[0, 5], rows.weight[0] = 1.0, weight
-            return np.isfinite(state.q).all()  # numpy's own truth will do
+            return np.isfinite(state.q).all()  # a NumPy bool is accepted
 
     options = surefoot.WholeBodyOptions(form=form)
     free = WholeBodyController(go1.robot, options=options)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What programs call to know the time and to let it pass, on the shared clock. This library is
-// preloaded (LD_PRELOAD): the programs are the ones that users run.
+// Time functions of the C library on the shared clock. The library is preloaded (LD_PRELOAD) into
+// the unmodified executables.
 #include <dlfcn.h>
 #include <errno.h>
 #include <pthread.h>
@@ -19,7 +19,7 @@ namespace {
 using stall_tolerant_clock::Time;
 
 constexpr Time kSecond = 1'000'000'000;
-constexpr Time kPollPeriod = 100'000;  // [ns] between looks at a clock that is held
+constexpr Time kPollPeriod = 100'000;  // [ns] between checks of a held clock
 
 Time to_time(const timespec& value) { return kSecond * value.tv_sec + value.tv_nsec; }
 
@@ -31,7 +31,8 @@ timespec to_timespec(Time value) {
 template <class Function>
 Function* original(const char* name, const char* version = nullptr) {
   void* found = version == nullptr ? nullptr : dlvsym(RTLD_NEXT, name, version);
-  if (found == nullptr) found = dlsym(RTLD_NEXT, name);  // not x86-64's version
+  // Other machines than x86-64 have another version of the symbol.
+  if (found == nullptr) found = dlsym(RTLD_NEXT, name);
   return reinterpret_cast<Function*>(found);
 }
 
@@ -41,7 +42,7 @@ int system_sleep(Time time) {
   return call(CLOCK_MONOTONIC, 0, &rest, nullptr);
 }
 
-// Sleep on the shared clock; 0, or an error number such as EINTR.
+// Sleep until `due` on the shared clock. @return 0 or an error number such as EINTR
 int sleep_until(Time due) {
   stall_tolerant_clock::announce_sleep(due);
   bool slept = false;
@@ -54,15 +55,17 @@ int sleep_until(Time due) {
   return 0;
 }
 
-// A deadline that somebody read from the shared clock, on the system's.
+// Convert a deadline on the shared clock to the system's clock.
 timespec to_system_deadline(const timespec& deadline) {
   return to_timespec(to_time(deadline) + stall_tolerant_clock::held());
 }
 
-// The wall clock is far ahead of the one that began with the machine.
+// Return whether a deadline is on the monotonic clock, which counts from boot. The wall clock
+// counts from 1970.
 bool is_monotonic(const timespec& deadline) { return deadline.tv_sec < 1'000'000'000; }
 
-// Datagrams are stamped by the system; programs compare that to the wall clock's now.
+// Shift the kernel's time stamps of datagrams. Programs subtract them from the wall clock, which is
+// not held, so the difference must be the age on the shared clock.
 void shift_timestamps(msghdr& message) {
   for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
     if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;

@@ -23,25 +23,26 @@ namespace {
 constexpr int kLoops = 64;
 constexpr unsigned kHolds = 1024;
 
-// A thread that keeps real time.
+// A thread that runs a periodic loop in real time.
 struct Loop {
-  std::atomic<int> thread;  // 0: nobody's
+  std::atomic<int> thread;  // 0: free slot
   std::atomic<int> process;
-  std::atomic<Time> due;     // at which it was to wake, on the shared clock
-  std::atomic<Time> waited;  // for it since then
+  std::atomic<Time> due;     // wake-up time on the shared clock; 0: the clock does not wait for it
+  std::atomic<Time> waited;  // how long the clock has waited since then
 };
 
-// Until `real` the clock stood still; it was `held` behind then.
+// A period in which the clock stood still. It ended at `real` on the system's clock; the shared
+// clock was `held` behind by then.
 struct Hold {
   std::atomic<Time> real, held;
 };
 
-// What the file holds. It begins with zeros, which is what a new one has; `exempt_process` is also
-// written by paused_process.py.
+// Contents of the shared file. A new file has zeros, which is the initial state. paused_process.py
+// also writes `exempt_process`.
 struct SharedState {
   std::atomic<Time> held;
-  std::atomic<Time> exempt_process;  // a process that nobody waits for
-  std::atomic<Time> latest;          // time that somebody was told
+  std::atomic<Time> exempt_process;  // process that the clock does not wait for
+  std::atomic<Time> latest;          // latest time that a thread has received
   std::atomic<unsigned> holds;
   Hold history[kHolds];
   Loop loops[kLoops];
@@ -64,7 +65,7 @@ SharedState* shared() noexcept {
   return mapped;
 }
 
-// The place of this thread, which is free again when the thread ends.
+// The slot of this thread. It is free again when the thread ends.
 struct LoopSlot {
   Loop* loop = nullptr;
   int thread = 0;
@@ -82,12 +83,12 @@ struct LoopSlot {
   }
 
   void take() noexcept {
-    if (owned()) return;  // it may have been given up meanwhile
+    if (owned()) return;  // wait_for() may have freed the slot meanwhile
     thread = static_cast<int>(syscall(SYS_gettid));
     for (Loop& candidate : shared()->loops) {
       int nobody = 0;
       if (!candidate.thread.compare_exchange_strong(nobody, thread)) continue;
-      candidate.due.store(0);  // nobody waits for it yet
+      candidate.due.store(0);  // the clock does not wait for it yet
       candidate.process.store(getpid());
       loop = &candidate;
       return;
@@ -96,14 +97,14 @@ struct LoopSlot {
 };
 thread_local LoopSlot place;
 
-// The loop that is behind most; null if nobody is to be waited for.
+// Return the loop with the earliest wake-up time; null: the clock waits for no loop.
 Loop* slowest() noexcept {
   Loop* found = nullptr;
   const Time exempt_process = shared()->exempt_process.load();
   for (Loop& loop : shared()->loops) {
     if (loop.thread.load() == 0 || loop.due.load() == 0) continue;
     if (loop.process.load() == exempt_process) {
-      loop.due.store(0);  // until it keeps time again
+      loop.due.store(0);  // until its next sleep
       continue;
     }
     if (found == nullptr || loop.due.load() < found->due.load()) found = &loop;
@@ -111,16 +112,16 @@ Loop* slowest() noexcept {
   return found;
 }
 
-// PF_EXITING of the kernel's sched.h: a big process that was killed gives its memory back for some
-// hundred milliseconds, and is said to run meanwhile.
+// PF_EXITING of the kernel's sched.h. A large process that was killed takes some hundred
+// milliseconds to free its memory, and its state is still "running" meanwhile.
 constexpr unsigned kExiting = 0x4;
 
 bool is_alive(int process, int thread) noexcept {
-  const int error = errno;  // clock_gettime() does not set it where it succeeds
+  const int error = errno;  // clock_gettime() must not change it
   char path[64], text[512] = {};
   std::snprintf(path, sizeof(path), "/proc/%d/task/%d/stat", process, thread);
   const int file = open(path, O_RDONLY | O_CLOEXEC);
-  const bool unreadable = file < 0 && errno != ENOENT && errno != ESRCH;  // it may live
+  const bool unreadable = file < 0 && errno != ENOENT && errno != ESRCH;  // the thread may be alive
   const ssize_t got = file < 0 ? -1 : read(file, text, sizeof(text) - 1);
   if (file >= 0) close(file);
   if (unreadable) {
@@ -138,17 +139,17 @@ bool is_alive(int process, int thread) noexcept {
   return read_fields == 2 && state != 'Z' && state != 'X' && (flags & kExiting) == 0;
 }
 
-// Wait for a loop a little more, or no more.
+// Count the time waited for a loop. Free its slot if the thread is gone, or after kMaxWait.
 void wait_for(Loop& loop, Time more) noexcept {
   int thread = loop.thread.load();
   const Time before = loop.waited.fetch_add(more), after = before + more;
   const bool doubtful = before / kAliveCheckPeriod != after / kAliveCheckPeriod;
   const bool gone = doubtful && !is_alive(loop.process.load(), thread);
   if (!gone && after <= kMaxWait) return;
-  loop.thread.compare_exchange_strong(thread, 0);  // unless the place is another's already
+  loop.thread.compare_exchange_strong(thread, 0);  // unless another thread has the slot by now
 }
 
-// False if somebody else was first.
+// Hold the clock by `more`. @return false if another thread has changed it first
 bool hold(Loop& loop, Time real, Time before, Time more) noexcept {
   if (!shared()->held.compare_exchange_strong(before, before + more)) return false;
   const unsigned holds = shared()->holds.load();
@@ -182,9 +183,9 @@ Time now() noexcept {
     const Time real = system_time();
     time = real - before;
     Loop* const loop = slowest();
-    if (held() != before) continue;  // somebody has held it meanwhile
+    if (held() != before) continue;  // another thread has held it meanwhile
     if (loop == nullptr) break;
-    // Never back behind what somebody was told.
+    // Do not go back behind a time that a thread has received.
     const Time most = std::max(loop->due.load() + kMaxLead, shared()->latest.load());
     if (time <= most) break;
     if (hold(*loop, real, before, time - most)) {
@@ -195,7 +196,7 @@ Time now() noexcept {
   Time latest = shared()->latest.load();
   while (latest < time && !shared()->latest.compare_exchange_weak(latest, time)) {
   }
-  return std::max(latest, time);  // it never goes back
+  return std::max(latest, time);  // never goes back
 }
 
 Time shared_time_at(Time real) noexcept {
@@ -204,7 +205,7 @@ Time shared_time_at(Time real) noexcept {
   Time behind = 0, time = most;
   for (unsigned k = holds > kHolds ? holds - kHolds : 0; k < holds; ++k) {
     const Hold& entry = shared()->history[k % kHolds];
-    if (entry.real.load() > real) {  // it stood still then, or had not come so far
+    if (entry.real.load() > real) {  // the clock stood still then, or was before this hold
       time = std::min(time, entry.real.load() - entry.held.load());
     } else {
       behind = std::max(behind, entry.held.load());

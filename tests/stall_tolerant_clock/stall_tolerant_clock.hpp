@@ -3,15 +3,15 @@
 
 #include <cstdint>
 
-/// A clock that several programs share and that waits for whichever of them is late.
+/// A clock that several processes share and that waits for late loops.
 ///
-/// Machines that run tests stand still for tens of milliseconds, all at once or a processor of
-/// them. A controller then damps, as it should, and a test of something else fails. This clock
-/// follows CLOCK_MONOTONIC, but never by more than kMaxLead past the time at which one of the loops
-/// that keep real time was to wake. To those loops such a machine looks like a good one.
+/// Test machines stall for tens of milliseconds, completely or on single processors. A controller
+/// then damps, as it should, and an unrelated test fails. This clock follows CLOCK_MONOTONIC, but
+/// it stops kMaxLead after the wake-up time of the latest loop until that loop has woken. To the
+/// loops, a stalled machine looks like a good one.
 ///
-/// So does one on which they are too slow themselves: what a loop computes takes no time here,
-/// however long it takes. Whether loops fit their periods is for tests on the system's clock
+/// Limit: a machine that is too slow for the loops looks good as well, because computation takes no
+/// time on this clock. Tests on the system's clock check whether loops meet their periods
 /// (test_real_time.py).
 namespace stall_tolerant_clock {
 
@@ -20,35 +20,35 @@ using Time = std::int64_t;
 
 inline constexpr Time kMillisecond = 1'000'000;
 
-/// Sleeps up to this keep a loop's time; longer ones are somebody's leisure. [ns]
+/// Longest sleep of a periodic loop; the clock does not wait for longer sleeps. [ns]
 inline constexpr Time kLongestPeriod = 12 * kMillisecond;
 
-/// How far the clock goes past the time at which a loop was to wake. [ns]
+/// How far the clock may pass the wake-up time of a loop. [ns]
 inline constexpr Time kMaxLead = 3 * kMillisecond;
 
-/// As often it looks whether the one it waits for still lives. [ns]
+/// Period of the check whether the thread of a late loop is still alive. [ns]
 inline constexpr Time kAliveCheckPeriod = 20 * kMillisecond;
 
-/// For how long it waits for a thread that lives, which may have something else to do. [ns]
+/// Longest wait for a living thread, which may do something else by now. [ns]
 inline constexpr Time kMaxWait = 500 * kMillisecond;
 
-/// Is there a clock to share? It is in the file that STALL_TOLERANT_CLOCK names.
+/// Return whether there is a shared clock: STALL_TOLERANT_CLOCK names its file.
 bool is_shared() noexcept;
 
-/// The shared time, which the system's was at `real`; [ns] on CLOCK_MONOTONIC both.
+/// Convert a time of the system's CLOCK_MONOTONIC to the shared clock. [ns]
 Time shared_time_at(Time real) noexcept;
 
-/// The shared time now. [ns]
+/// Return the time on the shared clock. [ns]
 Time now() noexcept;
 
-/// By how much it is behind the system's. [ns]
+/// Return how far the shared clock is behind the system's clock. [ns]
 Time held() noexcept;
 
-/// The calling thread is about to sleep until `due` and is waited for, unless it is longer than
-/// kLongestPeriod. [ns]
+/// Announce that the calling thread sleeps until `due`, so that the clock waits for it. A sleep
+/// longer than kLongestPeriod ends the waiting. [ns]
 void announce_sleep(Time due) noexcept;
 
-/// The system's CLOCK_MONOTONIC. [ns]
+/// Return the system's CLOCK_MONOTONIC. [ns]
 Time system_time() noexcept;
 
 }  // namespace stall_tolerant_clock

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// DAQP's C interface: dual active set on dense data.
+// DAQP by its C interface: dual active-set method on dense data.
 #include <daqp/api.h>
 #include <daqp/utils.h>
 
@@ -37,9 +37,9 @@ class Daqp : public Adapter {
 
   Description describe() const override {
     return {"daqp", "c", PEER_VERSION,
-            "primal_tol as asked (its default), all else default; update_ldp() with every part of "
-            "the data, then daqp_solve()",
-            "the working set of the last tick, factored anew (activate_constraints)"};
+            "primal_tol as requested (its default), all else default; update_ldp() with all data, "
+            "then daqp_solve()",
+            "working set of the last tick, factorised again (activate_constraints)"};
   }
   void clear_warm_start() override { cold_ = true; }
   void load_problem(const Problem& p) override {
@@ -55,7 +55,7 @@ class Daqp : public Adapter {
   }
   SolveStatus solve() override {
     if (!started_ && !start()) return SolveStatus::kFailed;
-    // The bits of the working set stay in `sense` from tick to tick; writing it forgets them.
+    // `sense` keeps the working set from tick to tick; UPDATE_sense discards it.
     bool ready = update(cold_ ? kAllData | UPDATE_sense : kAllData);
     if (!ready && !cold_) ready = update(kAllData | UPDATE_sense);
     cold_ = false;
@@ -72,7 +72,7 @@ class Daqp : public Adapter {
   }
 
  private:
-  // setup_daqp() needs the first program's data; a setup that fails leaves nothing behind.
+  // setup_daqp() needs the data of the first QP. A failed setup frees its memory.
   bool start() {
     work_ = {};
     allocate_daqp_settings(&work_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// eiquadprog-fast, the Goldfarb-Idnani solver of TSID. Rows are one-sided there: they are split
-// before its time starts, as whoever uses it would write them that way.
+// eiquadprog-fast, the Goldfarb-Idnani solver of TSID. Its inequalities are one-sided. Two-sided
+// ones are split before timing, because a user would write them one-sided.
 #include <cmath>
 #include <eiquadprog/eiquadprog-fast.hpp>
 
@@ -21,8 +21,8 @@ class Eiquadprog : public Adapter {
   }
 
   Description describe() const override {
-    return {"eiquadprog", "c++", PEER_VERSION,
-            "EiquadprogFast, exact but for rounding: no tolerance", "none"};
+    return {"eiquadprog", "c++", PEER_VERSION, "EiquadprogFast, exact up to rounding: no tolerance",
+            "none"};
   }
   bool can_warm_start() const override { return false; }
   void clear_warm_start() override {}
@@ -46,7 +46,8 @@ class Eiquadprog : public Adapter {
     a.x.assign(x_.begin(), x_.end());
     a.y.assign(a.y.size(), 0.0);
     a.z.assign(a.z.size(), 0.0);
-    // Its rows push up, so their multipliers have the other sign; equalities are counted -1, -2 ...
+    // Its inequalities are CI x + ci >= 0, so the multipliers have the opposite sign. Equalities
+    // are numbered -1, -2 ...
     const auto& active = solver_.getActiveSet();
     const auto& u = solver_.getLagrangeMultipliers();
     for (std::size_t k = 0; k < solver_.getActiveSetSize(); ++k) {
@@ -61,7 +62,7 @@ class Eiquadprog : public Adapter {
   }
 
  private:
-  // Rows that have no bound are left out, so the number of rows may change from tick to tick.
+  // Missing bounds are left out, so the number of rows may change from tick to tick.
   void split_bounds() {
     source_row_.clear();
     bound_sign_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// HPIPM's dense interface in C: interior point on BLASFEO.
+// HPIPM by its dense C interface: interior-point method on BLASFEO.
 #include <hpipm_d_dense_qp.h>
 #include <hpipm_d_dense_qp_dim.h>
 #include <hpipm_d_dense_qp_ipm.h>
@@ -36,11 +36,10 @@ class Hpipm : public Adapter {
   }
 
   Description describe() const override {
-    return {
-        "hpipm", "c", PEER_VERSION,
-        "dense, BALANCE mode; the four residuals' tolerances as asked; iter_max 100",
-        "hot start (warm_start 3: primal, dual and slacks of the last tick); from nothing after "
-        "a failure"};
+    return {"hpipm", "c", PEER_VERSION,
+            "dense, BALANCE mode; tolerances of the four residuals as requested; iter_max 100",
+            "hot start (warm_start 3: primal, dual and slacks of the last tick); cold start after "
+            "a failure"};
   }
   void clear_warm_start() override { has_solution_ = false; }
   void load_problem(const Problem& p) override {
@@ -108,7 +107,8 @@ class Hpipm : public Adapter {
   Setup setup_;
   std::vector<double> A_, C_, H_, g_, b_;
   std::vector<double> l_, u_, l_mask_, u_mask_;
-  mutable std::vector<double> lower_multipliers_, upper_multipliers_;  // room for reading
+  mutable std::vector<double> lower_multipliers_,
+      upper_multipliers_;  // buffers for read_solution()
   std::vector<char> dim_memory_, qp_memory_, solution_memory_, settings_memory_, work_memory_;
   d_dense_qp_dim dim_{};
   d_dense_qp qp_{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OSQP's C interface: ADMM on sparse data. The sparsity is fixed beforehand, the values of every
-// tick are gathered into its columns within its time.
+// OSQP by its C interface: ADMM on sparse data. The sparsity pattern is fixed beforehand. Copying
+// the values of each tick into the columns is timed.
 #include <osqp/osqp.h>
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace bench {
 
 namespace {
 
-/// Compressed columns of a dense row-major matrix with a known pattern.
+/// Compressed sparse columns of a dense row-major matrix with a known pattern.
 struct Columns {
   std::vector<OSQPInt> start{0}, row;
-  std::vector<int> source_index;  // where in the dense data
+  std::vector<int> source_index;  // index in the dense data
   std::vector<double> value;
 
   void add(int dense_index, int at_row) {
@@ -64,7 +64,7 @@ class Osqp : public Adapter {
 
   Description describe() const override {
     return {"osqp", "c", osqp_version(),
-            "sparse, pattern known beforehand; eps_abs 0.1 times what is asked, eps_rel 0, "
+            "sparse, pattern known beforehand; eps_abs 0.1 times the requested one, eps_rel 0, "
             "no polishing, max_iter 20000, adaptive_rho_interval 25, check_termination 10",
             "primal and dual variables and rho of the last tick"};
   }
@@ -111,7 +111,7 @@ class Osqp : public Adapter {
 
  private:
   static constexpr double kEps =
-      0.1;  // its residuals are of the scaled program: 1 leaves some wrong
+      0.1;  // OSQP checks residuals of the scaled QP: with 1 some answers are wrong
 
   static bool used(const std::vector<char>& pattern, int k) {
     return pattern.empty() || pattern[k] != 0;

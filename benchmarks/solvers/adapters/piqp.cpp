@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PIQP's dense C++ interface: proximal interior point. Header only, so that Eigen's and the
-// compiler's flags are those of the others.
+// PIQP by its dense C++ interface: proximal interior-point method. It is header-only, so it is
+// compiled with the same Eigen and flags as the others.
 #include <piqp/piqp.hpp>
 
 #include "adapter.hpp"
@@ -23,11 +23,11 @@ class Piqp : public Adapter {
   }
 
   Description describe() const override {
-    return {
-        "piqp", "c++", PEER_VERSION,
-        "dense; eps_abs and eps_duality_gap_abs as asked, eps_rel 0, all else default; update() "
-        "of all data, then solve()",
-        "none of the answer: an interior point starts anew; memory and preconditioner stay"};
+    return {"piqp", "c++", PEER_VERSION,
+            "dense; eps_abs and eps_duality_gap_abs as requested, eps_rel 0, all else default; "
+            "update() of all data, then solve()",
+            "no warm start of the solution, as for any interior-point method; memory and "
+            "preconditioner are kept"};
   }
   void clear_warm_start() override {}
   void load_problem(const Problem& p) override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ProxQP through its front door, QP::update() and QP::solve(), as its documentation shows it.
+// ProxQP by QP::update() and QP::solve(), as in its documentation.
 #include <proxsuite/proxqp/dense/dense.hpp>
 
 #include "adapter.hpp"
@@ -18,9 +18,9 @@ class Proxqp : public Adapter {
   Description describe() const override {
     return {
         "proxqp", "c++", PEER_VERSION,
-        "dense QP, update(update_preconditioner = false) and solve(); eps_abs as asked, eps_rel "
-        "0, eps_primal_inf and eps_dual_inf 1e-12, check_duality_gap with eps 0.1 times what is "
-        "asked, all else default",
+        "dense QP, update(update_preconditioner = false) and solve(); eps_abs as requested, "
+        "eps_rel 0, eps_primal_inf and eps_dual_inf 1e-12, check_duality_gap with eps 0.1 times "
+        "the requested one, all else default",
         "initial_guess WARM_START_WITH_PREVIOUS_RESULT"};
   }
   void clear_warm_start() override {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// qpOASES through casadi::conic: casadi's wheel has its library but not its headers. The wrapper
-// copies the data once and writes A row by row, which counts in its time.
+// qpOASES by casadi::conic, because the casadi wheel has its library but not its headers. The
+// wrapper copies the data once and writes A row by row, which is timed.
 #include <algorithm>
 #include <casadi/casadi.hpp>
 #include <limits>
@@ -34,12 +34,12 @@ class Qpoases : public Adapter {
     return {"qpoases", "c++ (casadi::conic)", PEER_VERSION,
             "SQProblem, dense; the settings of setToMPC() (no ramping, far bounds, flipping or NZC "
             "tests; regularisation), equalities kept active, hessian posdef; nWSR 500",
-            "hotstart() from the last tick with new matrices; from nothing after a failure, which "
-            "is not in its time"};
+            "hotstart() from the last tick with new matrices; cold start after a failure, which is "
+            "not timed"};
   }
   void clear_warm_start() override { make(); }
   void load_problem(const Problem& p) override {
-    if (!succeeded_) make();  // it would not recover by itself
+    if (!succeeded_) make();  // qpOASES does not recover from a failure by itself
     std::copy_n(p.H, p.n * p.n, H_.begin());
     std::copy_n(p.g, p.n, g_.begin());
     for (int j = 0; j < p.n; ++j) {
@@ -61,7 +61,7 @@ class Qpoases : public Adapter {
     }
     return succeeded_ ? SolveStatus::kSolved : SolveStatus::kFailed;
   }
-  int iterations() const override { return -1; }  // not passed on by the wrapper
+  int iterations() const override { return -1; }  // the wrapper does not report them
   void read_solution(Solution& a) const override {
     a.x = x_;
     std::copy_n(multipliers_.begin(), setup_.n_eq, a.y.begin());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What this controller solves with: its active-set method, and ProxQP where that does not end.
+// Surefoot's QpSolver: a dual active-set method, and ProxQP if that does not converge.
 #include "adapter.hpp"
 #include "wbc/qp_solver.hpp"
 
@@ -14,10 +14,10 @@ class Surefoot : public Adapter {
 
   Description describe() const override {
     return {"surefoot", "c++", SUREFOOT_VERSION,
-            "QpSolver: the dual active set method from the rows that were active last, and ProxQP "
-            "without preconditioner where that does not end; tolerance as asked; residuals and gap "
-            "are checked after every attempt, in its time",
-            "active rows of the last tick; x, y and z for ProxQP"};
+            "QpSolver: dual active-set method from the last active set, and ProxQP without "
+            "preconditioner if that does not converge; tolerance as requested; residuals and gap "
+            "are checked after every attempt, which is timed",
+            "active set of the last tick; x, y and z for ProxQP"};
   }
   void clear_warm_start() override { solver_.reset(); }
   void load_problem(const Problem& p) override {

@@ -11,13 +11,14 @@ namespace surefoot::plant {
 using Vector3 = Eigen::Vector3d;
 using Wxyz = Eigen::Vector4d;
 
-/// The vendor's attitude filter, imitated: gyro integrated, tilt pulled toward gravity; yaw is
-/// integrated only, so it drifts. Source: R. Mahony, T. Hamel, J.-M. Pflimlin, "Nonlinear
-/// complementary filters on the special orthogonal group", IEEE TAC 53(5), 2008, the explicit
-/// filter without bias estimate.
+/// Model of the vendor's attitude filter: integrates the gyroscope and corrects the tilt towards
+/// gravity. Yaw is only integrated, so it drifts. Source: R. Mahony, T. Hamel, J.-M. Pflimlin,
+/// "Nonlinear complementary filters on the special orthogonal group", IEEE TAC 53(5), 2008: the
+/// explicit filter without bias estimate.
 class MahonyFilter {
  public:
-  /// Start level with an accelerometer reading at rest [m/s^2], facing yaw 0; gain in 1/s.
+  /// Start with the tilt of an accelerometer reading `a` at rest, and with yaw 0.
+  /// @param a specific force, IMU axes [m/s^2] @param gain of the tilt correction [1/s]
   MahonyFilter(const Vector3& a, double gain) : gain_(gain) {
     const double roll = std::atan2(a.y(), a.z());
     const double pitch = std::atan2(-a.x(), std::hypot(a.y(), a.z()));
@@ -26,14 +27,14 @@ class MahonyFilter {
     quaternion = {cr * cp, sr * cp, cr * sp, -sr * sp};
   }
 
-  Wxyz quaternion;  ///< IMU to world
+  Wxyz quaternion;  ///< IMU to world, w x y z
 
-  /// Advance by dt [s] with gyro [rad/s] and specific force [m/s^2], both in IMU axes.
+  /// Advance by dt [s] with angular velocity [rad/s] and specific force [m/s^2], IMU axes.
   void update(Vector3 gyro, const Vector3& accel, double dt) {
     const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
     const double norm = accel.norm();
     if (norm > 1e-6) {
-      // Correction: measured up x estimated up, both in IMU axes.
+      // Correction: cross product of measured and estimated up, both in IMU axes.
       const Vector3 up(2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
       const Vector3& a = accel;
       gyro += gain_ / norm *
@@ -50,21 +51,21 @@ class MahonyFilter {
   double gain_;  // [1/s]
 };
 
-/// Where MuJoCo has the exact readings of the IMU's site.
+/// Addresses of the exact readings at the IMU's site, in MuJoCo's memory.
 struct ImuSite {
   const double *gyro, *accelerometer, *quaternion;
 };
 
-/// Flaws of a real IMU: a constant bias and white noise, a sample every few physics steps.
+/// Errors of a real IMU: constant bias, white noise, and a sample period of several physics steps.
 struct ImuErrorModel {
   Vector3 gyro_bias, accelerometer_bias;   // [rad/s], [m/s^2], IMU axes
-  double gyro_noise, accelerometer_noise;  // standard deviation of a sample
-  int steps;                               // physics steps a sample
-  double period;                           // [s] a sample
-  double filter_gain;                      // [1/s]
+  double gyro_noise, accelerometer_noise;  // standard deviations of a sample
+  int steps;                               // physics steps per sample
+  double period;                           // [s] of the samples
+  double filter_gain;                      // [1/s] of the attitude filter
 };
 
-/// The IMU at its mount: exact, or with noise, bias and the vendor's attitude filter.
+/// Simulated IMU at its mount: exact, or with bias, noise and the vendor's attitude filter.
 class Imu {
  public:
   explicit Imu(const ImuSite& site) : site_(site), filter_({0, 0, 9.81}, 0.0) {}
@@ -75,13 +76,14 @@ class Imu {
         real_(true),
         filter_({0, 0, 9.81}, flaws.filter_gain) {}
 
-  /// Start the filter from the resting accelerometer, its noise long averaged out.
+  /// Start the filter with the accelerometer at rest, without noise: a real filter has averaged it
+  /// out.
   void start() {
     if (real_)
       filter_ = {vector(site_.accelerometer) + flaws_.accelerometer_bias, flaws_.filter_gain};
   }
 
-  /// Advance one physics step; sample when the period is over.
+  /// Advance by one physics step; take a sample at the end of each sample period.
   void step() {
     if (!real_ || ++count_ % flaws_.steps != 0) return;
     const auto draw = [this](double deviation) {

@@ -8,20 +8,25 @@
 
 namespace surefoot::plant {
 
-/// Joint encoders: quantised angles; velocities low-passed as a motor driver does it, with white
-/// noise on top. A quantum of 0 is exact in both.
+/// Simulated joint encoders: quantised angles, and velocities with the low-pass filter of a motor
+/// driver and white noise. If the quantum is 0, both are exact.
 class Encoders {
  public:
+  /// @param quantum step of the angles [rad]; 0: exact
+  /// @param share by which the velocity filter approaches its input in a physics step, 0 .. 1
+  /// @param noise standard deviation of the velocities [rad/s] @param rng numpy.random.Generator
   Encoders(double quantum, double share, double noise, nb::object rng)
       : quantum_(quantum), filter_blend_(share), noise_std_(noise), noise_(std::move(rng)) {}
 
-  /// Advance the filter one physics step with the true velocities [rad/s].
+  /// Advance the filter by one physics step with the true velocities [rad/s].
   void step(const Array12& dq) { filtered_ += filter_blend_ * (dq - filtered_); }
 
+  /// Return the measured angles [rad] for the true angles q.
   Array12 angles(const Array12& q) const {
     if (quantum_ == 0.0) return q;
     return q.unaryExpr([this](double x) { return std::nearbyint(x / quantum_) * quantum_; });
   }
+  /// Return the measured velocities [rad/s]; dq, the true velocities, is used if they are exact.
   Array12 velocities(const Array12& dq) {
     if (quantum_ == 0.0) return dq;
     Array12 out;
@@ -38,16 +43,18 @@ class Encoders {
 using Array4 = Eigen::Array<double, kLegs, 1>;
 using Counts = Eigen::Array<std::int16_t, kLegs, 1>;
 
-/// Foot force sensors: counts with an offset that wanders, a gain and noise; newtons with noise.
+/// Simulated foot force sensors: counts with drifting offset, gain and noise; newtons with noise.
 class FootSensors {
  public:
   bool counts_enabled = false, newtons_enabled = false;
-  Array4 offset = Array4::Zero(), gain = Array4::Ones();           ///< counts, counts/N
-  double offset_walk = 0.0, count_noise = 0.0, force_noise = 0.0;  ///< counts a reading, counts, N
+  Array4 offset = Array4::Zero(), gain = Array4::Ones();  ///< counts, counts/N
+  double offset_walk = 0.0, count_noise = 0.0,
+         force_noise = 0.0;  ///< counts per reading, counts, N
 
+  /// @param rng numpy.random.Generator; None: exact newtons in both fields
   explicit FootSensors(nb::object rng) : exact_(rng.is_none()), noise_(std::move(rng)) {}
 
-  /// footForce [counts] and footForceEst [N] of normal forces [N].
+  /// Return footForce [counts] and footForceEst [N] for normal forces [N].
   std::pair<Counts, Counts> read(const Array4& normal_forces) {
     std::pair<Counts, Counts> out{Counts::Zero(), Counts::Zero()};
     if (!counts_enabled && !newtons_enabled) return out;

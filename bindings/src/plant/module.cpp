@@ -18,7 +18,8 @@ using Array3 = std::array<double, 3>;
 Vector3 vector(const Array3& values) { return Vector3(values[0], values[1], values[2]); }
 
 void bind_motors(nb::module_& m) {
-  nb::class_<MotorCommands>(m, "MotorCommands", "A LowCmd's twelve motors, SI units, SDK order.")
+  nb::class_<MotorCommands>(m, "MotorCommands",
+                            "Commands of the twelve motors in a LowCmd, SI units, SDK motor order.")
       .def_prop_ro(
           "mode", [](const MotorCommands& c) { return c.mode; }, "(12,)")
       .def_prop_ro(
@@ -30,8 +31,7 @@ void bind_motors(nb::module_& m) {
       .def_prop_ro(
           "kp", [](const MotorCommands& c) { return c.kp; }, "(12,) [N.m/rad]")
       .def_prop_ro("kd", [](const MotorCommands& c) { return c.kd; }, "(12,) [N.m.s/rad]");
-  nb::class_<WireFormat>(m, "WireFormat",
-                         "What frames carry of commands and torques, and how coarsely.")
+  nb::class_<WireFormat>(m, "WireFormat", "Quantisation of commands and torques on the wire.")
       .def(
           "__init__",
           [](WireFormat* self, double per_tau, bool real) { new (self) WireFormat{per_tau, real}; },
@@ -41,13 +41,14 @@ void bind_motors(nb::module_& m) {
           [](const WireFormat& w, const Array12& tau) {
             return Array12(tau.unaryExpr([&w](double x) { return w.torque(x); }));
           },
-          "tau"_a, "Return torques (12,) [N.m] as an int16 carries them.")
-      .def("read", &WireFormat::read, "cmd"_a, nb::sig("def read(self, cmd: object) -> MotorCommands"),
-           "Return the motors' part of a LowCmd; what is not finite counts as not said.");
-  nb::class_<MotorLaw>(
-      m, "MotorLaw",
-      "The torque that a driver makes from its own joint: offset - kp q' - kd dq', all "
-      "(12,). mode is what LowState says of the motors meanwhile.")
+          "tau"_a, "Return torques (12,) [N.m] after transmission as int16.")
+      .def("read", &WireFormat::read, "cmd"_a,
+           nb::sig("def read(self, cmd: object) -> MotorCommands"),
+           "Return the motor commands of a LowCmd; a value that is not finite counts as not set.");
+  nb::class_<MotorLaw>(m, "MotorLaw",
+                       "Torque law of the motor drivers: tau' = offset - kp q' - kd dq', with "
+                       "their measured q' and dq'. All (12,). mode is the motor mode that LowState "
+                       "reports meanwhile.")
       .def(
           "__init__",
           [](MotorLaw* self, const Array12& offset, const Array12& kp, const Array12& kd,
@@ -63,34 +64,36 @@ void bind_motors(nb::module_& m) {
           "kd", [](const MotorLaw& l) { return l.kd; }, "(12,) [N.m.s/rad]")
       .def_prop_ro("mode", [](const MotorLaw& l) { return l.mode; }, "(12,)");
   m.def("command_law", &command_law, "command"_a, "brake_kd"_a,
-        "Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a Command.");
-  nb::class_<Motors>(m, "Motors", "Turns the law in force into joint torques.")
+        "Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command. A motor that is not "
+        "in servo mode brakes with brake_kd [N.m.s/rad].");
+  nb::class_<Motors>(m, "Motors", "Simulated motors: compute joint torques from the law in force.")
       .def(nb::init<const Array12&, const Array12&, const Array12&, double, const Array12&>(),
            "tau_max"_a, "corner_speed"_a, "no_load_speed"_a, "share"_a, "scale"_a)
       .def_prop_rw(
           "law", [](const Motors& s) { return MotorLaw(s.law); },
-          [](Motors& s, const MotorLaw& law) { s.law = law; }, "The law in force.")
+          [](Motors& s, const MotorLaw& law) { s.law = law; }, "Law in force.")
       .def_prop_ro(
           "estimated_torque", [](const Motors& s) { return Array12(s.estimated_torque); },
-          "(12,) torque that the drivers think they make [N.m].")
+          "(12,) torque that the drivers estimate [N.m].")
       .def_prop_ro(
           "torque", [](const Motors& s) { return Array12(s.torque); },
-          "(12,) torque that they make [N.m].")
+          "(12,) torque that the motors produce [N.m].")
       .def(
           "limits",
           [](const Motors& s, const Array12& dq) {
             return std::pair<Array12, Array12>(-s.max_torque(-dq), s.max_torque(dq));
           },
-          "dq"_a, "Return the least and the greatest torque (12,) [N.m] at dq (12,) [rad/s].")
+          "dq"_a, "Return the smallest and the largest torque (12,) [N.m] at dq (12,) [rad/s].")
       .def(
           "step",
           [](Motors& s, const Array12& q, const Array12& dq) { return Array12(s.step(q, dq)); },
           "q"_a, "dq"_a,
-          "Advance one physics step at joint angles and velocities (12,); return torque (12,).");
+          "Advance by one physics step at joint angles q (12,) [rad] and velocities dq (12,) "
+          "[rad/s]. Return the torques (12,) [N.m].");
 }
 
 void bind_sensors(nb::module_& m) {
-  nb::class_<MahonyFilter>(m, "MahonyFilter", "The vendor's attitude filter, imitated.")
+  nb::class_<MahonyFilter>(m, "MahonyFilter", "Model of the vendor's attitude filter.")
       .def(
           "__init__",
           [](MahonyFilter* self, const Array3& a, double gain) {
@@ -107,18 +110,19 @@ void bind_sensors(nb::module_& m) {
           },
           "gyro"_a, "accel"_a, "dt"_a,
           "Advance by dt [s] with gyro (3,) [rad/s] and specific force (3,) [m/s^2], IMU axes.");
-  nb::class_<Encoders>(m, "Encoders", "Joint encoders.")
+  nb::class_<Encoders>(m, "Encoders", "Simulated joint encoders.")
       .def(nb::init<double, double, double, nb::object>(), "quantum"_a, "share"_a, "noise"_a,
            "rng"_a.none())
-      .def("step", &Encoders::step, "dq"_a,
-           "Advance the filter one physics step with the true velocities (12,) [rad/s].")
+      .def(
+          "step", &Encoders::step, "dq"_a,
+          "Advance the velocity filter by one physics step with the true velocities (12,) [rad/s].")
       .def(
           "read",
           [](Encoders& e, const Array12& q, const Array12& dq) {
             return std::pair<Array12, Array12>(e.angles(q), e.velocities(dq));
           },
-          "q"_a, "dq"_a, "Return angles (12,) [rad] and velocities (12,) [rad/s].");
-  nb::class_<FootSensors>(m, "FootSensors", "Foot force sensors.")
+          "q"_a, "dq"_a, "Return the measured angles (12,) [rad] and velocities (12,) [rad/s].");
+  nb::class_<FootSensors>(m, "FootSensors", "Simulated foot force sensors.")
       .def(nb::init<nb::object>(), "rng"_a.none())
       .def_rw("counts_enabled", &FootSensors::counts_enabled)
       .def_rw("newtons_enabled", &FootSensors::newtons_enabled)
@@ -127,9 +131,10 @@ void bind_sensors(nb::module_& m) {
       .def_rw("offset_walk", &FootSensors::offset_walk)
       .def_rw("count_noise", &FootSensors::count_noise)
       .def_rw("force_noise", &FootSensors::force_noise)
-      .def("read", &FootSensors::read, "normal_forces"_a,
-           "Return footForce [counts] and footForceEst [N], int16 (4,), of forces (4,) [N].");
-  nb::class_<ImuErrorModel>(m, "ImuErrorModel", "Constant biases, white noise, how often a sample.")
+      .def(
+          "read", &FootSensors::read, "normal_forces"_a,
+          "Return footForce [counts] and footForceEst [N], int16 (4,), of normal forces (4,) [N].");
+  nb::class_<ImuErrorModel>(m, "ImuErrorModel", "Constant biases, white noise and sample period.")
       .def(
           "__init__",
           [](ImuErrorModel* self, const Vector3& gyro_bias, const Vector3& accelerometer_bias,
@@ -145,7 +150,7 @@ void bind_sensors(nb::module_& m) {
 
 void bind_physics(nb::module_& m) {
   nb::class_<MujocoState>(m, "MujocoState",
-                          "Views of MuJoCo's memory, and where the motors are in it.")
+                          "Views of MuJoCo's memory, and the indices of the motors in it.")
       .def(
           "__init__",
           [](MujocoState* self, Doubles qpos, Doubles qvel, Doubles qacc, Doubles applied,
@@ -154,7 +159,7 @@ void bind_physics(nb::module_& m) {
           },
           "qpos"_a.noconvert(), "qvel"_a.noconvert(), "qacc"_a.noconvert(),
           "qfrc_applied"_a.noconvert(), "sensordata"_a.noconvert(), "motor_q"_a, "motor_v"_a);
-  nb::class_<Sensors>(m, "Sensors", "Everything a LowState says, read from a MuJoCo state.")
+  nb::class_<Sensors>(m, "Sensors", "Simulated sensors: read a LowState from a MuJoCo state.")
       .def(
           "__init__",
           [](Sensors* self, const MujocoState& state, const WireFormat& wire,
@@ -171,29 +176,31 @@ void bind_physics(nb::module_& m) {
           },
           "state"_a, "wire"_a, "site"_a, "flaws"_a.none(), "imu_rng"_a.none(), "encoders"_a,
           "feet"_a, "foot_forces"_a, "ground_normal"_a, "rest"_a, "tick0"_a, "rate"_a,
-          nb::sig("def __init__(self, state: MujocoState, wire: WireFormat, site: tuple[int, int, int], "
-                  "flaws: ImuErrorModel | None, imu_rng: object, encoders: Encoders, "
-                  "feet: FootSensors, foot_forces: object, ground_normal: object, rest: object, "
-                  "tick0: int, rate: float) -> None"),
-          "site: where gyro, accelerometer and quaternion begin in sensordata.")
-      .def("start", &Sensors::start, "Begin, with the robot at rest.")
+          nb::sig("def __init__(self, state: MujocoState, wire: WireFormat, "
+                  "site: tuple[int, int, int], flaws: ImuErrorModel | None, imu_rng: object, "
+                  "encoders: Encoders, feet: FootSensors, foot_forces: object, "
+                  "ground_normal: object, rest: object, tick0: int, rate: float) -> None"),
+          "site: indices in sensordata where gyro, accelerometer and quaternion begin.")
+      .def("start", &Sensors::start, "Start the attitude filter, with the robot at rest.")
       .def("read", &Sensors::read, "motors"_a,
            nb::sig("def read(self, motors: Motors) -> typing.Any"),
-           "Return the LowState of this instant.");
-  nb::class_<Physics>(m, "Physics", "MuJoCo's two half steps, with motors and sensors around them.")
+           "Return the LowState of the present state.");
+  nb::class_<Physics>(m, "Physics",
+                      "Physics loop: MuJoCo's two half steps, with motors and sensors.")
       .def(nb::init<std::uintptr_t, std::uintptr_t, nb::object, nb::object, MujocoState>(),
            "step1"_a, "step2"_a, "model"_a, "data"_a, "state"_a)
       .def_prop_rw(
           "external_torque", [](const Physics& p) { return Array12(p.external_torque); },
           [](Physics& p, const Array12& torque) { p.external_torque = torque; },
-          "(12,) torque that hands add to the motors' [N.m].")
-      .def("advance", &Physics::advance, "steps"_a, "motors"_a, "sensors"_a, "Take physics steps.");
+          "(12,) external joint torques, added to those of the motors [N.m].")
+      .def("advance", &Physics::advance, "steps"_a, "motors"_a, "sensors"_a,
+           "Advance by physics steps.");
 }
 
 }  // namespace
 
 NB_MODULE(_plant, m) {
-  m.doc() = "The hot loop of surefoot.sim.Plant; surefoot._core must have been imported.";
+  m.doc() = "Physics loop of surefoot.sim.Plant. Import surefoot._core first.";
   bind_motors(m);
   bind_sensors(m);
   bind_physics(m);

@@ -12,26 +12,30 @@ namespace surefoot::plant {
 using Array12 = Eigen::Array<double, kMotors, 1>;
 using Modes = Eigen::Array<std::uint8_t, kMotors, 1>;
 
-/// A LowCmd's twelve motors, SI units, SDK order.
+/// Commands of the twelve motors in a LowCmd, SI units, SDK motor order.
 struct MotorCommands {
   Modes mode;
   Array12 q, dq, tau, kp, kd;
 };
 
-/// Commands and torques as the robot's drivers get them: on the wire tau is an int16 of
-/// 1 / per_tau N.m, Kp a uint16 of 1/32 and Kd of 1/16, truncated toward zero. Values out of range
-/// wrap there; here they saturate. A wire that is not real passes values through unchanged.
+/// Quantisation of commands and torques on the wire: tau is an int16 in units of 1 / per_tau N.m,
+/// Kp a uint16 in units of 1/32 and Kd in units of 1/16, truncated towards zero. In the vendor's
+/// code values out of range wrap around; here they saturate. If `real` is false, values do not
+/// change.
 struct WireFormat {
   double per_tau = 256.0;
   bool real = true;
 
+  /// Return a torque [N.m] after transmission.
   double torque(double tau) const {
     return real ? std::trunc(std::clamp(tau * per_tau, -32767.0, 32767.0)) / per_tau : tau;
   }
+  /// Return a gain after transmission with `per_unit` counts per unit.
   double gain(double value, double per_unit) const {
     return real ? std::trunc(std::clamp(value * per_unit, 0.0, 65535.0)) / per_unit : value;
   }
-  /// What is not finite counts as not said.
+  /// Return the motor commands of a LowCmd. A value that is not finite becomes PosStopF, VelStopF
+  /// or 0: it counts as not set.
   MotorCommands read(const LowCmd& cmd) const {
     const auto finite_or = [](double value, double otherwise) {
       return std::isfinite(value) ? value : otherwise;
@@ -50,18 +54,19 @@ struct WireFormat {
   }
 };
 
-/// The torque that a driver makes from its own joint: offset - kp q' - kd dq'; mode is what
-/// LowState says of the motors meanwhile.
+/// Torque law of the motor drivers: tau' = offset - kp q' - kd dq', with their measured q' and dq'.
+/// `mode` is the motor mode that LowState reports meanwhile.
 struct MotorLaw {
   Array12 offset = Array12::Zero(), kp = Array12::Zero(), kd = Array12::Zero();
   Modes mode = Modes::Constant(kModeServo);
 };
 
-/// tau' = tau + Kp (q - q') + Kd (dq - dq'). PosStopF (or any angle of 1e9 rad and more, as the
-/// vendor's Python examples have it) switches the position term off, VelStopF the velocity term. A
-/// motor in any mode but servo ignores all that and brakes.
+/// Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command. q = PosStopF, or any |q|
+/// of 1e9 rad and more as in the vendor's Python examples, switches the position term off, dq =
+/// VelStopF the velocity term. A motor that is not in servo mode ignores its command and brakes.
+/// @param brake_kd Kd of a motor that brakes [N.m.s/rad]
 inline MotorLaw command_law(const MotorCommands& command, double brake_kd) {
-  constexpr double kPositionOff = 1e9;  // [rad] no joint turns so far
+  constexpr double kPositionOff = 1e9;  // [rad] from this |q| on there is no position command
   MotorLaw law;
   for (int i = 0; i < kMotors; ++i) {
     const bool brakes = command.mode[i] != kModeServo;
@@ -74,10 +79,15 @@ inline MotorLaw command_law(const MotorCommands& command, double brake_kd) {
   return law;
 }
 
-/// Turns the law in force into joint torques, one physics step at a time: torque-speed curve, a
-/// first-order lag, exact for a target that holds for one step, a lasting error of each motor.
+/// Simulated motors: compute joint torques from the law in force, one physics step at a time.
+///
+/// They model the torque-speed curve, a first-order lag (exact for a constant target in a step),
+/// and a constant scale error of each motor.
 class Motors {
  public:
+  /// @param tau_max [N.m] @param corner_speed [rad/s] @param no_load_speed [rad/s]
+  /// @param share by which the torque approaches its target in a physics step, 0 .. 1
+  /// @param scale factor on the torque of each motor
   Motors(const Array12& tau_max, const Array12& corner_speed, const Array12& no_load_speed,
          double share, const Array12& scale)
       : tau_max_(tau_max),
@@ -87,20 +97,22 @@ class Motors {
         lag_blend_(share) {}
 
   MotorLaw law;
-  Array12 estimated_torque = Array12::Zero();  ///< [N.m] that the drivers think they make
-  Array12 torque = Array12::Zero();            ///< [N.m] that they make
+  Array12 estimated_torque = Array12::Zero();  ///< [N.m] that the drivers estimate
+  Array12 torque = Array12::Zero();            ///< [N.m] that the motors produce
 
-  /// Full torque up to corner_speed, from there linear to zero at no_load_speed; a braking motor
-  /// keeps its full torque.
+  /// Return the largest torque [N.m] at dq [rad/s]: tau_max up to corner_speed, then linear to zero
+  /// at no_load_speed. A motor that brakes keeps tau_max.
   Array12 max_torque(const Array12& dq) const {
     return (stall_ - slope_ * dq).min(tau_max_).max(0.0);
   }
 
+  /// Advance by one physics step at joint angles q [rad] and velocities dq [rad/s]; return the
+  /// torques [N.m].
   const Array12& step(const Array12& q, const Array12& dq) {
     const Array12 up = max_torque(dq), down = -max_torque(-dq);
     const Array12 target = (law.offset - law.kp * q - law.kd * dq).max(down).min(up);
     estimated_torque += lag_blend_ * (target - estimated_torque);
-    // A motor that errs upwards still makes no more than it can.
+    // A motor with a scale above 1 still stays within its torque limits.
     torque = (scale_ * estimated_torque).max(down).min(up);
     return torque;
   }

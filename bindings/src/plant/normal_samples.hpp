@@ -10,12 +10,13 @@ namespace surefoot::plant {
 
 namespace nb = nanobind;
 
-/// Standard normal numbers of a numpy.random.Generator, in its own order, drawn in blocks: a call
-/// to Python for every number would take longer than the physics.
+/// Standard normal samples of a numpy.random.Generator, in its order. They are drawn in blocks,
+/// because a Python call per sample would take longer than the physics.
 class NormalSamples {
  public:
   explicit NormalSamples(nb::object rng) : rng_(std::move(rng)) {}
 
+  /// Return the next sample.
   double next() {
     if (index_ == kBlock) refill();
     return block_.data()[index_++];
@@ -23,7 +24,7 @@ class NormalSamples {
 
  private:
   using Block = nb::ndarray<const double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
-  static constexpr int kBlock = 1020;  // whole readings of 6, 12
+  static constexpr int kBlock = 1020;  // a multiple of 6 and 12, the samples per reading
 
   void refill() {
     block_ = nb::cast<Block>(rng_.attr("standard_normal")(kBlock));

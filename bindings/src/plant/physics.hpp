@@ -5,14 +5,17 @@
 
 namespace surefoot::plant {
 
-/// MuJoCo's two half steps, called by address: the wheel's own library, whatever its version, and
-/// nothing to link to. What MuJoCo calls an error (a solver that does not exist, memory that is
-/// out) ends the process, as in any C program that uses it: the models made here give it no cause.
+/// Physics loop: MuJoCo's two half steps, mj_step1 and mj_step2, with motors and sensors.
 ///
-/// mj_step2 uses what mj_step1 has computed of the same instant, so torque laws see the present
-/// state, and after the loop every position belongs to the present too.
+/// The functions are called by address. So the library of MuJoCo's wheel is used, whatever its
+/// version, and nothing is linked. mj_step2 uses the results of mj_step1 for the same instant. So
+/// the torque laws use the present state, and after the loop all positions belong to the present.
+/// A fatal error of MuJoCo, such as an unknown solver or lack of memory, ends the process; the
+/// models built here do not cause one.
 class Physics {
  public:
+  /// @param step1 address of mj_step1 @param step2 address of mj_step2
+  /// @param model mujoco.MjModel @param data mujoco.MjData @param state views of `data`
   Physics(std::uintptr_t step1, std::uintptr_t step2, nb::object model, nb::object data,
           MujocoState state)
       : step1_(reinterpret_cast<Step>(step1)),
@@ -23,8 +26,9 @@ class Physics {
         d_(reinterpret_cast<void*>(nb::cast<std::uintptr_t>(data_.attr("_address")))),
         state_(std::move(state)) {}
 
-  Array12 external_torque = Array12::Zero();  ///< [N.m] that hands add to the motors' torques
+  Array12 external_torque = Array12::Zero();  ///< [N.m] added to the motors' torques
 
+  /// Advance by physics steps.
   void advance(int steps, Motors& motors, Sensors& sensors) {
     Array12 dq = state_.dq();
     for (int k = 0; k < steps; ++k) {

@@ -11,7 +11,7 @@ namespace surefoot::plant {
 using Doubles = nb::ndarray<double, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 using Indices = Eigen::Array<int, kMotors, 1>;
 
-/// MuJoCo's own memory, and where the motors' joints are in it.
+/// Views of MuJoCo's memory, and the indices of the motors' joints in it.
 struct MujocoState {
   Doubles qpos, qvel, qacc, applied, sensordata;
   Indices motor_q, motor_v;
@@ -26,7 +26,7 @@ struct MujocoState {
   Array12 ddq() const { return gather(qacc, motor_v); }
 };
 
-/// Everything a LowState says, put together: the robot as its controller sees it.
+/// Simulated sensors: IMU, encoders, foot force sensors and motor torques, combined to a LowState.
 class Sensors {
  public:
   Sensors(MujocoState state, WireFormat wire, Imu imu, Encoders encoders, FootSensors feet,
@@ -43,15 +43,16 @@ class Sensors {
         tick0_(tick0),
         rate_(rate) {}
 
+  /// Start the attitude filter, with the robot at rest.
   void start() { imu_.start(); }
 
-  /// Advance one physics step; dq are the true velocities at the motors [rad/s].
+  /// Advance by one physics step; dq are the true velocities at the motors [rad/s].
   void step(const Array12& dq) {
     imu_.step();
     encoders_.step(dq);
   }
 
-  /// The LowState of this instant; torques are what the drivers think they make.
+  /// Return the LowState of the present state; tauEst is the torque that the drivers estimate.
   LowState read(const Motors& motors) {
     write_imu();
     write_motors(motors);
@@ -92,7 +93,7 @@ class Sensors {
       frame_.motorState[i] = motor;
     }
   }
-  /// Roll, pitch, yaw [rad] (ZYX) of a quaternion w x y z.
+  /// Return roll, pitch, yaw [rad] (ZYX) of a quaternion w x y z.
   static Vector3 rpy_zyx(const Wxyz& quaternion) {
     const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
     return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),

@@ -3,14 +3,14 @@
 
 #include "symbolic/scalar.hpp"
 
-// After the scalar's header, which CasADi's support in Pinocchio needs to be the first.
+// These headers come after scalar.hpp, because Pinocchio's CasADi header must come first.
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 
 namespace surefoot::symbolic {
 
-// Of Pinocchio's two dozen joints those of a base with a leg, as each costs seconds to compile, and
-// the mimic, which ModelTpl names.
+// Joint types of a base with one leg, and the mimic joint, which ModelTpl names. Pinocchio's
+// default list has two dozen types, and each costs seconds to compile.
 template <typename Scalar, int Options>
 struct LegJoints {
   using JointModelVariant = boost::variant<
@@ -30,7 +30,7 @@ namespace {
 using LegModel = pinocchio::ModelTpl<SX, 0, LegJoints>;
 using LegData = pinocchio::DataTpl<SX, 0, LegJoints>;
 
-// Hands out a column's entries from first to last: the order of the calls is the data's layout.
+// Reads the entries of a column from first to last: the order of the calls is the data's layout.
 struct EntryReader {
   SX symbols;
   int next = 0;
@@ -54,14 +54,15 @@ void append_symmetric(const Eigen::MatrixBase<Derived>& m, std::vector<SX>& out)
   for (Eigen::Index j = 0; j < m.cols(); ++j) append(m.col(j).head(j + 1), out);
 }
 
-// Starts a new part of the results and returns where it goes.
+// Add a field to the results, and return the vector to which its entries are appended.
 std::vector<SX>& add_field(LegExpressions& out, const std::string& name,
                            const std::string& meaning) {
   out.fields.push_back({name, meaning, static_cast<int>(out.results.size())});
   return out.results;
 }
 
-// The joints are "unbounded": their configuration is (cos, sin), which the caller computes once.
+// Build the model of a leg. Its joints are "unbounded": their configuration is (cos, sin), which
+// the caller computes once.
 LegModel leg_model(EntryReader parameters, Vector3& p_calf_foot) {
   LegModel model;
   const Matrix3 no_rotation = Matrix3::Identity();
@@ -115,7 +116,8 @@ void add_dynamics(const LegData& data, const Vector3& dq, LegExpressions& out) {
                    add_field(out, "MLeg", "block of the mass matrix"));
 }
 
-// The rows of a sphere that rolls on the ground, as in PinocchioDynamics::update_leg().
+// Add the contact of a spherical foot that rolls on the ground, as in
+// PinocchioDynamics::update_leg().
 void add_contact(const LegData& data, const BaseState& base, const Vector3& p_calf_foot,
                  LegExpressions& out) {
   const auto& calf = data.oMi[4];

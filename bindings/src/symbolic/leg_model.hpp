@@ -7,32 +7,32 @@
 
 namespace surefoot::symbolic {
 
-/// A part of the results.
+/// Field of the results.
 struct Field {
   std::string name, meaning;
-  int first;  ///< its first entry's index
+  int first;  ///< index of its first entry
 };
 
-/// The dynamics of one leg on a free base as expressions; every member is a column.
+/// Dynamics of one leg on a free base, as CasADi expressions; every member is a column.
 ///
-/// Base axes at the base's origin are the inertial frame, so that the base's own configuration
-/// drops out; only what Dynamics keeps in world axes is turned by R_world_base at the end. Matrices
-/// are stored by columns, of symmetric ones the upper triangle.
+/// The base frame is used as the inertial frame, so that the configuration of the base drops out.
+/// Only results that Dynamics has in world axes are rotated by R_world_base at the end. Matrices
+/// are stored by columns, symmetric matrices as their upper triangle.
 struct LegExpressions {
-  /// Of joint hip, thigh, calf: translation, then mass, lever, inertia (xx xy yy xz yz zz) of the
-  /// body behind it, armature; at the end the foot in the calf's axes.
+  /// For hip, thigh and calf: translation of the joint; mass, lever and inertia (xx xy yy xz yz zz)
+  /// of the body that it moves; armature. At the end: position of the foot in calf axes.
   casadi::SX parameters;
-  /// The same for every leg: v, w (base axes), R_world_base, gravity, lever (base axes; the foot's
-  /// radius times the ground's normal).
+  /// State of the base, for every leg the same: v, w (base axes), R_world_base, gravity (base
+  /// axes), and lever: foot radius times ground normal, base axes.
   casadi::SX base;
-  casadi::SX leg;  ///< cos and sin of hip, thigh, calf; their velocities
+  casadi::SX leg;  ///< cos and sin of hip, thigh, calf; their velocities [rad/s]
   std::vector<casadi::SX> results;
-  std::vector<Field> fields;  ///< of the results, in their order
-  int summed_count;           ///< so many results from the first on are added up over the legs
+  std::vector<Field> fields;  ///< fields of the results, in their order
+  int summed_count;           ///< number of first results that are summed over the legs
 };
 
-/// Run Pinocchio's crba and nonLinearEffects on a leg of hip x, thigh y, calf y, no placement
-/// turned.
+/// Compute the expressions with Pinocchio's crba and nonLinearEffects. The leg has joint axes hip
+/// x, thigh y, calf y, and no joint placement is rotated.
 LegExpressions leg_expressions();
 
 }  // namespace surefoot::symbolic

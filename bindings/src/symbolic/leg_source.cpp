@@ -51,7 +51,7 @@ std::string constant(double value) {
                                                          : "T{} + " + digits;
 }
 
-// One operation on named values, as C++.
+// Return one operation on named values as C++ code.
 std::string operation(const Function& f, casadi_int k, const std::vector<std::string>& work) {
   const auto in = f.instruction_input(k);
   const auto arg = [&](int i) { return work[in[i]]; };
@@ -75,11 +75,12 @@ std::string operation(const Function& f, casadi_int k, const std::vector<std::st
     case casadi::OP_FMAX:
       return "std::max(" + arg(0) + ", " + arg(1) + ")";
     default:
-      casadi_error("leg_source: no text for operation " + casadi::str(f.instruction_id(k)));
+      casadi_error("leg_source: no C++ text for CasADi operation " +
+                   casadi::str(f.instruction_id(k)));
   }
 }
 
-// CasADi's list of instructions with every value named once.
+// Return CasADi's list of instructions as C++ code, with one name for each value.
 std::string body(const Function& f, const std::vector<std::string>& inputs) {
   std::vector<std::string> work(f.sz_w());
   std::ostringstream text;
@@ -110,7 +111,7 @@ std::string body(const Function& f, const std::vector<std::string>& inputs) {
 
 std::string leg_source() {
   const LegExpressions leg = leg_expressions();
-  // What only parameters decide is computed once, when the robot is known.
+  // Expressions of the parameters alone are computed once, when the robot is known.
   std::vector<SX> symbols, constants;
   SX results;
   SX::extract_parametric(cse(SX::vertcat(leg.results)), leg.parameters, results, symbols, constants,

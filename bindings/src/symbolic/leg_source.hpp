@@ -5,7 +5,7 @@
 
 namespace surefoot::symbolic {
 
-/// The text of controller/src/dynamics/generated/leg_dynamics.hpp.
+/// Return the text of controller/src/dynamics/generated/leg_dynamics.hpp.
 std::string leg_source();
 
 }  // namespace surefoot::symbolic

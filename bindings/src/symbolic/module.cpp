@@ -10,8 +10,8 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 NB_MODULE(_symbolic, m) {
-  m.doc() = "Surefoot's models on CasADi; import surefoot.symbolic instead.";
-  // Bytes: CasADi's text need not be UTF-8.
+  m.doc() = "CasADi functions of robot models; import surefoot.symbolic instead.";
+  // Return bytes, because CasADi's text need not be UTF-8.
   m.def(
       "robot_function",
       [](const std::string& model, const std::array<int, 4>& feet, const std::string& name) {
@@ -19,7 +19,7 @@ NB_MODULE(_symbolic, m) {
         return nb::bytes(text.data(), text.size());
       },
       "model"_a, "feet"_a, "name"_a,
-      "Serialise a casadi.Function of the robot whose serialised model this is.");
+      "Return a serialised casadi.Function of a robot, from the robot's serialised model.");
   m.def("leg_source", &surefoot::symbolic::leg_source,
-        "Write controller/src/dynamics/generated/leg_dynamics.hpp anew.");
+        "Return the text of controller/src/dynamics/generated/leg_dynamics.hpp.");
 }

@@ -24,7 +24,7 @@ Function function_of_q_v(RobotSymbols& r, const SX& out, const std::string& name
   return {name, Columns{r.q, r.v}, Columns{SX::densify(out)}, Names{"q", "v"}, Names{name}};
 }
 
-// The variable after q and v.
+// The input after q and v.
 struct ThirdInput {
   SX symbol;
   std::string name;
@@ -36,7 +36,7 @@ Function function_of_motion(RobotSymbols& r, const ThirdInput& last, const SX& o
           Names{"q", "v", last.name}, Names{name}};
 }
 
-// Of the function of q, v and one more whose expression `out` is.
+// Return the derivatives of `out`, an expression of q, v and a third input.
 Function derivatives(RobotSymbols& r, const ThirdInput& last, const SX& out,
                      const std::string& name) {
   const Columns parts = {SX::densify(r.tangent_derivative(out)),
@@ -90,7 +90,8 @@ std::string robot_function(const std::string& model, const std::array<int, 4>& f
                            const std::string& name) {
   const auto maker = function_makers().find(name);
   if (maker == function_makers().end())
-    throw std::invalid_argument("no function named '" + name + "'");
+    throw std::invalid_argument("name: got '" + name +
+                                "', expected a function of surefoot.symbolic");
   RobotSymbols robot(model, feet);
   return maker->second(robot, name).serialize();
 }

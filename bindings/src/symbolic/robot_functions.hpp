@@ -6,12 +6,12 @@
 
 namespace surefoot::symbolic {
 
-/// One of the functions of bindings/surefoot/symbolic.py, of which `name` is the name there, as
-/// casadi::Function::serialize() writes it.
+/// Return a function of surefoot.symbolic, as the text of casadi::Function::serialize().
 ///
+/// Throws std::invalid_argument if there is no function of that name.
 /// @param model text of Robot::serialized_model()
-/// @param feet frame ids FR FL RR RL
-/// Throws std::invalid_argument for a name that does not exist.
+/// @param feet frame ids, FR FL RR RL
+/// @param name name of the function in bindings/surefoot/symbolic.py
 std::string robot_function(const std::string& model, const std::array<int, 4>& feet,
                            const std::string& name);
 

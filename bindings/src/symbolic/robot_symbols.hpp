@@ -8,13 +8,13 @@
 
 namespace surefoot::symbolic {
 
-/// A model with a symbol for each of its variables, and what Pinocchio's algorithms make of them.
+/// CasADi symbols for the variables of a robot model, and expressions of Pinocchio's algorithms.
 ///
-/// The members are spread over two files: each algorithm on CasADi scalars costs the compiler a
-/// gigabyte.
+/// The members are defined in two files, because each algorithm on CasADi scalars takes a gigabyte
+/// of memory to compile.
 struct RobotSymbols {
   /// @param text of Robot::serialized_model()
-  /// @param feet frame ids FR FL RR RL
+  /// @param feet frame ids, FR FL RR RL
   RobotSymbols(const std::string& text, const std::array<int, 4>& feet);
 
   // robot_dynamics.cpp
@@ -29,7 +29,8 @@ struct RobotSymbols {
   SX foot_drifts();
   SX center_of_mass();
   SX centroidal_matrix();
-  /// d(value)/dq by the chain rule from the change of q that a tangent vector makes.
+  /// Compute the derivative of `value` with respect to the tangent of q: d(value)/dq times the
+  /// tangent map of q.
   SX tangent_derivative(const SX& value);
 
   Model model;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The CasADi header must come before every other one of Pinocchio.
+// Pinocchio's CasADi header must come before all other headers of Pinocchio.
 #include <pinocchio/autodiff/casadi.hpp>
 #include <pinocchio/multibody.hpp>
 
@@ -15,8 +15,8 @@ using MatrixX = Eigen::Matrix<SX, Eigen::Dynamic, Eigen::Dynamic>;
 using Vector3 = Eigen::Matrix<SX, 3, 1>;
 using Matrix3 = Eigen::Matrix<SX, 3, 3>;
 
-/// CasADi's matrix of an Eigen matrix of CasADi scalars. (Pinocchio's own copy keeps zeros as
-/// entries; here what is zero by structure stays sparse.)
+/// Convert an Eigen matrix of CasADi scalars to a CasADi matrix. Structural zeros stay sparse; in
+/// Pinocchio's own conversion they become entries.
 template <typename Derived>
 SX to_casadi(const Eigen::MatrixBase<Derived>& m) {
   SX out(m.rows(), m.cols());
@@ -28,7 +28,7 @@ SX to_casadi(const Eigen::MatrixBase<Derived>& m) {
   return out;
 }
 
-/// The scalars of a CasADi column, as Eigen.
+/// Convert a CasADi column to an Eigen vector of CasADi scalars.
 inline VectorX to_eigen(const SX& column) {
   VectorX out(column.size1());
   for (Eigen::Index i = 0; i < out.size(); ++i) out[i] = column(i);

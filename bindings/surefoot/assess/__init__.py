@@ -1,4 +1,4 @@
-"""The scorecard of a standing quadruped: the same table for any callable LowState -> LowCmd."""
+"""Push and stand scorecard of a quadruped, the same for any controller LowState -> LowCmd."""
 
 from surefoot.assess.condition import Condition
 from surefoot.assess.controller_under_test import ControllerUnderTest

@@ -1,4 +1,4 @@
-"""What a robot stands on, what it is made of and what its link loses: one condition of the card."""
+"""One condition of a scorecard: ground, robot flaws, and losses of the link."""
 
 from __future__ import annotations
 
@@ -33,33 +33,33 @@ _RANGES = {
 
 @dataclass(frozen=True)
 class Condition:
-    """One condition; what is not said is as usual.
+    """One condition of a scorecard. A field that is left out keeps its nominal value.
 
     Attributes:
-        name: Its own, in words.
-        friction: True coefficient between foot and ground; nobody tells the controller.
+        name: Unique name, for people.
+        friction: True coefficient between foot and ground; the controller does not receive it.
         slope_deg: Steepness of the ground [deg].
-        headings_deg: Of steepest ascent, of slope and platform, from forward towards left [deg];
-            each is tried.
-        tilt_deg: How far the platform tilts while the robot stands on it [deg].
-        tilt_deg_per_s: How fast [deg/s].
-        step_foot: Foot under which the ground rises while the robot stands; "" is none.
-        step_m: How far [m]; it takes half a second.
-        payload_share: Mass welded to the trunk, as a share of the robot's.
-        payload_offset_m: Where to, base frame [m].
-        mass_share: By how much the trunk is heavier than the model says, inertia in proportion, as
-            a share of the whole robot's mass.
-        latency_ms: Further delay of commands [ms].
-        loss_percent: Of the frames lost, each way [%].
+        headings_deg: Directions of steepest ascent of slope or platform, from forward towards left
+            [deg]; the robot stands once per heading and seed.
+        tilt_deg: Final angle of a platform that tilts while the robot stands on it [deg].
+        tilt_deg_per_s: Speed of that tilt [deg/s].
+        step_foot: Foot under which the ground rises while the robot stands; "" for none.
+        step_m: Height of that rise [m]; it takes STEP_RISE_TIME.
+        payload_share: Mass welded to the trunk, as a share of the robot's mass.
+        payload_offset_m: Position of that mass in the base frame, x, y, z [m].
+        mass_share: Excess of the true trunk mass over the model's, as a share of the robot's mass;
+            the trunk's inertia scales with its mass.
+        latency_ms: Delay of commands besides the plant's own [ms].
+        loss_percent: Share of frames lost in each direction of the link [%].
         joint_friction_scale: Factor on joint friction and damping.
-        motor_lag_ms: Time constant of the motors' torque [ms].
+        motor_lag_ms: Time constant of the motor torque [ms].
         torque_scale: Factor on every motor's torque.
-        soft_ground_mm: How far a foot sinks under a quarter of the weight [mm].
-        quiet_s: Before a push, and of standing before anything is asked of it [s].
-        pushes: Is it pushed as well?
-        height_within_mm: How far off its height may be at the end of a quiet stand [mm].
-        tilt_within_deg: How far off its attitude may be then [deg].
-        foot_within_mm: How far a foot may have moved, ever [mm].
+        soft_ground_mm: Depth that a foot sinks under a quarter of the robot's weight [mm].
+        quiet_s: Time of undisturbed standing before a push or before the ground moves [s].
+        pushes: True to push the robot under this condition too.
+        height_within_mm: Tolerance of the body height at the end of a quiet stand [mm].
+        tilt_within_deg: Tolerance of the body attitude at the end of a quiet stand [deg].
+        foot_within_mm: Tolerance of every foot's displacement over the whole stand [mm].
     """
 
     name: str
@@ -107,18 +107,18 @@ class Condition:
             if self.tilt_deg and self.step_foot:
                 raise Error("got a platform and a step, expected one of them")
             if self.pushes and (self.slope_deg or self.ground_moves):
-                raise Error("pushes: got true, expected false: their limits are of level ground")
+                raise Error("pushes: got true, expected false: push limits are of level ground")
         except Error as problem:
             raise Error(f"condition '{self.name}': {problem}") from None
 
     @property
     def ground_moves(self) -> bool:
-        """Does the ground move?"""
+        """True if the ground moves while the robot stands."""
         return self.tilt_deg > 0.0 or bool(self.step_foot)
 
 
 def read_condition(table: Any) -> Condition:
-    """Return the condition of a TOML table; raises Error at an unknown or missing key."""
+    """Return the condition of a TOML table; raises Error for an unknown or a missing key."""
     if not isinstance(table, dict):
         raise Error(f"condition: got {table!r}, expected a table [[condition]]")
     valid = [field.name for field in fields(Condition)]

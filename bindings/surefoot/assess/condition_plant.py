@@ -1,4 +1,4 @@
-"""A condition as a plant: settings, and what moves while the robot stands."""
+"""Plant settings and ground motion of a condition."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from surefoot.sim.model.moving_ground import set_ground_speed
 from surefoot.sim.model.mujoco_model import trunk_mass
 from surefoot.sim.settings import COARSE_DT
 
-STEP_RISE_TIME = 0.5  # [s] in which the ground below a foot rises
+STEP_RISE_TIME = 0.5  # [s] time in which the ground under a foot rises by step_m
 
 RobotSource = str | tuple[str, str]
-"""A robot's name, or the paths of its URDF and TOML: plain, so that it travels."""
+"""A robot's name, or the paths of its URDF and TOML; picklable for worker processes."""
 
 
 def describe_source(source: RobotSource) -> RobotDescription:
-    """Return a robot's files; raises Error."""
+    """Return the description of a robot; raises Error."""
     if isinstance(source, str):
         return describe_robot(source)
     return describe_robot(urdf=source[0], config=source[1])
@@ -28,19 +28,19 @@ def describe_source(source: RobotSource) -> RobotDescription:
 
 @lru_cache(maxsize=32)
 def plant_of(source: RobotSource, condition: Condition) -> Plant:
-    """Return a condition's plant, kept from run to run: reseed() it, then reset() it."""
+    """Return the cached plant of a condition; call reseed() and reset() before each run."""
     description = describe_source(source)
     settings = plant_settings(condition, build_robot(description).mass, trunk_mass(description))
     return Plant(description, settings)
 
 
 def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSettings:
-    """Return a condition's settings, seed 0.
+    """Return the plant settings of a condition, with seed 0.
 
     Args:
-        condition: Whose first heading counts.
-        mass: Of the robot [kg].
-        trunk: Of its trunk alone [kg].
+        condition: The condition; only its first heading is used.
+        mass: Mass of the robot [kg].
+        trunk: Mass of its trunk alone [kg].
     """
     c = condition
     return PlantSettings(
@@ -63,21 +63,21 @@ def plant_settings(condition: Condition, mass: float, trunk: float) -> PlantSett
 
 
 def loop_delay(plant: Plant) -> float:
-    """Return how long it takes from a measurement to the action of the command made from it [s]."""
+    """Return the delay from a measurement to the action of the command made from it [s]."""
     settings = plant.settings
-    # As Plant.step() has it: in whole steps of its physics.
+    # Plant.step() rounds the extra delay to whole physics steps.
     extra = round(settings.extra_delay / settings.physics_dt) * settings.physics_dt
     return (2.0 if settings.real else 0.0) / settings.control_rate + extra
 
 
 def ground_motion_time(condition: Condition) -> float:
-    """Return for how long the ground moves [s]."""
+    """Return the time during which the ground moves [s]."""
     tilts = condition.tilt_deg / condition.tilt_deg_per_s
     return max(tilts, STEP_RISE_TIME if condition.step_foot else 0.0)
 
 
 def ground_mover(condition: Condition, plant: Plant) -> Callable[[float], None] | None:
-    """Return what moves the ground, given the time since the quiet ended [s]; None: nothing."""
+    """Return a function of the time since the quiet phase [s] that moves the ground, or None."""
     if not condition.ground_moves:
         return None
     displacement = (

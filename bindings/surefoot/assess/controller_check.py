@@ -1,4 +1,4 @@
-"""What a controller has to return, and what it is called when it does not."""
+"""Check of a controller's commands, and the failure that it raises."""
 
 from __future__ import annotations
 
@@ -12,22 +12,21 @@ from surefoot.messages.low_state_layout import MOTOR_COUNT
 
 ControlFunction = Callable[[LowState], LowCmd]
 _MOTOR_FIELDS = ("q", "dq", "tau", "Kp", "Kd")
-_MOTOR_VALUES = struct.Struct(
-    "<22x" + MOTOR_COUNT * "x5f12x"
-)  # of a LowCmd's twelve motors, and no more
+# Skips the header of a LowCmd and reads q, dq, tau, Kp, Kd of its twelve motors.
+_MOTOR_VALUES = struct.Struct("<22x" + MOTOR_COUNT * "x5f12x")
 
 
 class ControllerFailure(Exception):
-    """A controller did not do what a controller does; the text says what."""
+    """A controller raised an exception or returned no finite LowCmd; the text has the reason."""
 
 
 def checked_controller(act: ControlFunction) -> ControlFunction:
-    """Return a controller that raises Broken where this one throws or returns no finite LowCmd."""
+    """Return a controller that raises ControllerFailure for exceptions and invalid commands."""
 
     def call(state: LowState) -> LowCmd:
         try:
             command = act(state)
-        # SystemExit and asyncio's CancelledError are no Exceptions.
+        # BaseException: SystemExit and asyncio.CancelledError do not derive from Exception.
         except BaseException as problem:
             raise ControllerFailure(f"threw {exception_text(problem)}") from None
         if not isinstance(command, LowCmd):
@@ -40,7 +39,7 @@ def checked_controller(act: ControlFunction) -> ControlFunction:
 
 def _check_finite(command: LowCmd) -> None:
     values = _MOTOR_VALUES.unpack_from(command.raw.data)
-    # A sum of float32 in double is finite if and only if all of them are.
+    # A double sum of float32 values propagates NaN and infinity and cannot overflow.
     if math.isfinite(sum(values)):
         return
     bad_index = next(k for k, value in enumerate(values) if not math.isfinite(value))
@@ -56,6 +55,6 @@ def _type_and_shape(value: Any) -> str:
 
 
 def exception_text(problem: BaseException) -> str:
-    """Return an exception in a line."""
+    """Return an exception as one line of text."""
     text = " ".join(str(problem).split())
     return f"{type(problem).__name__}: {text}" if text else type(problem).__name__

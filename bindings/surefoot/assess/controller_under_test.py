@@ -1,4 +1,4 @@
-"""Who is assessed: a built-in controller, or any callable LowState -> LowCmd."""
+"""Controller under test: a built-in controller, or any callable LowState -> LowCmd."""
 
 from __future__ import annotations
 
@@ -25,23 +25,20 @@ from surefoot.robot.gain_files import gains_from_values
 ControllerFactory = Callable[..., Any]
 REFERENCE_CONTROLLERS = ("pd", "force_qp")
 BUILT_IN_CONTROLLERS = ("surefoot", *REFERENCE_CONTROLLERS)
-_MIN_PREDICTED_DELAY = (
-    0.0095  # [s] of delay: two periods and a latency of 5 ms are left as they are
-)
-_MAX_PREDICTED_DELAY = 0.05  # [s] of StandOptions.delay
+_MIN_PREDICTED_DELAY = 0.0095  # [s] shorter delays are not predicted, such as 2 periods + 5 ms
+_MAX_PREDICTED_DELAY = 0.05  # [s] limit of StandOptions.delay
 
 
 @dataclass(frozen=True)
 class ControllerUnderTest:
-    """A controller that can be made anew, here or in another process.
+    """A controller that can be constructed again in any process.
 
     Attributes:
-        name: Of BUILT_IN_CONTROLLERS, or MODULE:CALLABLE, or what the factory's controllers are called: a name
-            that is not of BUILT_IN_CONTROLLERS.
-        gains: Every gain by name, of "surefoot" alone; empty for the robot's own.
-        factory: Called with the surefoot.Robot, and with delay= if it has such a parameter; returns
-            what is called with each LowState, or something with a method update() that is; None:
-            found by the name.
+        name: One of BUILT_IN_CONTROLLERS, or MODULE:CALLABLE; with a factory, any other name.
+        gains: All gains by name, for "surefoot" only; empty for the robot's own gains.
+        factory: Called with the surefoot.Robot, and with delay= if it has that parameter. Returns a
+            callable LowState -> LowCmd, or an object with such a method update(). None: `name`
+            selects the factory.
     """
 
     name: str = "surefoot"
@@ -58,40 +55,41 @@ class ControllerUnderTest:
             )
         if self.gains:
             if self.name != "surefoot":
-                raise Error(f"controller '{self.name}': got gains, which are for surefoot alone")
+                raise Error(
+                    f"controller '{self.name}': got gains, expected none: only surefoot has gains"
+                )
             gains_from_values(self.gains)
 
     def make(self, robot: Robot, delay: float) -> ControlFunction:
-        """Make a controller for one run.
+        """Construct a controller for one run.
 
         Args:
-            robot: That it is to control.
-            delay: From a measurement to the action of the command made from it [s].
+            robot: Model of the robot.
+            delay: Delay from a measurement to the action of the command made from it [s].
 
         Raises:
-            ControllerFailure: It cannot be made, or what is made cannot be called.
+            ControllerFailure: The factory raised an exception, or returned no controller.
         """
         factory = self.factory or find_factory(self)
         try:
             controller = factory(robot, delay=delay) if _takes_delay(factory) else factory(robot)
-        # SystemExit and asyncio's CancelledError are no Exceptions.
+        # BaseException: SystemExit and asyncio.CancelledError do not derive from Exception.
         except BaseException as problem:
-            raise ControllerFailure(f"making it threw {exception_text(problem)}") from None
+            raise ControllerFailure(f"the factory threw {exception_text(problem)}") from None
         act = getattr(controller, "update", controller)
-        if isinstance(controller, dict) or not callable(
-            act
-        ):  # a dict has an update() of another kind
+        # A dict has an update() that is no controller.
+        if isinstance(controller, dict) or not callable(act):
             raise ControllerFailure(
-                f"making it gave {type(controller).__name__}, expected something to call"
+                f"the factory returned {type(controller).__name__}, expected a callable"
             )
         return checked_controller(act)
 
 
 def find_factory(controller_under_test: ControllerUnderTest) -> ControllerFactory:
-    """Return what makes a contestant's controllers.
+    """Return the factory of a controller under test.
 
     Raises:
-        Error: No such module or callable, or it cannot be imported.
+        Error: The module or callable does not exist, or cannot be imported.
     """
     name = controller_under_test.name
     if name == "surefoot":
@@ -103,16 +101,17 @@ def find_factory(controller_under_test: ControllerUnderTest) -> ControllerFactor
     module, separator, path = name.partition(":")
     if not (module and separator and path):
         raise Error(
-            f"controller: got '{name}', expected {', '.join(BUILT_IN_CONTROLLERS)} or module:callable"
+            f"controller: got '{name}', expected {', '.join(BUILT_IN_CONTROLLERS)} "
+            "or module:callable"
         )
-    if os.getcwd() not in sys.path:  # as python -m has it
+    if os.getcwd() not in sys.path:  # as python -m does
         sys.path.insert(0, os.getcwd())
     try:
         with redirect_stdout(sys.stderr):
             target: Any = importlib.import_module(module)
         for part in path.split("."):
             target = getattr(target, part)
-    except (TimeLimitExceeded, KeyboardInterrupt):  # of who waits for it
+    except (TimeLimitExceeded, KeyboardInterrupt):  # not errors of the controller
         raise
     except BaseException as problem:
         raise Error(f"controller '{name}': {exception_text(problem)}") from None
@@ -123,14 +122,14 @@ def find_factory(controller_under_test: ControllerUnderTest) -> ControllerFactor
 
 
 def make_stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -> StandController:
-    """Make "surefoot" for one run.
+    """Construct the "surefoot" controller for one run.
 
     Args:
-        robot: That it is to control.
-        delay: From a measurement to the action of the command made from it [s].
-        gains: Every gain by name; empty for the robot's own.
+        robot: Model of the robot.
+        delay: Delay from a measurement to the action of the command made from it [s].
+        gains: All gains by name; empty for the robot's own gains.
     """
-    # What a few ticks cost is less than what prediction adds of the sensors' noise.
+    # Prediction amplifies sensor noise, which costs more than a delay of a few ticks.
     options = StandOptions(
         delay=min(delay, _MAX_PREDICTED_DELAY) if delay > _MIN_PREDICTED_DELAY else 0.0
     )
@@ -140,5 +139,5 @@ def make_stand_controller(robot: Robot, delay: float, gains: dict[str, float]) -
 def _takes_delay(factory: ControllerFactory) -> bool:
     try:
         return "delay" in inspect.signature(factory).parameters
-    except (TypeError, ValueError):  # not every callable of an extension has one
+    except (TypeError, ValueError):  # some callables of extension modules have no signature
         return False

@@ -1,4 +1,4 @@
-"""Films of failures: the pushes and the stands that went wrong first and worst, run once more."""
+"""Films of failures: the worst pushes and the first failed stands, run again with a renderer."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from surefoot.assess.worker_pool import run_work
 from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
 
-MAX_FILMS = 6  # films in a report
-FRAME_PERIOD = 0.08  # [s] between pictures
-WIDTH, HEIGHT = 480, 360
+MAX_FILMS = 6  # greatest number of films in a report
+FRAME_PERIOD = 0.08  # [s] between frames
+WIDTH, HEIGHT = 480, 360  # [px]
 
 
 @dataclass(frozen=True)
@@ -35,10 +35,10 @@ class FilmUnit:
     """A run to be filmed.
 
     Attributes:
-        unit: The run.
-        level: Of a push, percent of its limit.
-        file: Where the film goes.
-        caption: In words.
+        unit: Unit whose run failed.
+        level: Impulse of a push in percent of its push limit; unused for a stand.
+        file: Path of the film.
+        caption: Caption of the film.
     """
 
     unit: PushUnit | StandUnit
@@ -49,29 +49,29 @@ class FilmUnit:
 
     @property
     def key(self) -> str:
-        """Its name."""
+        """Name of the unit."""
         return f"film | {self.caption}"
 
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run it again and draw it; what graphics cannot do is a result as well."""
+        """Run the unit again and write the film; an error of the graphics is a result too."""
         try:
             film = _FilmRecorder()
-            with suppress(ControllerFailure):  # that is the failure to be shown
+            with suppress(ControllerFailure):  # the film shows this failure
                 if isinstance(self.unit, PushUnit):
                     self.unit.simulate(source, controller_under_test, self.level, film.on_tick)
                 else:
                     self.unit.simulate(source, controller_under_test, film.on_tick)
             film.save(Path(self.file))
         except Exception as problem:
-            # Graphics stacks fail in as many ways as there are drivers.
+            # Graphics drivers raise errors of many types; the report must not fail with them.
             return {"broken": f"no film: {type(problem).__name__}: {problem}"}
         return {"film": Path(self.file).name}
 
 
 class _FilmRecorder:
-    """Draws a picture every PERIOD."""
+    """Renders a frame every FRAME_PERIOD and writes the film."""
 
     def __init__(self) -> None:
         self._frames: list[Array] = []
@@ -92,7 +92,7 @@ class _FilmRecorder:
         from surefoot.stand.film import save_film
 
         if self._renderer is None:
-            raise Error("the controller broke before the first picture")
+            raise Error("the controller failed before the first frame; expected at least one tick")
         self._renderer.close()
         pictures = [Image.fromarray(picture) for picture in self._frames]
         save_film(pictures, np.full(len(pictures), 1000.0 * FRAME_PERIOD), path)
@@ -101,16 +101,17 @@ class _FilmRecorder:
 def make_films(
     settings: AssessSettings, limits: PushLimits, results: UnitResults, folder: Path
 ) -> list[dict[str, str]]:
-    """Film the failures of a contestant into a folder.
+    """Film the failures of the controller under test.
 
     Args:
-        settings: Of the assessment.
-        limits: Of the robot.
-        results: What came of the contestant's units, by key.
-        folder: Of the report.
+        settings: Settings of the assessment.
+        limits: Push limits of the robot.
+        results: Results of the controller's units, by key.
+        folder: Folder of the report; created if missing.
 
     Returns:
-        For each: "caption", and "film", its file's name, or "broken", why there is none.
+        One entry for each film: "caption", and either "film", the file name, or "broken", the
+        reason why there is none.
     """
     folder.mkdir(parents=True, exist_ok=True)
     units = list(films_of_failures(settings, limits, results, folder))[:MAX_FILMS]
@@ -132,7 +133,7 @@ def make_films(
 def films_of_failures(
     settings: AssessSettings, limits: PushLimits, results: UnitResults, folder: Path
 ) -> Iterator[FilmUnit]:
-    """Yield what is worth a film: the worst pushes, then the first bad stand of each condition."""
+    """Yield the worst push of each criterion, then the first failed stand of each condition."""
     pushes = [u for u in plan.push_units(settings.card, limits) if "rows" in results[u.key]]
     summary_units = [
         unit for unit in pushes if (unit.duration, unit.push_height) == settings.card.summary_push
@@ -146,15 +147,16 @@ def films_of_failures(
             level for level in worst.outcomes if level > worst.largest_passed(attribute)
         ]
         if failed_levels:
-            words = f"{unit.direction_deg:g} deg, {min(failed_levels):g} % of the limit, seed {unit.seed}"
-            file = str(folder / f"film_{kind}.webp")
-            yield FilmUnit(
-                unit, min(failed_levels), file, f"worst push, not passed ({kind}): {words}"
+            words = (
+                f"{unit.direction_deg:g} deg, {min(failed_levels):g} % of the push limit, "
+                f"seed {unit.seed}"
             )
+            file = str(folder / f"film_{kind}.webp")
+            yield FilmUnit(unit, min(failed_levels), file, f"worst failed push ({kind}): {words}")
     for number, condition in enumerate(settings.card.conditions):
         for stand in plan.stand_units(settings.card, condition):
             if results[stand.key].get("passed") is False:
                 words = f"{condition.name}, heading {stand.heading:g} deg, seed {stand.seed}"
                 file = str(folder / f"film_condition_{number}.webp")
-                yield FilmUnit(stand, 0.0, file, f"not passed: {words}")
+                yield FilmUnit(stand, 0.0, file, f"failed stand: {words}")
                 break

@@ -1,4 +1,4 @@
-"""A cell of the matrix of faults as a unit of work."""
+"""Unit of work that runs one cell of the fault matrix."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from surefoot.robot.gain_files import gains_from_values
 
 @dataclass(frozen=True)
 class FaultUnit:
-    """A cell of the matrix of faults.
+    """A cell of the fault matrix.
 
     Attributes:
-        cell: Its id.
+        cell: Id of the cell.
     """
 
     cell: str
@@ -29,13 +29,13 @@ class FaultUnit:
 
     @property
     def key(self) -> str:
-        """Its name in the store."""
+        """Key of the unit in the store."""
         return f"fault | {self.cell}"
 
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run it and return what came of it as plain JSON."""
+        """Run the cell and return its verdict as JSON values."""
         setup = _setup(source)
         if controller_under_test.gains:
             setup = replace(setup, make_supervisor=_supervisor_factory(controller_under_test.gains))

@@ -1,13 +1,14 @@
-"""How hard a standing robot can be pushed with its feet where they are: closed formulas.
+"""Largest impulses that a linear inverted pendulum (LIP) survives without a step.
 
-A linear inverted pendulum: mass m at height h, w = sqrt(g / h), pushed from x = 0 towards the edge
-of support at x = d by a force F for a time T, along a line `push_height` above the centre of mass. The
-body does not turn, so the moment of the push takes its share of the ground's leverage:
+Model: mass m at height h, w = sqrt(g / h). A force F acts for a time T at `push_height` a above the
+centre of mass and pushes the LIP from x = 0 towards the support edge at x = d. The body does not
+rotate, so the ground must balance the moment a F of the push as well:
 
-    ground on robot, backwards:  b = (m g (p - x) - lift F) / h,    pressure p <= d,    b <= B
+    force of the ground against the push:  b = (m g (p - x) - a F) / h,    p <= d,    b <= B
 
-where B is what friction (mu m g) or the motors allow. It survives if its capture point is inside
-the edge once it can only brake. Braking as hard as can be is best, for b <= ... only falls with x.
+Here p is the centre of pressure, and B is the limit by friction (mu m g) or by the motors. The LIP
+survives if its capture point is inside the edge once it can only brake. Braking with the largest b
+is optimal, because the bound on b decreases with x.
 """
 
 from __future__ import annotations
@@ -17,17 +18,17 @@ from dataclasses import dataclass
 
 from surefoot.sim.lip_push_limit import GRAVITY, max_lip_impulse
 
-_BISECTIONS = 60
+_BISECTIONS = 60  # more halvings than a double has bits
 
 
 @dataclass(frozen=True)
 class Pendulum:
-    """A pendulum and its edge.
+    """A linear inverted pendulum and the distance to its support edge.
 
     Attributes:
-        mass: m [kg].
-        com_height: h of the centre of mass [m].
-        edge_distance: d from there to the edge of support, seen from above [m].
+        mass: Mass m [kg].
+        com_height: Height h of the centre of mass [m].
+        edge_distance: Horizontal distance d from the centre of mass to the support edge [m].
     """
 
     mass: float
@@ -36,14 +37,14 @@ class Pendulum:
 
 
 def lip_impulse(pendulum: Pendulum, duration: float, push_height: float = 0.0) -> float:
-    """Return the greatest impulse with friction and motors without limits [N.s].
+    """Return the LIP push limit [N.s]; friction and motors have no limits.
 
-    J = m w d (w T) / (1 - exp(-w T)) * h / (h + lift)
+    J = m w d (w T) / (1 - exp(-w T)) * h / (h + a)
 
     Args:
-        pendulum: Who is pushed.
-        duration: Of the push, T [s].
-        push_height: Of its line of action above the centre of mass [m].
+        pendulum: Pendulum that is pushed.
+        duration: Duration T of the push [s].
+        push_height: Height a of the line of action above the centre of mass [m].
     """
     p = pendulum
     share = p.com_height / (p.com_height + push_height)
@@ -53,16 +54,16 @@ def lip_impulse(pendulum: Pendulum, duration: float, push_height: float = 0.0) -
 def force_limited_impulse(
     pendulum: Pendulum, max_brake_force: float, duration: float, push_height: float = 0.0
 ) -> float:
-    """Return the greatest impulse where the ground gives no more than a force B [N.s].
+    """Return the largest impulse that is survived with a ground force of at most B [N.s].
 
-    For T -> 0 and lift = 0 it is m sqrt(mu g (2 d - mu h)) with mu = B / (m g) < d / h; with a B
-    that the pendulum never needs it is lip_impulse().
+    For T -> 0 and a = 0 the result is m sqrt(mu g (2 d - mu h)) with mu = B / (m g) < d / h. If B
+    never limits the braking, the result is lip_impulse(). Found by bisection.
 
     Args:
-        pendulum: Who is pushed.
-        max_brake_force: B, against the push [N].
-        duration: T [s].
-        push_height: See lip_impulse().
+        pendulum: Pendulum that is pushed.
+        max_brake_force: Largest horizontal ground force B against the push [N].
+        duration: Duration T of the push [s].
+        push_height: Height a of the line of action above the centre of mass [m].
     """
     lip_limit = lip_impulse(pendulum, duration, push_height)
     if _survives(pendulum, max_brake_force, lip_limit / duration, duration, push_height):
@@ -81,19 +82,19 @@ def _survives(
     p: Pendulum, max_brake_force: float, force: float, duration: float, push_height: float
 ) -> bool:
     x, v = _state_after_push(p, max_brake_force, force, duration, push_height)
-    most = max_brake_force / p.mass  # [m/s^2] of braking
+    most = max_brake_force / p.mass  # [m/s^2] largest deceleration by B
     w2 = GRAVITY / p.com_height
-    x_switch = p.edge_distance - most / w2  # from here on the edge, not B, is what limits
+    x_switch = p.edge_distance - most / w2  # [m] beyond it the edge limits braking, before it B
     if x >= x_switch:
         return v <= math.sqrt(w2) * (p.edge_distance - x) * (1.0 + 1e-12)
-    # v^2 left after braking by B to x_switch must be what the edge can still take: w (d - x_switch).
+    # Braking by B to x_switch must leave no more speed than the edge can brake: w (d - x_switch).
     return v**2 - 2.0 * most * (x_switch - x) <= most**2 / w2
 
 
 def _state_after_push(
     p: Pendulum, max_brake_force: float, force: float, duration: float, push_height: float
 ) -> tuple[float, float]:
-    """Return where the pendulum is at the push's end, and how fast: x [m], v [m/s]."""
+    """Return position x [m] and velocity v [m/s] of the pendulum at the end of the push."""
     w2 = GRAVITY / p.com_height
     most = max_brake_force / p.mass
     x_switch = p.edge_distance - most / w2 - push_height * force / (p.mass * GRAVITY)
@@ -104,7 +105,7 @@ def _state_after_push(
             return 0.0, 0.0
         time = min(time_left, math.sqrt(2.0 * x_switch / a))
         x, v, time_left = 0.5 * a * time**2, a * time, time_left - time
-    # Pressure at the edge: x'' = w^2 (x - d) + (1 + lift / h) F / m.
+    # With the centre of pressure at the edge: x'' = w^2 (x - d) + (1 + a / h) F / m.
     w = math.sqrt(w2)
     equilibrium = p.edge_distance - (1.0 + push_height / p.com_height) * force / (p.mass * w2)
     c, s = math.cosh(w * time_left), math.sinh(w * time_left)

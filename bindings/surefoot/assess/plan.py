@@ -1,4 +1,4 @@
-"""The plan: a card's units, in the order in which they are run."""
+"""Plan of an assessment: the units of work of a scorecard, in the order of their runs."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from surefoot.assess.work_units import PushUnit, StandUnit
 from surefoot.assess.worker import WorkItem
 from surefoot.faults import choose_cells
 
-OTHER_FINEST_STEP = 5.0  # [%] step of sweeps that are not STANDARD, which are most of a full card
-BRIEF_CELLS = ("*/standing",)  # cells of the matrix of faults in brief
+OTHER_FINEST_STEP = 5.0  # [%] of the push limit: finest step of all but STANDARD_PUSH sweeps
+BRIEF_CELLS = ("*/standing",)  # fault matrix cells of "brief"
 
 
 def planned_work(settings: AssessSettings, limits: PushLimits) -> Iterator[WorkItem]:
-    """Yield everything that an assessment runs: pushes, conditions, faults, references."""
+    """Yield all work of an assessment: pushes, conditions, faults, reference controllers."""
     card, controller_under_test = settings.card, settings.controller_under_test
     for unit in push_units(card, limits):
         yield WorkItem(unit, controller_under_test)
@@ -37,7 +37,7 @@ def planned_work(settings: AssessSettings, limits: PushLimits) -> Iterator[WorkI
 
 
 def push_units(card: Scorecard, limits: PushLimits) -> list[PushUnit]:
-    """Return the pushes under the usual condition."""
+    """Return the pushes under the nominal condition."""
     return [
         unit
         for duration in card.lengths_s
@@ -56,7 +56,7 @@ def push_units(card: Scorecard, limits: PushLimits) -> list[PushUnit]:
 def condition_push_units(
     card: Scorecard, condition: Condition, limits: PushLimits
 ) -> list[PushUnit]:
-    """Return the pushes under a further condition, if there are any."""
+    """Return the pushes under a further condition; empty if it has none."""
     if not condition.pushes or condition == card.conditions[0]:
         return []
     seeds = card.seed_range(card.condition_seeds)
@@ -66,7 +66,7 @@ def condition_push_units(
 
 
 def reference_push_units(card: Scorecard, limits: PushLimits) -> list[PushUnit]:
-    """Return the pushes that reference controllers get: those that the summary is about."""
+    """Return the pushes of the reference controllers: those that the summary uses."""
     return _push_units_around(
         card.conditions[0],
         card.directions_deg,
@@ -86,7 +86,7 @@ def stand_units(card: Scorecard, condition: Condition) -> list[StandUnit]:
 
 
 def fault_units(settings: AssessSettings) -> list[FaultUnit]:
-    """Return the cells of the matrix of faults; they are about the Supervisor of "surefoot"."""
+    """Return the fault matrix cells; they test the Supervisor, so only "surefoot" has them."""
     if settings.card.faults == "none" or settings.controller_under_test.name != "surefoot":
         return []
     patterns = BRIEF_CELLS if settings.card.faults == "brief" else ()
@@ -94,7 +94,7 @@ def fault_units(settings: AssessSettings) -> list[FaultUnit]:
 
 
 def reference_controllers(settings: AssessSettings) -> list[ControllerUnderTest]:
-    """Return who else is pushed."""
+    """Return the reference controllers of the scorecard, without the controller under test."""
     if not settings.card.references:
         return []
     return [

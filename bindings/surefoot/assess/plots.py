@@ -1,4 +1,4 @@
-"""Pictures of a filled card: how hard it can be pushed, all around."""
+"""Polar plots of a scorecard: push results against direction."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def _draw_pushes(card: dict[str, Any]) -> Figure:
     for table in tables:
         index = heights.index(table["height_m"]) * len(lengths) + lengths.index(table["length_s"])
         ax = _polar_axes(figure, len(heights), len(lengths), index)
-        _plot_polar(ax, table, "limit_ns", RED, "own limit", ls="--")
-        _plot_polar(ax, table, "lip_ns", GREY, "pendulum", ls=":")
+        _plot_polar(ax, table, "limit_ns", RED, "push limit", ls="--")
+        _plot_polar(ax, table, "lip_ns", GREY, "LIP push limit", ls=":")
         for kind, color in _CRITERION_COLORS:
             _plot_polar(ax, table, kind, color, kind)
         _finish_polar(ax, f"{table['length_s']:g} s, {table['height_m']:+g} m [N.s]")
@@ -39,13 +39,14 @@ def _draw_references(card: dict[str, Any]) -> Figure:
     controller_table = summary_table(card["push"]["tables"])
     for index, kind in enumerate(("survive", "strict")):
         ax = _polar_axes(figure, 1, 2, index)
-        _plot_polar(ax, controller_table, "limit_ns", RED, "own limit", ls="--")
+        _plot_polar(ax, controller_table, "limit_ns", RED, "push limit", ls="--")
         _plot_polar(ax, controller_table, kind, BLUE, card["controller"])
         for (name, push), color in zip(card["references"].items(), _REFERENCE_COLORS, strict=False):
             _plot_polar(ax, summary_table(push["tables"]), kind, color, name)
         _finish_polar(
             ax,
-            f"{kind}, {controller_table['length_s']:g} s, {controller_table['height_m']:+g} m [N.s]",
+            f"{kind}, {controller_table['length_s']:g} s, "
+            f"{controller_table['height_m']:+g} m [N.s]",
         )
     _legend(figure)
     return figure
@@ -55,7 +56,7 @@ def _polar_axes(figure: Figure, rows: int, columns: int, index: int) -> PolarAxe
     ax = figure.add_subplot(rows, columns, index + 1, projection="polar")
     assert isinstance(ax, PolarAxes)
     ax.set_theta_zero_location("N")  # forward is up, left is left
-    ax.set_rlabel_position(60.0)  # where limits leave room
+    ax.set_rlabel_position(60.0)  # [deg] angle where the curves leave room
     return ax
 
 
@@ -81,19 +82,19 @@ def _legend(figure: Figure) -> None:
 
 PUSH_PLOT: Plot[dict[str, Any]] = Plot(
     "pushes.png",
-    "Pushes all around",
-    "The hardest push below which all were passed, over seeds, towards each direction; forward is "
-    "up. One plot for each length and height above the centre of mass.",
+    "Push results by direction",
+    "Largest impulse below which every tried push was passed, statistic over seeds, against push "
+    "direction; forward is up. One plot for each duration and height above the centre of mass.",
     _draw_pushes,
 )
 REFERENCE_PLOT: Plot[dict[str, Any]] = Plot(
     "references.png",
-    "Beside the reference controllers",
-    "The same pushes of all; forward is up.",
+    "Comparison with the reference controllers",
+    "All controllers receive the same pushes; forward is up.",
     _draw_references,
 )
 
 
 def plots_of(card: dict[str, Any]) -> tuple[Plot[dict[str, Any]], ...]:
-    """Return the pictures that a filled card has something to show in."""
+    """Return the plots for which a scorecard has data."""
     return (PUSH_PLOT, REFERENCE_PLOT) if card["references"] else (PUSH_PLOT,)

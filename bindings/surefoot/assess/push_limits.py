@@ -1,4 +1,4 @@
-"""What a push is measured by: the pendulum's limit and the robot's own, in one direction."""
+"""Push limits in one direction: LIP limit, quasi-static limit, and the smaller of both."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from surefoot.assess.pendulum_limits import Pendulum, force_limited_impulse, lip
 from surefoot.assess.quasi_static import quasi_static_force
 from surefoot.assess.stance_model import StanceModel, stance_model
 
-MIN_HEIGHT_SHARE = 0.75  # of the centre of mass's height that a push may be below it
+MIN_HEIGHT_SHARE = 0.75  # greatest depth of a push below the centre of mass, over its height
 
 
 @dataclass(frozen=True)
 class PushLimit:
-    """Limits of pushes of one direction, length and height, at the pinned standing pose.
+    """Limits of pushes of one direction, duration and height, in the pinned standing pose.
 
     Attributes:
-        lip: Of the linear inverted pendulum, friction and motors without limits [N.s].
-        quasi_static_force: The largest that friction and motors can lean against [N].
-        quasi_static: Of the pendulum whose ground gives no more than that force [N.s].
+        lip: LIP push limit [N.s]; it ignores the limits of friction and motors.
+        quasi_static_force: Largest static force that friction and motors can balance [N].
+        quasi_static: Limit of a LIP whose ground reaction is at most that force [N.s].
     """
 
     lip: float
@@ -29,24 +29,24 @@ class PushLimit:
 
     @property
     def limit(self) -> float:
-        """The robot's own limit: the smaller of both [N.s]."""
+        """Push limit: the smaller of the LIP and the quasi-static push limit [N.s]."""
         return min(self.lip, self.quasi_static)
 
 
 def push_limit(
     stance: StanceModel, direction_deg: float, duration: float, push_height: float, friction: float
 ) -> PushLimit:
-    """Return the limits of a push.
+    """Compute the limits of a push.
 
     Args:
-        stance: The robot.
-        direction_deg: From forward towards left [deg].
-        duration: [s].
-        push_height: Of its line of action above the centre of mass [m].
-        friction: True coefficient.
+        stance: Model of the standing robot.
+        direction_deg: Direction of the push, from forward towards left [deg].
+        duration: Duration of the push [s].
+        push_height: Height of the line of action above the centre of mass [m].
+        friction: True friction coefficient.
 
     Raises:
-        Error: The robot cannot stand there, or the push is as good as on the ground.
+        Error: The robot cannot stand in this pose, or the push acts too close to the ground.
     """
     lowest = -MIN_HEIGHT_SHARE * stance.height
     if push_height < lowest:
@@ -64,10 +64,10 @@ def push_limit(
 
 
 class PushLimits:
-    """Limits of pushes on one robot; each is computed once.
+    """Cache of the push limits of one robot.
 
     Args:
-        robot: Whose.
+        robot: Model of the robot.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -75,13 +75,13 @@ class PushLimits:
         self._cache: dict[tuple[float, ...], PushLimit] = {}
 
     def true_mass(self, condition: Condition) -> float:
-        """Return the robot's true mass under a condition, payload included [kg]."""
+        """Return the true mass of the robot under a condition, payload included [kg]."""
         return (1.0 + condition.mass_share + condition.payload_share) * self.stance.mass
 
     def push_limit(
         self, condition: Condition, direction_deg: float, duration: float, push_height: float
     ) -> PushLimit:
-        """Return the limits of a push under a condition: of its friction and its true mass."""
+        """Return the limits of a push with the friction and the true mass of a condition."""
         mass = self.true_mass(condition)
         key = (direction_deg, duration, push_height, condition.friction, mass)
         if key not in self._cache:

@@ -1,4 +1,4 @@
-"""One push, judged: did it survive, and did it stand as if nothing had been."""
+"""Verdict on one push: whether the robot survived it, and whether it stayed in place."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ import numpy as np
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.geometry.rotations import Array
 
-SURVIVAL_TIME = 3.0  # [s] after the push in which a robot that survived may not fall
-RETURN_TIME = 2.0  # [s] after which it is back, for a strict pass
-MAX_FOOT_TRAVEL = 0.01  # [m] most that any foot may slide or lift, ever; rolling is neither
-RETURN_DISTANCE = 0.01  # [m] of the base from where it was
-RETURN_ANGLE = 2.0  # [deg] of the base from how it was
+SURVIVAL_TIME = 3.0  # [s] after the end of a push: a robot that does not fall until then survived
+RETURN_TIME = 2.0  # [s] after the end of a push: from then on the body must be back in its pose
+MAX_FOOT_TRAVEL = 0.01  # [m] tolerance of a foot's slide or lift, without its rolling
+RETURN_DISTANCE = 0.01  # [m] tolerance of the base position after RETURN_TIME
+RETURN_ANGLE = 2.0  # [deg] tolerance of the base attitude after RETURN_TIME
 
 
 @dataclass(frozen=True)
 class PushOutcome:
-    """What came of one push.
+    """Outcome of one push.
 
     Attributes:
-        survived: Upright UPRIGHT after the push, and nothing but feet touched the ground.
-        in_place: Survived, no foot ever moved by MAX_FOOT_TRAVEL, and from BACK on the base is where and
-            as it was.
-        foot_mm: Farthest that a foot slid or lifted [mm]; None if the controller broke.
-        return_error_mm: Farthest that the base is off from BACK on [mm]; None if it fell.
-        return_error_deg: Most that it is turned [deg].
+        survived: The robot stays upright for SURVIVAL_TIME and only feet touch the ground.
+        in_place: Survived, no foot moved by more than MAX_FOOT_TRAVEL, and from RETURN_TIME on the
+            base is within RETURN_DISTANCE and RETURN_ANGLE of its pose before the push.
+        foot_mm: Largest slide or lift of a foot [mm]; None if the controller failed.
+        return_error_mm: Largest base position error from RETURN_TIME on [mm]; None after a fall.
+        return_error_deg: Largest base attitude error from RETURN_TIME on [deg]; None after a fall.
     """
 
     survived: bool
@@ -40,18 +40,18 @@ class PushOutcome:
 FAILED_OUTCOME = PushOutcome(
     survived=False, in_place=False, foot_mm=None, return_error_mm=None, return_error_deg=None
 )
-"""Of a push under which the controller broke."""
+"""Outcome of a push during which the controller failed."""
 
 
 def judge_push(trajectory: TrueTrajectory, push_time: float, duration: float) -> PushOutcome:
-    """Judge a run.
+    """Judge a run with one push.
 
     Args:
-        trajectory: Until UPRIGHT after the push.
-        push_time: Of the push [s].
-        duration: Of the push [s].
+        trajectory: True motion until SURVIVAL_TIME after the push, or until the fall.
+        push_time: Time at which the push begins [s].
+        duration: Duration of the push [s].
     """
-    first = min(round(push_time * trajectory.rate), len(trajectory.base) - 1)  # it may fall before
+    first = min(round(push_time * trajectory.rate), len(trajectory.base) - 1)  # it may fall earlier
     feet = np.linalg.norm(
         trajectory.feet_without_roll[first:] - trajectory.feet_without_roll[first], axis=2
     )
@@ -68,13 +68,13 @@ def judge_push(trajectory: TrueTrajectory, push_time: float, duration: float) ->
 
 
 def attitude_angles(q: Array, reference: Array) -> Array:
-    """Return the angles (n,) [rad] between attitudes (n, 4) and one (4,), unit quaternions."""
-    # The chord is exact where the dot product of nearly equal quaternions is not.
+    """Return the angles (n,) [rad] between unit quaternions q (n, 4) and one reference (4,)."""
+    # The chord length stays accurate for nearly equal quaternions; their dot product does not.
     chord = np.linalg.norm(q - reference, axis=1)
     opposite_chord = np.linalg.norm(q + reference, axis=1)
     return np.asarray(4.0 * np.arcsin(np.minimum(1.0, 0.5 * np.minimum(chord, opposite_chord))))
 
 
 def run_duration(push_time: float, duration: float) -> float:
-    """Return how long a run with a push has to be [s], whole milliseconds."""
+    """Return the duration of a run with a push [s], rounded up to whole milliseconds."""
     return math.ceil(1e3 * (push_time + duration + SURVIVAL_TIME)) / 1e3

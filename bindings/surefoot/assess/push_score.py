@@ -1,4 +1,4 @@
-"""Pushes in numbers: per direction, over seeds, against the limits; and the worst direction."""
+"""Push results of a condition: statistics over seeds by direction, and the worst direction."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from surefoot.assess.sweep import Sweep, rows_to_sweep
 from surefoot.assess.work_units import PushUnit
 
 CRITERIA = {"survive": "survived", "strict": "in_place"}
-MIN_PERCENTILE_SEEDS = 20  # seeds from which on a 5th percentile says more than the minimum
+MIN_PERCENTILE_SEEDS = 20  # least number of seeds for a 5th percentile; fewer: the minimum
 
 UnitResults = Mapping[str, dict[str, Any]]
-"""What came of one contestant's units, by key."""
+"""Results of the units of one controller, by unit key."""
 
 
 def push_section(
     units: list[PushUnit], limits: PushLimits, unit_results: UnitResults
 ) -> dict[str, Any]:
-    """Return what pushes of one condition came to.
+    """Return the push section of the scorecard for one condition.
 
     Args:
-        units: One after the other: lengths and heights, directions, seeds.
-        limits: Of the robot.
-        unit_results: By key.
+        units: Push units, ordered by duration and height, then direction, then seed.
+        limits: Push limits of the robot.
+        unit_results: Results of the units, by key.
     """
     groups: dict[tuple[float, float], dict[float, list[PushUnit]]] = {}
     for unit in units:
@@ -45,20 +45,20 @@ def push_section(
 
 
 def summary_table(tables: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the table of the pushes that the summary is about."""
+    """Return the table of the pushes that the summary uses."""
     shapes = [(table["length_s"], table["height_m"]) for table in tables]
     return tables[shapes.index(summary_push(shapes))]
 
 
 def statistic(seeds: int) -> str:
-    """Return in words what is made of the seeds."""
+    """Return the name of the statistic over seeds."""
     if seeds >= MIN_PERCENTILE_SEEDS:
         return f"5th percentile of {seeds} seeds"
     return f"minimum of {seeds} seeds" if seeds > 1 else "1 seed"
 
 
 def low_percentile(values: list[float]) -> float:
-    """Return the 5th percentile of many values, the minimum of few."""
+    """Return the 5th percentile; the minimum if there are fewer than MIN_PERCENTILE_SEEDS."""
     return float(np.percentile(values, 5.0)) if len(values) >= MIN_PERCENTILE_SEEDS else min(values)
 
 
@@ -89,7 +89,7 @@ def _row(units: list[PushUnit], limits: PushLimits, unit_results: UnitResults) -
     unit = units[0]
     limit = limits.push_limit(unit.condition, unit.direction_deg, unit.duration, unit.push_height)
     results = [unit_results[one.key] for one in units]
-    # What has no sweep has survived nothing.
+    # A unit without a sweep counts as one that survived no push.
     sweeps = [rows_to_sweep(result["rows"]) if "rows" in result else Sweep() for result in results]
     row: dict[str, Any] = {
         "degrees": unit.direction_deg,

@@ -1,4 +1,4 @@
-"""The largest push that a robot can lean against for ever: what friction and motors allow."""
+"""Quasi-static push: the largest constant force that friction and motors can balance."""
 
 from __future__ import annotations
 
@@ -12,26 +12,26 @@ from surefoot.assess.stance_model import StanceModel, direction_vector
 from surefoot.geometry.rotations import Array
 from surefoot.sim.lip_push_limit import GRAVITY
 
-CONE_EDGES = 16  # of the pyramid inside each friction cone; one of them lies against the push
+CONE_EDGES = 16  # edges of the pyramid inside a friction cone; one is along the push
 
 
 def quasi_static_force(stance: StanceModel, direction_deg: float, friction: float) -> float:
-    """Return the greatest horizontal force through the centre of mass in equilibrium [N].
+    """Compute the largest horizontal force at the centre of mass that allows equilibrium [N].
 
-    A linear program over the force F and the contact forces of the four feet: forces and moments
-    about the centre of mass balance, contact forces are inside their friction cones, and the
-    torques |g - J' f| are within what the motors give at rest. Without those limits on motors and
-    friction it is m g d / h.
+    Solves a linear program over this force F and the contact forces f of the four feet. Forces and
+    moments about the centre of mass balance, f is inside the friction cones, and the joint torques
+    |g - J' f| are within the motor limits at rest. Without friction and torque limits the result
+    is m g d / h.
 
     Args:
-        stance: The robot.
-        direction_deg: Of the force, from forward towards left [deg].
-        friction: True coefficient.
+        stance: Model of the standing robot.
+        direction_deg: Direction of the force, from forward towards left [deg].
+        friction: True friction coefficient.
 
     Raises:
-        Error: It cannot stand there at all.
+        Error: No contact forces hold the robot in its standing pose.
     """
-    rays = _rays(direction_deg, friction)  # (3, EDGES)
+    rays = _rays(direction_deg, friction)  # (3, CONE_EDGES)
     wrench_matrix = np.zeros((6, 1 + 4 * CONE_EDGES))
     wrench_matrix[:3, 0] = direction_vector(direction_deg)
     torques = np.zeros((12, 1 + 4 * CONE_EDGES))
@@ -62,6 +62,6 @@ def quasi_static_force(stance: StanceModel, direction_deg: float, friction: floa
 
 
 def _rays(direction_deg: float, friction: float) -> Array:
-    """Return the edges (3, EDGES) of a pyramid inside the friction cone."""
+    """Return the edges (3, CONE_EDGES) of a pyramid inside the friction cone."""
     angles = math.radians(direction_deg) + 2.0 * math.pi * np.arange(CONE_EDGES) / CONE_EDGES
     return np.array([friction * np.cos(angles), friction * np.sin(angles), np.ones(CONE_EDGES)])

@@ -1,4 +1,4 @@
-"""The report of an assessment: polar plots, tables, films of the failures; summary.json."""
+"""HTML report of an assessment: polar plots, tables, films of failures, and summary.json."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _STYLE = """<style>
 
 
 def write_assess_report(card: dict[str, Any], folder: Path, command: str) -> Path:
-    """Write a report into a folder and return the page to open; raises OSError.
+    """Write the report into a folder and return the path of its page; raises OSError.
 
     Args:
-        card: What run_assess() returned, its films in the folder already.
-        folder: Made if it is not there.
-        command: What started the run.
+        card: Scorecard that run_assess() returned; its films are in the folder already.
+        folder: Target folder; created if missing.
+        command: Command line that started the run.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(card, indent=2, allow_nan=False)
@@ -37,7 +37,8 @@ def write_assess_report(card: dict[str, Any], folder: Path, command: str) -> Pat
     parts = [
         _STYLE,
         f"<h1>{escape(card['robot'])}, {escape(card['controller'])}</h1>",
-        f'<p class="soft">{escape(card["card"])} card, {escape(card["push"]["statistic"])}</p>',
+        f'<p class="soft">{escape(card["card"])} scorecard, '
+        f"{escape(card['push']['statistic'])}</p>",
         f"<pre>{escape(command)}</pre>",
         f'<div class="tiles" style="margin-top: 20px">{tiles_html(_tiles(card))}</div>',
         _failures_html(card),
@@ -61,14 +62,14 @@ def _tiles(card: dict[str, Any]) -> list[tuple[str, str]]:
     push, conditions, faults = card["push"], card["conditions"], card["faults"]
     tiles = [
         (
-            f"of its own limit {words}, worst direction",
+            f"of the push limit {words}, worst direction",
             f"{percent_text(push[f'{kind}_percent_of_limit_p5'])} %",
         )
-        for kind, words in (("survive", "survived"), ("strict", "stood still after"))
+        for kind, words in (("survive", "survived"), ("strict", "passed in place"))
     ]
     stands = [condition["stand"] for condition in conditions]
     passed = sum(stand["passed"] == stand["runs"] for stand in stands)
-    tiles += [("conditions stood in", f"{passed} of {len(stands)}")] if stands else []
+    tiles += [("conditions passed", f"{passed} of {len(stands)}")] if stands else []
     if faults is not None:
         tiles.append(
             ("faults passed", f"{faults['passed']} of {faults['passed'] + faults['failed']}")
@@ -87,7 +88,7 @@ def _failures_html(card: dict[str, Any]) -> str:
     if not found:
         return ""
     lines = "".join(f"<p>{escape(why)}</p>" for why in dict.fromkeys(found))
-    return f'<section class="card"><h2>What the controller did not do</h2>{lines}</section>'
+    return f'<section class="card"><h2>Controller failures</h2>{lines}</section>'
 
 
 def _films_html(films: Sequence[dict[str, str]]) -> str:

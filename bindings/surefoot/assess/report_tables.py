@@ -1,4 +1,4 @@
-"""The tables of an assessment's report, as HTML."""
+"""HTML tables of an assessment's report."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from surefoot.assess.sweep import percent_text
 
 
 def push_table_html(table: dict[str, Any], name: str) -> str:
-    """Return the table of one length and height."""
+    """Return the push table of one duration and height as HTML."""
     kinds = ("survive", "strict")
-    header = ["direction [deg]", "own limit [N.s]", "pendulum [N.s]", "quasi-static [N]"]
-    units = ("N.s", "N.s/kg", "% of pendulum", "% of own")
+    header = ["direction [deg]", "push limit [N.s]", "LIP limit [N.s]", "quasi-static [N]"]
+    units = ("N.s", "N.s/kg", "% of LIP limit", "% of push limit")
     header += [f"{kind} [{unit}]" for kind in kinds for unit in units]
     rows = []
     for row in table["directions"]:
@@ -30,12 +30,12 @@ def push_table_html(table: dict[str, Any], name: str) -> str:
         rows.append([(cell, "") for cell in cells])
     where = f"{table['height_m']:+g} m from the centre of mass"
     title = f"{name}: pushes of {table['length_s']:g} s, {where}"
-    text = f"{table['statistic']}, in steps of {table['step_percent']:g} % of its own limit"
+    text = f"{table['statistic']}, in steps of {table['step_percent']:g} % of the push limit"
     return _table_html(title, text, header, rows)
 
 
 def conditions_html(card: dict[str, Any]) -> str:
-    """Return the table of conditions, if there are any."""
+    """Return the table of conditions as HTML; empty if there are none."""
     if not card["conditions"]:
         return ""
     header = ["condition", "stood", "passed", "tilt [deg]", "height [mm]", "feet [mm]"]
@@ -52,15 +52,15 @@ def conditions_html(card: dict[str, Any]) -> str:
             cells.append(("-" if share is None else percent_text(share), ""))
         rows.append(cells)
     text = (
-        "Quiet stands: the worst of all seeds and headings, from the pose that was handed over. "
-        "Pushes: 0.1 s through the centre of mass, the worst direction, of the robot's own limit "
-        "with that friction and mass."
+        "Quiet stands: the worst of all seeds and headings, relative to the initial pose. "
+        "Pushes: 0.1 s through the centre of mass, the worst direction, in percent of the push "
+        "limit with the friction and mass of the condition."
     )
     return _table_html("Conditions", text, header, rows)
 
 
 def faults_html(card: dict[str, Any]) -> str:
-    """Return the table of faults, if any were injected."""
+    """Return the table of faults as HTML; empty if none were injected."""
     faults = card["faults"]
     if faults is None:
         return ""
@@ -75,7 +75,7 @@ def faults_html(card: dict[str, Any]) -> str:
 def _table_html(
     title: str, text: str, header: Sequence[str], rows: Sequence[Sequence[tuple[str, str]]]
 ) -> str:
-    """Return a card with a table; rows are of (text, class)."""
+    """Return a page section with a table; each cell of `rows` is (text, CSS class)."""
     header_cells = "".join(f"<td><b>{escape(word)}</b></td>" for word in header)
     body = "".join(
         "<tr>" + "".join(f'<td class="{kind}">{escape(cell)}</td>' for cell, kind in row) + "</tr>"
@@ -83,7 +83,8 @@ def _table_html(
     )
     return (
         f'<section class="card"><h2>{escape(title)}</h2><p class="soft">{escape(text)}</p>'
-        f'<div class="scroll"><table class="rows"><tr>{header_cells}</tr>{body}</table></div></section>'
+        f'<div class="scroll"><table class="rows"><tr>{header_cells}</tr>{body}</table></div>'
+        "</section>"
     )
 
 

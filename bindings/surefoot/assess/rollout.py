@@ -1,4 +1,4 @@
-"""One run of a contestant on a plant: the truth of every tick, until the robot falls."""
+"""One run of a controller on a plant; records the true motion until the robot falls."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
 from surefoot.sim.truth import has_fallen
 
-_LOSS_STREAM = 17  # of random numbers; the plant has 0 .. 3
+_LOSS_STREAM = 17  # random stream of frame losses; the plant uses streams 0 .. 3
 
 TickCallback = Callable[[Plant, int], None]
-"""Called with the plant and the number of the tick."""
+"""Called with the plant and the tick number."""
 
 
 @dataclass(frozen=True)
 class TrueTrajectory:
-    """What was seen. Row 0 is the robot as it was handed over; one row a control period.
+    """True motion of a run. Row 0 is the initial state; then one row for each control period.
 
     Attributes:
-        base: (n, 7) position [m] and quaternion w x y z of the base, world.
-        feet: (n, 4, 3) centres of the foot spheres, world [m].
-        feet_without_roll: (n, 4, 3) the same less what they rolled: where feet slid or lifted to.
-        fall_tick: Tick before which it had fallen, or None; then the track ends there.
+        base: (n, 7) world position [m] and quaternion w x y z of the base.
+        feet: (n, 4, 3) centres of the foot spheres in the world frame [m].
+        feet_without_roll: (n, 4, 3) the same without rolling motion: slides and lifts only [m].
+        fall_tick: Index of the last row, in which the robot had fallen; None without a fall.
         rate: Rows per second [Hz].
     """
 
@@ -48,20 +48,20 @@ def roll_out(
     duration: float,
     on_tick: TickCallback | None = None,
 ) -> TrueTrajectory:
-    """Run a contestant on a plant that was reseed()ed.
+    """Run a controller on a plant after plant.reseed().
 
-    A lost report is not heard: the contestant gets the last one again, as from the SDK's GetRecv;
-    a lost command leaves the motors with the last one.
+    When a LowState frame is lost, the controller receives the previous sample again, as from the
+    SDK's GetRecv(). When a LowCmd frame is lost, the motors keep the previous command.
 
     Args:
-        plant: Begins anew.
-        condition: Of the plant; its losses and movements are made here.
-        act: LowState in, LowCmd out.
-        duration: [s].
-        on_tick: Told of every tick; sees the plant as it was when the contestant was asked.
+        plant: Plant of the condition; it is reset first.
+        condition: Condition; its frame losses and ground motion are applied here.
+        act: Controller, LowState -> LowCmd.
+        duration: Duration of the run [s].
+        on_tick: Called in every tick with the plant in the state before its step.
 
     Raises:
-        ControllerFailure: The contestant did not do what a controller does.
+        ControllerFailure: The controller raised an exception or returned no finite LowCmd.
     """
     ticks = round(duration * plant.settings.control_rate)
     lost = _lost_frames(condition, plant.settings.seed, ticks)
@@ -90,7 +90,7 @@ def roll_out(
 
 
 class _TrajectoryRecorder:
-    """The truth of a run, row by row."""
+    """Arrays for the true motion of a run, filled row by row."""
 
     def __init__(self, plant: Plant, rows: int) -> None:
         self._plant = plant
@@ -99,17 +99,17 @@ class _TrajectoryRecorder:
         self._attitudes = np.zeros((rows, 4, 4))
 
     def record(self, row: int) -> None:
-        """Write a row of the plant as it is."""
+        """Write the plant's state into a row."""
         data, handles = self._plant.data, self._plant.handles
         self._base[row] = data.qpos[:7]
-        # take() into place is four times as fast as an index, and this is every tick; indices are
-        # in range, and what would raise copies first.
+        # take() with out= is four times as fast as indexing, and this runs in every tick. The mode
+        # "clip" is safe because the indices are in range; the mode "raise" would copy first.
         data.xpos.take(handles.foot_bodies, 0, self._feet[row], "clip")
         data.xquat.take(handles.foot_bodies, 0, self._attitudes[row], "clip")
         data.sensordata.take(handles.foot_forces, None, self._forces[row], "clip")
 
     def trajectory(self, rows: int, fall_tick: int | None) -> TrueTrajectory:
-        """Return what the first rows show."""
+        """Return the trajectory of the first rows."""
         normal = self._plant.handles.ground_normal
         feet = self._feet[:rows]
         feet_without_roll = remove_rolling(
@@ -124,7 +124,7 @@ class _TrajectoryRecorder:
 
 
 def _lost_frames(condition: Condition, seed: int, ticks: int) -> np.ndarray:
-    """Return (2, ticks) whether the report, the command of a tick is lost; never the first."""
+    """Return a mask (2, ticks) of lost LowStates (row 0) and LowCmds (row 1); tick 0 has none."""
     if condition.loss_percent == 0.0:
         return np.zeros((2, ticks), dtype=np.bool_)
     rng = np.random.default_rng([seed, _LOSS_STREAM])

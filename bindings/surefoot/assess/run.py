@@ -1,4 +1,4 @@
-"""The assessment: every unit run or found in the store, then scored."""
+"""Entry point of an assessment: run all units that the store does not have, then score them."""
 
 from __future__ import annotations
 
@@ -16,25 +16,25 @@ from surefoot.assess.worker_pool import run_work
 from surefoot.files.result_store import ResultStore, open_result_store
 
 Progress = Callable[[str, int, int], None]
-"""Called with what is being done, how much of it is done, and how much there is."""
+"""Called with the name of the activity, the number of steps done, and their total."""
 
 
 def run_assess(
     settings: AssessSettings, progress: Progress | None = None, films: Path | None = None
 ) -> dict[str, Any]:
-    """Run an assessment to its end, or go on with the one in the store.
+    """Run an assessment, or resume the one in the store.
 
     Args:
-        settings: What to run.
-        progress: Told how far it is.
-        films: Folder for films of the failures; None makes none.
+        settings: Settings of the assessment.
+        progress: Called after every unit.
+        films: Folder for films of the failures; None makes no films.
 
     Returns:
-        The card filled in, as plain JSON types; docs/assess.md says what is where.
+        The filled scorecard as JSON values; docs/assess.md describes its keys.
 
     Raises:
-        Error: A robot, controller, card or store that does not do.
-        OSError: The store cannot be written; what is in it is safe.
+        Error: The robot, controller, scorecard or store is invalid.
+        OSError: The store cannot be written; results that it already has are kept.
     """
     robot = settings.build()
     limits = PushLimits(robot)
@@ -49,7 +49,7 @@ def run_assess(
 def _run(
     settings: AssessSettings, store: ResultStore, planned: list[WorkItem], progress: Progress | None
 ) -> None:
-    # What never came to its end may have been the machine's fault: a run that goes on tries again.
+    # A lost unit may be the machine's fault, so a resumed run repeats it.
     finished = {key for key, unit_result in store.results.items() if LOST_KEY not in unit_result}
     missing = [w for w in planned if (w.controller_under_test.name, w.unit.key) not in finished]
     done = len(planned) - len(missing)

@@ -1,4 +1,4 @@
-"""The card filled in: what came of every unit, as plain JSON types."""
+"""Filled scorecard: the results of all units as JSON values."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from surefoot.files.json_values import json_value
 from surefoot.system.machine import describe_machine
 
 StoredResults = dict[tuple[str, str], dict[str, Any]]
-"""What is in the store, by contestant and key."""
+"""Results in the store, by controller name and unit key."""
 
 
 def score(
     settings: AssessSettings, robot: Robot, limits: PushLimits, results: StoredResults
 ) -> dict[str, Any]:
-    """Return the filled card."""
+    """Return the filled scorecard as JSON values."""
     card, name = settings.card, settings.controller_under_test.name
     unit_results = controller_results(results, name)
     filled = {
@@ -55,7 +55,7 @@ def score(
 
 
 def controller_results(results: StoredResults, name: str) -> UnitResults:
-    """Return what came of a contestant's units, by key."""
+    """Return the results of one controller, by unit key."""
     return {key: result for (controller, key), result in results.items() if controller == name}
 
 
@@ -90,7 +90,7 @@ def _condition_result(
 
 
 def _fault_result(settings: AssessSettings, unit_results: UnitResults) -> dict[str, Any] | None:
-    """Return the matrix of faults in brief; None where none was run."""
+    """Return the summary of the fault matrix; None if no cell was run."""
     cells = {unit.cell: unit_results[unit.key] for unit in plan.fault_units(settings)}
     if not cells:
         return None

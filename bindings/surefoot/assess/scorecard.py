@@ -1,4 +1,4 @@
-"""The card: which pushes, under which conditions, with how many seeds."""
+"""Scorecard: which pushes, under which conditions, with how many seeds."""
 
 from __future__ import annotations
 
@@ -12,29 +12,28 @@ from surefoot.robot.robot_toml import read_toml, suggest
 from surefoot.robot.setting_checks import check_integer, check_numbers, check_unique
 
 NOMINAL_CONDITION = "level ground"
-STANDARD_PUSH = (0.1, 0.0)  # [s] length, [m] height: of pushes that all cards have, as a rule
-MAX_COUNT = 1000  # directions, seeds
-MAX_SEED = 1_000_000
+STANDARD_PUSH = (0.1, 0.0)  # duration [s] and height [m]: the push that scorecards share
+MAX_COUNT = 1000  # greatest number of directions or seeds
+MAX_SEED = 1_000_000  # greatest first_seed
 _FOLDER = Path(__file__).parent
 
 
 @dataclass(frozen=True)
 class Scorecard:
-    """What is asked of a robot.
+    """Pushes, conditions and seeds of an assessment.
 
     Attributes:
-        name: "full", "quick" or a file's.
-        directions: Of pushes, evenly all around, the first forward.
-        lengths_s: Of pushes [s].
-        heights_m: Of their lines of action above the centre of mass [m].
-        seeds: Runs of every push, each with other sensors and motors.
-        first_seed: The first of pushes' and stands' seeds: who was tuned on some shows by others
-            what he can.
-        condition_directions: Of STANDARD pushes under each further condition.
-        condition_seeds: Their seeds, and those of quiet stands.
-        faults: Is the matrix of faults run? "none", "brief" or "all".
-        references: Are the reference controllers pushed as well?
-        conditions: The usual one, under which all pushes are tried, first.
+        name: "full", "quick", or the stem of the file name.
+        directions: Number of push directions, evenly spaced from forward.
+        lengths_s: Durations of pushes [s].
+        heights_m: Heights of the lines of action above the centre of mass [m].
+        seeds: Number of runs of every push; each seed gives other sensors and motors.
+        first_seed: First seed of pushes and stands; choose seeds that were not used for tuning.
+        condition_directions: Number of directions of STANDARD_PUSH under each further condition.
+        condition_seeds: Number of seeds of those pushes and of quiet stands.
+        faults: Part of the fault matrix to run: "none", "brief" or "all".
+        references: True to push the reference controllers as well.
+        conditions: Conditions; the first is the nominal one, under which all pushes run.
     """
 
     name: str
@@ -78,42 +77,42 @@ class Scorecard:
         if nominal.slope_deg or nominal.ground_moves:
             raise Error(
                 f"condition '{nominal.name}': got a slope or ground that moves, expected level "
-                "ground of the first: all pushes are tried on it, and their limits are its"
+                "ground of the first condition: all pushes run on it, and their limits are for it"
             )
 
     def to_dict(self) -> dict[str, Any]:
-        """Return all of it as plain data."""
+        """Return all fields as plain data."""
         return asdict(self)
 
     def seed_range(self, count: int) -> range:
-        """Return so many seeds."""
+        """Return `count` seeds from first_seed on."""
         return range(self.first_seed, self.first_seed + count)
 
     @property
     def summary_push(self) -> tuple[float, float]:
-        """Length [s] and height [m] of the pushes that the summary is about."""
+        """Duration [s] and height [m] of the pushes that the summary uses."""
         return summary_push(
             [(length, push_height) for length in self.lengths_s for push_height in self.heights_m]
         )
 
     @property
     def directions_deg(self) -> list[float]:
-        """Directions of pushes, from forward towards left [deg]."""
+        """Push directions, from forward towards left [deg]."""
         return [360.0 * k / self.directions for k in range(self.directions)]
 
     @property
     def condition_directions_deg(self) -> list[float]:
-        """Directions of pushes under further conditions [deg]."""
+        """Push directions under further conditions, from forward towards left [deg]."""
         return [360.0 * k / self.condition_directions for k in range(self.condition_directions)]
 
 
 def summary_push(candidates: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return the length and height that a summary is about: STANDARD, or the first without it."""
+    """Return the duration and height for the summary: STANDARD_PUSH, or else the first."""
     return STANDARD_PUSH if STANDARD_PUSH in candidates else candidates[0]
 
 
 def standard_scorecard(name: str) -> Scorecard:
-    """Return "full", or "quick", which has the full one's conditions without their pushes."""
+    """Return the scorecard "full" or "quick"; "quick" has all conditions, without their pushes."""
     card = read_scorecard(_FOLDER / f"{name}.toml", name)
     if name != "quick":
         return card
@@ -122,16 +121,16 @@ def standard_scorecard(name: str) -> Scorecard:
 
 
 def read_scorecard(path: str | Path, name: str | None = None) -> Scorecard:
-    """Read a card from a TOML file.
+    """Read a scorecard from a TOML file.
 
     Raises:
-        Error: No such file, no TOML, an unknown key, a value that cannot be.
+        Error: The file cannot be read, is not valid TOML, or has an unknown key or invalid value.
     """
     table = read_toml(Path(path))
     try:
         return _scorecard_from_table(table, name or Path(path).stem)
     except (Error, TypeError) as problem:
-        raise Error(f"scenario file '{path}': {problem}") from None
+        raise Error(f"scorecard file '{path}': {problem}") from None
 
 
 def _scorecard_from_table(table: dict[str, Any], name: str) -> Scorecard:

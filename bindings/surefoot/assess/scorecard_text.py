@@ -1,4 +1,4 @@
-"""A filled card for people to read."""
+"""Filled scorecard as text."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ _WIDTH = 36
 
 
 def assess_text(card: dict[str, Any]) -> str:
-    """Return a filled card as tables."""
-    lines = [f"{card['robot']}, controller {card['controller']}, {card['card']} card", ""]
+    """Return a filled scorecard as tables of text."""
+    lines = [f"{card['robot']}, controller {card['controller']}, {card['card']} scorecard", ""]
     for table in card["push"]["tables"]:
         lines += _push_table(table)
     lines += [f"  broken: {why}" for why in card["push"]["broken"]]
@@ -47,7 +47,7 @@ def _worst_line(push: dict[str, Any]) -> str:
         f"{kind} {percent_text(push[f'{kind}_percent_of_limit_p5'])} %"
         for kind in ("survive", "strict")
     )
-    return f"worst direction, of the robot's own limit: {shares}"
+    return f"worst direction, of the push limit: {shares}"
 
 
 def _condition_lines(conditions: list[dict[str, Any]]) -> list[str]:

@@ -1,4 +1,4 @@
-"""What an assessment is asked to be."""
+"""Settings of an assessment."""
 
 from __future__ import annotations
 
@@ -20,15 +20,16 @@ MAX_DEADLINE = 86400.0  # [s]
 
 @dataclass(frozen=True)
 class AssessSettings:
-    """Robot, contestant, card, processes, store.
+    """Settings of an assessment: robot, controller, scorecard, processes, store.
 
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
-        controller_under_test: Who is assessed.
-        card: What is asked.
-        jobs: Processes. Everything runs in processes of its own, so that none can stop the rest.
-        deadline: For one run of a few seconds [s] of wall time; who takes longer never returns.
-        store: File that results are kept in, and taken from; None keeps them in memory.
+        controller_under_test: Controller to assess.
+        card: Scorecard to fill.
+        jobs: Number of worker processes. All units run in them, so no controller can stop the rest.
+        deadline: Limit of one run of a few simulated seconds [s] of wall time; a run that takes
+            longer is ended.
+        store: File that keeps results and from which a run resumes; None keeps them in memory.
     """
 
     robot: RobotSource = "go1"
@@ -52,16 +53,16 @@ class AssessSettings:
             pickle.dumps(self.controller_under_test)
         except (pickle.PicklingError, AttributeError, TypeError) as problem:
             raise Error(
-                f"controller '{self.controller_under_test.name}': cannot be handed to another process "
-                f"({problem}); expected a function or class of a module"
+                f"controller '{self.controller_under_test.name}': cannot be handed to another "
+                f"process ({problem}); expected a function or class of a module"
             ) from None
 
     def build(self) -> Robot:
-        """Return the robot; raises Error."""
+        """Build the model of the robot; raises Error."""
         return build_robot(describe_source(self.robot))
 
     def to_dict(self, robot: Robot) -> dict[str, Any]:
-        """Return as plain data what makes two runs the same."""
+        """Return the plain data that identifies a run; two runs with equal data are the same."""
         return {
             **robot_identity(describe_source(self.robot), robot),
             "controller": self.controller_under_test.name,

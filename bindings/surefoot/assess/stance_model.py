@@ -1,4 +1,4 @@
-"""The pinned standing pose: the one pose that every limit of a robot is computed at."""
+"""Pinned standing pose: the pose at which all push limits of a robot are computed."""
 
 from __future__ import annotations
 
@@ -17,17 +17,18 @@ UP = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True)
 class StanceModel:
-    """A robot in its standing pose on level ground: joints as its TOML says, base level.
+    """A robot in its standing pose on level ground: joint angles of its TOML, base level.
 
-    Origin below the base's, x forward, y left, z up, ground at z = 0. Feet run FR FL RR RL.
+    Frame: origin on the ground (z = 0) below the base, x forward, y left, z up. Feet: FR FL RR RL.
 
     Attributes:
-        mass: m [kg].
+        mass: Mass m [kg].
         com: (3,) centre of mass [m].
-        contacts: (4, 3) where the feet touch the ground [m].
-        jacobians: (4, 3, 12) velocity of each contact point from the motors', the foot rolling.
-        gravity_torque: (12,) that hold the legs themselves up, were the feet in the air [N.m].
-        torque_limit: (12,) of the motors at rest [N.m].
+        contacts: (4, 3) contact points of the feet [m].
+        jacobians: (4, 3, 12) Jacobians from motor velocities to the velocity of the foot's material
+            point at the contact.
+        gravity_torque: (12,) motor torques that carry the weight of the legs alone [N.m].
+        torque_limit: (12,) motor torque limits at rest [N.m].
     """
 
     mass: float
@@ -39,14 +40,14 @@ class StanceModel:
 
     @property
     def height(self) -> float:
-        """Of the centre of mass above the ground [m]."""
+        """Height of the centre of mass above the ground [m]."""
         return float(self.com[2])
 
     def edge_distance(self, direction_deg: float) -> float:
-        """Return how far the edge of the feet is from below the centre of mass [m].
+        """Return the distance from the centre of mass to the support edge, seen from above [m].
 
         Args:
-            direction_deg: In this direction, from forward towards left [deg].
+            direction_deg: Direction, from forward towards left [deg].
         """
         return distance_to_edge(
             self.contacts[:, :2], self.com[:2], direction_vector(direction_deg)[:2]
@@ -60,7 +61,7 @@ def direction_vector(direction_deg: float) -> Array:
 
 
 def stance_model(robot: Robot) -> StanceModel:
-    """Return a robot's pinned standing pose."""
+    """Compute the stance model of a robot in its pinned standing pose."""
     import pinocchio
 
     model = pinocchio.Model()

@@ -1,4 +1,4 @@
-"""A quiet stand, judged: is the body still where and as it was when the robot was handed over."""
+"""Verdict on a quiet stand: whether the body still has its initial pose."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from surefoot.assess.push_outcome import attitude_angles
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.stand.foot_frame import pose_in_support, rotation_angle
 
-HOLD_TIME = 4.0  # [s] of standing after the quiet and what moved
-JUDGED_TIME = 1.0  # [s] at the end over which it is judged
+HOLD_TIME = 4.0  # [s] of standing after the quiet phase and the ground motion
+JUDGED_TIME = 1.0  # [s] at the end of the run over which tilt and height are judged
 
 
 @dataclass(frozen=True)
 class StandOutcome:
-    """What came of a stand, the worst of the last WINDOW, from the pose that was handed over.
+    """Outcome of a quiet stand: largest errors over the last JUDGED_TIME, from the initial pose.
 
-    On ground that moves a body may stay level or be carried along: the smaller angle and height
-    counts, and feet are seen from above.
+    On moving ground the body may stay level or follow the ground. Tilt and height are then the
+    smaller of both errors, and foot displacements are horizontal.
 
     Attributes:
-        stood: Did it stand to the end?
-        tilt_deg: Of the body from its attitude [deg]; None if it fell.
-        height_mm: Of the body above its feet [mm].
-        foot_mm: Farthest that a foot ever moved [mm].
+        stood: True if the robot stood to the end.
+        tilt_deg: Attitude error of the body [deg]; None after a fall.
+        height_mm: Error of the body height above its feet [mm]; None after a fall.
+        foot_mm: Largest displacement of a foot over the whole run [mm].
     """
 
     stood: bool
@@ -35,7 +35,7 @@ class StandOutcome:
     foot_mm: float
 
     def passes(self, condition: Condition) -> bool:
-        """Is it within what the condition asks for?"""
+        """Return True if all errors are within the tolerances of the condition."""
         if self.tilt_deg is None or self.height_mm is None:
             return False
         return (
@@ -46,7 +46,7 @@ class StandOutcome:
 
 
 def judge_stand(trajectory: TrueTrajectory, condition: Condition) -> StandOutcome:
-    """Judge a run."""
+    """Judge a run of a quiet stand."""
     axis_count = 2 if condition.ground_moves else 3
     foot = float(
         np.linalg.norm(

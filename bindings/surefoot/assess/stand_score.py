@@ -1,4 +1,4 @@
-"""Quiet stands in numbers: how many passed, and the worst of them."""
+"""Quiet stand results of a condition: how many passed, and the largest errors."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from surefoot.assess.work_units import StandUnit
 
 
 def stand_section(units: list[StandUnit], unit_results: UnitResults) -> dict[str, Any]:
-    """Return what stands under one condition came to."""
+    """Return the stand section of the scorecard for one condition."""
     results = [unit_results[unit.key] for unit in units]
     completed = [result for result in results if "broken" not in result]
     by_heading = {
@@ -27,7 +27,7 @@ def stand_section(units: list[StandUnit], unit_results: UnitResults) -> dict[str
 
 
 def _worst(results: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the greatest of each figure, where a run has it; None if none has."""
+    """Return the largest value of each error over the runs that have it; None if none has it."""
     names = ("tilt_deg", "height_mm", "foot_mm")
     return {
         name: max((r[name] for r in results if r.get(name) is not None), default=None)

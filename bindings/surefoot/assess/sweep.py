@@ -1,4 +1,4 @@
-"""The sweep: which is the largest push below which every push that was tried is survived."""
+"""Sweep over push levels: find the largest push below which every tried push was passed."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.assess.push_outcome import PushOutcome
 
-MIN_LEVEL = 10.0  # [%] of the robot's own limit
-MAX_LEVEL = 200.0  # [%]
-COARSE_STEP = 20.0  # [%]
-START_LEVELS = 6  # seeds begin at LOWEST and up to so many times it, in turns
-FINE_STEPS = 5.0, 2.5  # [%] one after the other
+MIN_LEVEL = 10.0  # [%] of the push limit: lowest level
+MAX_LEVEL = 200.0  # [%] highest level
+COARSE_STEP = 20.0  # [%] first step
+START_LEVELS = 6  # successive seeds start at MIN_LEVEL, 2 MIN_LEVEL, .. START_LEVELS * MIN_LEVEL
+FINE_STEPS = 5.0, 2.5  # [%] steps of the refinements, in their order
 FINEST_STEP = FINE_STEPS[-1]
 
 
 @dataclass
 class Sweep:
-    """Pushes of rising strength, one direction, one seed.
+    """Push levels of one direction and one seed.
 
     Attributes:
-        outcomes: Outcome of every level, percent of the robot's own limit.
+        outcomes: Outcome by level in percent of the push limit.
     """
 
     outcomes: dict[float, PushOutcome] = field(default_factory=dict)
 
     def largest_passed(self, kind: str) -> float:
-        """Return the largest level below which all that were tried passed, itself too; 0: none.
+        """Return the largest level up to which all tried levels passed [%]; 0 if none did.
 
         Args:
-            kind: "survived" or "in_place".
+            kind: Criterion: "survived" or "in_place".
         """
         best = 0.0
         for level in sorted(self.outcomes):
@@ -43,16 +43,18 @@ class Sweep:
 
 
 def first_level(seed_index: int) -> float:
-    """Return where a sweep begins [%]; TURNS of them try all multiples of LOWEST.
+    """Return the first level of a sweep [%].
+
+    START_LEVELS sweeps with successive seeds together try all multiples of MIN_LEVEL.
 
     Args:
-        seed_index: Index of the seed among the card's, from 0.
+        seed_index: Index of the seed in the scorecard, from 0.
     """
     return MIN_LEVEL * (1 + seed_index % START_LEVELS)
 
 
 def percent_text(percent: float) -> str:
-    """Return a limit as text; one that no sweep goes beyond may be more."""
+    """Return a level as text; "+" marks MAX_LEVEL, where the true limit may be higher."""
     return f"{percent:.1f}" + ("+" if percent >= MAX_LEVEL else "")
 
 
@@ -61,20 +63,20 @@ def run_sweep(
     start_level: float = MIN_LEVEL,
     finest_step: float = FINEST_STEP,
 ) -> Sweep:
-    """Push harder and harder: coarse until the robot does not survive, then fine where it tipped.
+    """Try push levels in coarse steps until the robot does not survive, then in fine steps.
 
-    Levels go up in steps of COARSE until one is not survived, to HIGHEST at most; then in each step
-    of FINE from the last pass towards the first failure, upwards until one fails, for survival and
-    for the criterion "in place" apart. It is no bisection: a weak push that fails where a strong one
-    passes ends the count there.
+    Levels rise in steps of COARSE_STEP until one is not survived, at most to MAX_LEVEL. Then, for
+    each criterion and each step of FINE_STEPS, levels rise from the last pass towards the first
+    failure until one fails. This is no bisection: a weak push that fails ends the count, even if a
+    stronger one passes.
 
     Args:
-        run: Runs one level, in percent of the robot's own limit.
-        start_level: Level to begin with.
-        finest_step: Last of FINE that is gone in.
+        run: Runs one level, in percent of the push limit.
+        start_level: First level [%].
+        finest_step: Last step of FINE_STEPS to use [%].
 
     Raises:
-        Error: A step that is none of FINE.
+        Error: finest_step is not in FINE_STEPS.
     """
     if finest_step not in FINE_STEPS:
         raise Error(
@@ -92,7 +94,7 @@ def run_sweep(
 
 
 def _refine(done: Sweep, run: Callable[[float], PushOutcome], kind: str, step: float) -> None:
-    """Go up from the last pass, to below the first failure."""
+    """Try levels from the last pass up to below the first failure."""
     last = done.largest_passed(kind)
     levels_above = [level for level in done.outcomes if level > last]
     for level in _levels(last + step, min(levels_above, default=last) - step, step):
@@ -108,7 +110,10 @@ def _levels(low: float, high: float, step: float) -> Iterator[float]:
 
 
 def outcome_rows(done: Sweep) -> list[list[Any]]:
-    """Return a sweep as plain JSON: level, survived, strict, foot_mm, return_error_mm, return_error_deg."""
+    """Return a sweep as JSON rows, the fields of PushOutcome after the level.
+
+    Row: level, survived, in_place, foot_mm, return_error_mm, return_error_deg.
+    """
     return [
         [
             level,
@@ -123,7 +128,7 @@ def outcome_rows(done: Sweep) -> list[list[Any]]:
 
 
 def rows_to_sweep(rows: list[list[Any]]) -> Sweep:
-    """Return the sweep of outcome_rows()."""
+    """Return the sweep of the rows of outcome_rows()."""
     return Sweep({row[0]: PushOutcome(*row[1:]) for row in rows})
 
 

@@ -1,4 +1,4 @@
-"""A limit of time for what may never return."""
+"""Time limit for code that may never return."""
 
 from __future__ import annotations
 
@@ -12,16 +12,18 @@ from surefoot._core import Error
 
 
 class TimeLimitExceeded(Error):
-    """What is within time_limit() took longer."""
+    """The code inside time_limit() took longer than the limit."""
 
 
 @contextmanager
 def time_limit(seconds: float, what: str) -> Iterator[None]:
-    """Raise Overdue if what is within takes longer; only in the main thread is there a limit.
+    """Raise TimeLimitExceeded if the enclosed code takes longer; no limit outside the main thread.
+
+    Signals interrupt only the main thread, and the limit uses SIGALRM.
 
     Args:
-        seconds: At most [s].
-        what: For the message.
+        seconds: Limit [s].
+        what: Name of the code for the message.
     """
     if threading.current_thread() is not threading.main_thread():
         yield

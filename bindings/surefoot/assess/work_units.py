@@ -1,4 +1,4 @@
-"""The units of work: what is run in one go, and is in the store when it is done."""
+"""Units of work: each runs in one piece, and the store keeps its result."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ from surefoot.files.json_values import json_value
 from surefoot.sim import Push
 
 Heartbeat = Callable[[], None]
-"""Called before the first run and after every run: the contestant is alive."""
+"""Called before the first run and after every run to show that the worker makes progress."""
 
 
 @dataclass(frozen=True)
 class PushUnit:
-    """Pushes of rising strength in one direction, one seed.
+    """A sweep of push levels in one direction with one seed.
 
     Attributes:
-        condition: Under which.
+        condition: Condition of the runs.
         direction_deg: Direction, from forward towards left [deg].
-        duration: Of every push [s].
-        push_height: Of its line of action above the centre of mass [m].
-        seed: Of sensors and motors.
-        limit: The robot's own, which is 100 % [N.s].
-        start_level: Level that the sweep begins with [%].
-        finest_step: Step that its limit is told in [%].
+        duration: Duration of every push [s].
+        push_height: Height of the line of action above the centre of mass [m].
+        seed: Seed of sensors and motors.
+        limit: Push limit, which is level 100 % [N.s].
+        start_level: First level of the sweep [%].
+        finest_step: Resolution of the sweep [%].
     """
 
     condition: Condition
@@ -49,16 +49,17 @@ class PushUnit:
 
     @property
     def key(self) -> str:
-        """Its name in the store."""
+        """Key of the unit in the store."""
         where = f"{self.direction_deg:g} deg, {self.duration:g} s, {self.push_height:+g} m"
         return f"push | {self.condition.name} | {where} | {self.seed}"
 
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run the sweep and return its rows as plain JSON.
+        """Run the sweep and return its rows as JSON values.
 
-        A controller that breaks under a push has not survived that one; the first reason is kept.
+        A push during which the controller fails counts as not survived. "broken" has the text of
+        the first such failure.
         """
         broken: dict[str, str] = {}
 
@@ -73,7 +74,7 @@ class PushUnit:
             return judge_push(trajectory, self.condition.quiet_s, self.duration)
 
         plant_of(source, self.condition)
-        heartbeat()  # the deadline is for runs
+        heartbeat()  # building the plant must not count against the deadline of a run
         return {"rows": outcome_rows(run_sweep(push, self.start_level, self.finest_step)), **broken}
 
     def simulate(
@@ -83,7 +84,7 @@ class PushUnit:
         level: float,
         on_tick: TickCallback | None = None,
     ) -> TrueTrajectory:
-        """Run one level, in percent of the limit; raises Broken, Error."""
+        """Run one level in percent of the push limit; raises ControllerFailure, Error."""
         begin, plant = self.condition.quiet_s, plant_of(source, self.condition)
         impulse = level / 100.0 * self.limit
         plant.reseed(
@@ -96,12 +97,12 @@ class PushUnit:
 
 @dataclass(frozen=True)
 class StandUnit:
-    """A quiet stand, one seed.
+    """A quiet stand with one heading and one seed.
 
     Attributes:
-        condition: Under which.
-        heading: Of slope or platform [deg].
-        seed: Of sensors and motors.
+        condition: Condition of the run.
+        heading: Heading of slope or platform [deg].
+        seed: Seed of sensors and motors.
     """
 
     condition: Condition
@@ -111,15 +112,15 @@ class StandUnit:
 
     @property
     def key(self) -> str:
-        """Its name in the store."""
+        """Key of the unit in the store."""
         return f"stand | {self.condition.name} | {self.heading:g} deg | {self.seed}"
 
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run it and return what came of it as plain JSON."""
+        """Run the stand and return its outcome as JSON values."""
         plant_of(source, self._one_heading_condition)
-        heartbeat()  # the deadline is for runs
+        heartbeat()  # building the plant must not count against the deadline of a run
         stood = judge_stand(self.simulate(source, controller_under_test), self.condition)
         result: dict[str, Any] = json_value(
             {**asdict(stood), "passed": stood.passes(self.condition)}
@@ -132,7 +133,7 @@ class StandUnit:
         controller_under_test: ControllerUnderTest,
         on_tick: TickCallback | None = None,
     ) -> TrueTrajectory:
-        """Run it; raises Broken, Error."""
+        """Run the stand; raises ControllerFailure, Error."""
         condition = self._one_heading_condition
         plant = plant_of(source, condition)
         plant.reseed(self.seed)
@@ -146,22 +147,22 @@ class StandUnit:
 
 
 class WorkUnit(Protocol):
-    """What is run in one go.
+    """Work that one worker runs in one piece.
 
     Attributes:
-        deadline_factor: Times the deadline that it may take from beat to beat.
+        deadline_factor: Factor on the deadline between two heartbeats.
     """
 
     deadline_factor: ClassVar[float]
 
     @property
     def key(self) -> str:
-        """Its name in the store."""
+        """Key of the unit in the store."""
 
     def run(
         self, source: RobotSource, controller_under_test: ControllerUnderTest, heartbeat: Heartbeat
     ) -> dict[str, Any]:
-        """Run it and return what came of it as plain JSON; raises Broken, Error."""
+        """Run the unit and return its result as JSON values; raises ControllerFailure, Error."""
 
 
 def run_unit(
@@ -170,10 +171,10 @@ def run_unit(
     controller_under_test: ControllerUnderTest,
     heartbeat: Heartbeat = lambda: None,
 ) -> dict[str, Any]:
-    """Run a unit; a contestant that breaks, or a plant that cannot be, is a result as well.
+    """Run a unit; a controller failure or an invalid plant gives a result too.
 
     Returns:
-        What the unit returns, or {"broken": why} alone.
+        The result of the unit, or {"broken": why}.
     """
     try:
         return unit.run(source, controller_under_test, heartbeat)

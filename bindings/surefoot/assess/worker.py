@@ -1,4 +1,4 @@
-"""A process that does one piece of work after the other, and how it is heard."""
+"""Worker process that runs one unit after the other, and its supervision by heartbeats."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.work_units import WorkUnit, run_unit
 from surefoot.system.worker_processes import die_with_parent, spawn_context
 
-_STARTUP_TIME = 120.0  # [s] more for a process that has yet to start and build its plants
-_HEARTBEAT = None  # sent at the start and after every run; a dictionary is the unit's result
-LOST_KEY = "lost"  # key of a result that is no result: what has it is tried again by who goes on
+_STARTUP_TIME = 120.0  # [s] added to the first deadline: a new process imports and builds plants
+_HEARTBEAT = None  # message at the start and after every run; a dictionary is a unit's result
+LOST_KEY = "lost"  # key in the result of a unit that did not end; a resumed run repeats the unit
 
 
 @dataclass(frozen=True)
 class WorkItem:
-    """A unit and who it is for.
+    """A unit and the controller that runs it.
 
     Attributes:
-        unit: What to run.
-        controller_under_test: Who with.
+        unit: Unit of work.
+        controller_under_test: Controller for the unit.
     """
 
     unit: WorkUnit
@@ -33,13 +33,13 @@ class WorkItem:
 
 
 class Worker:
-    """A process, what it is at, and until when it has to be heard.
+    """A worker process, its current work, and the time by which it must send a heartbeat.
 
     Attributes:
-        pipe: To it; closed once it has ended.
-        work: What it is at, or was.
-        heartbeat_due: When it has to be heard at the latest [s] of time.monotonic().
-        timed_out: Was it not?
+        pipe: Connection to the process; closed after the process has ended.
+        work: Current or last work; None before the first.
+        heartbeat_due: Time by which the next message must arrive [s], time.monotonic().
+        timed_out: True if no message arrived by then and the process was killed.
     """
 
     def __init__(self, source: RobotSource) -> None:
@@ -53,33 +53,37 @@ class Worker:
         self.timed_out = self._started = False
 
     def assign(self, work: WorkItem, deadline: float) -> None:
-        """Give it work to do; raises OSError if it has died."""
+        """Send work to the process; raises OSError if the process has died."""
         self.pipe.send(work)
         is_first = self.work is None
         self.work, self._deadline = work, deadline * work.unit.deadline_factor
         self.heartbeat_due = time.monotonic() + self._deadline + _STARTUP_TIME * is_first
 
     def receive(self) -> dict[str, Any] | None:
-        """Return a result if that is what it sent, or what it died with; raises Error."""
+        """Return a result, or None after a heartbeat; a dead process gives a lost result.
+
+        Raises:
+            Error: The process ended before its first heartbeat.
+        """
         try:
             message: dict[str, Any] | None = self.pipe.recv()
         except (EOFError, OSError):
             return self._result_of_death()
         if message is _HEARTBEAT:
-            # The first says that it runs; what it has yet to import and build has time of its own.
+            # The first heartbeat keeps the startup time: the process may still build its plant.
             if self._started:
                 self.heartbeat_due = time.monotonic() + self._deadline
             self._started = True
         return message
 
     def give_up_leg(self) -> dict[str, Any]:
-        """End one that was not heard in time; return its result."""
+        """Kill a process that missed its heartbeat; return the result of its lost unit."""
         self.kill()
         self.timed_out = True
         return _lost_result(f"never returned: no run ended in {self._deadline:g} s")
 
     def kill(self) -> None:
-        """Kill it."""
+        """Kill the process and close its pipe."""
         self.process.kill()
         self.process.join()
         self.pipe.close()
@@ -90,8 +94,8 @@ class Worker:
         self.kill()
         if not self._started:
             raise Error(
-                f"a process ended before it had begun, with exit status {code}; expected a main "
-                'module that others can import, with all it does under if __name__ == "__main__"'
+                f"a worker process ended at its start with exit status {code}; expected a main "
+                'module that can be imported, with its code under if __name__ == "__main__"'
             ) from None
         return _lost_result(f"its process died with exit status {code}")
 
@@ -101,9 +105,9 @@ def _lost_result(why: str) -> dict[str, Any]:
 
 
 def _run_worker(pipe: Connection, source: RobotSource) -> None:
-    """Do what comes through the pipe, until it closes."""
+    """Run the work items from the pipe until it closes."""
     die_with_parent()
-    os.dup2(2, 1)  # what a controller prints is no part of our output, which may be JSON
+    os.dup2(2, 1)  # our stdout may carry JSON: move a controller's prints to stderr
     pipe.send(_HEARTBEAT)
     while True:
         try:

@@ -1,4 +1,4 @@
-"""Processes with a deadline: one that does not answer in time is killed, and replaced."""
+"""Pool of worker processes with a deadline: a process that misses it is killed and replaced."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from surefoot.assess.worker import Worker, WorkItem
 def run_work(
     work_items: Iterable[WorkItem], source: RobotSource, jobs: int, deadline: float
 ) -> Iterator[tuple[WorkItem, dict[str, Any]]]:
-    """Run work on several processes; yield what came of each, in the order in which they end.
+    """Run work on several processes; yield each item with its result as it ends.
 
-    A process that dies, or of which nothing is heard for `deadline`, takes the unit that it was at
-    with it: {"broken": why, LOST_KEY: True}. Another takes its place. Of a contestant that has returned
-    before, a unit that was late is tried once more, for machines stall as well.
+    A unit whose process dies, or sends no heartbeat within `deadline`, gets the result {"broken":
+    why, LOST_KEY: True}; a new process replaces it. If the controller has completed a unit before,
+    a unit that missed the deadline runs a second time, because the machine may have stalled.
 
     Args:
-        work_items: In the order in which they are begun.
+        work_items: Work, in the order in which it starts.
         source: The robot.
-        jobs: Processes.
-        deadline: For one run [s] of wall time.
+        jobs: Number of processes.
+        deadline: Limit of one run [s] of wall time.
 
     Raises:
         Error: Processes cannot be started.
@@ -61,7 +61,7 @@ def run_work(
 
 
 def _collect_results(crew: list[Worker]) -> list[tuple[Worker, dict[str, Any]]]:
-    """Wait for results, and for those that will never come."""
+    """Wait for messages; return the results that arrived and those of timed-out workers."""
     timeout = min(worker.heartbeat_due for worker in crew) - time.monotonic()
     ready = wait([worker.pipe for worker in crew], max(0.0, timeout))
     results = []
@@ -77,7 +77,7 @@ def _collect_results(crew: list[Worker]) -> list[tuple[Worker, dict[str, Any]]]:
 
 def _start_worker(work: WorkItem, source: RobotSource, deadline: float) -> Worker:
     worker = Worker(source)
-    with suppress(OSError):  # who has died by now tells so where it is heard
+    with suppress(OSError):  # _collect_results() reports a process that has died by now
         worker.assign(work, deadline)
     return worker
 
@@ -85,13 +85,13 @@ def _start_worker(work: WorkItem, source: RobotSource, deadline: float) -> Worke
 def _next_work_to(
     crew: list[Worker], worker: Worker, work: WorkItem | None, source: RobotSource, deadline: float
 ) -> list[Worker]:
-    """Give a worker more to do, or let it go; replace it if it is gone."""
+    """Give a worker its next work, stop it if there is none, or replace it if it has ended."""
     if not worker.pipe.closed and work is not None:
         try:
             worker.assign(work, deadline)
             return crew
         except OSError:
-            pass  # it has died since its last result: this work is not what it died of
+            pass  # it died after its last result, so the new work is not the cause
     if not worker.pipe.closed:
         worker.kill()
     other_workers = [other for other in crew if other is not worker]

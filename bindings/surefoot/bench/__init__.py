@@ -1,4 +1,4 @@
-"""The bench: how long a tick takes on this machine, on what a robot's sensors said."""
+"""Benchmark of the tick time of the controller on this machine, on recorded LowStates."""
 
 from surefoot.bench.recording import Recording, record
 from surefoot.bench.report import write_bench_report

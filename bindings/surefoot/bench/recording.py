@@ -1,4 +1,4 @@
-"""Reports of a simulated run, recorded first so that timing has the machine to itself."""
+"""LowStates of a simulated run, recorded before timing so that simulation does not disturb it."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from surefoot.bench.settings import BenchSettings
 
 @dataclass(frozen=True)
 class Recording:
-    """What the sensors said, report after report.
+    """The LowStates and body references of one simulated run.
 
     Attributes:
         scenario: A name in SCENARIOS.
-        robot: The model that the controller was given.
-        reports: One LowState per tick, from standing to the end or to the fall.
-        period: From report to report [s].
-        fell: Did the robot fall at the end?
-        references: What the body was asked for before each report; none if it was never asked.
+        robot: Robot model of the controller.
+        reports: One LowState per tick, from the start until the end or the fall.
+        period: Time between LowStates [s].
+        fell: Whether the robot fell, which ends the run.
+        references: Body reference of each tick; empty if the scenario sets none.
     """
 
     scenario: str
@@ -31,10 +31,10 @@ class Recording:
 
 
 def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
-    """Run a scenario and keep every report.
+    """Run a scenario in simulation and record every LowState.
 
-    The controller chooses its form as it does by itself, whatever form is timed later: every form
-    is timed on the same reports.
+    The controller chooses the form of the QP by itself, so that every form is timed on the same
+    LowStates.
     """
     definition = SCENARIOS[scenario]
     plant = definition.make_plant(settings.robot, settings.rate, settings.seed)
@@ -43,7 +43,7 @@ def record(settings: BenchSettings, scenario: str = "push50") -> Recording:
     report = plant.reset()
     reports, references = [], []
     for tick in range(round(definition.duration * settings.rate)):
-        # A copy: whose memory the next report takes is the plant's business.
+        # A copy, because the plant may reuse the memory of its LowState.
         reports.append(LowState.from_bytes(report.to_bytes()))
         definition.apply_reference(controller, tick / settings.rate)
         if definition.body_reference is not None:

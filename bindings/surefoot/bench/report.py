@@ -1,4 +1,4 @@
-"""A bench's report: a folder with pictures, the numbers, and a page that shows them."""
+"""Report of a benchmark: a folder with plots, bench.json and an HTML page."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ background: #f4f6f8; padding: 12px; font-size: 12px }}</style>
 
 
 def write_bench_report(bench: Bench, folder: Path, command: Sequence[str]) -> Path:
-    """Write index.html, a picture per scenario and bench.json; return the page to open."""
+    """Write index.html, one plot per scenario and bench.json; return the path of index.html."""
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(bench.figures, indent=2, allow_nan=False)
     (folder / "bench.json").write_text(text + "\n", encoding="utf-8")
@@ -37,7 +37,7 @@ def write_bench_report(bench: Bench, folder: Path, command: Sequence[str]) -> Pa
         pictures.append(f'<h2>{escape(scenario)}</h2><img src="{escape(name)}" alt="">')
     page = folder / "index.html"
     html = _PAGE.format(
-        title=escape(f"{bench.figures['robot']}: how long a tick takes"),
+        title=escape(f"{bench.figures['robot']}: tick time"),
         command=escape(shlex.join(command)),
         text=escape(bench_text(bench.figures)),
         pictures="".join(pictures),

@@ -1,4 +1,4 @@
-"""A bench from its settings to its figures."""
+"""Run of a benchmark: record the scenarios, time them, and collect the figures."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from surefoot.system.machine import describe_machine
 
 WHOLE_CALLS = ("tick", "state_to_torque", "null")
 PACED = "paced"
-_NO_PEERS_REASON = "not asked for: --peers"
+_NO_PEERS_REASON = "not requested: use --peers"
 
 
 @dataclass(frozen=True)
 class Bench:
-    """What was measured.
+    """Results of a benchmark.
 
     Attributes:
-        figures: Plain JSON types.
-        series: By scenario and name, every sample.
-        recordings: By scenario.
+        figures: All figures as JSON values.
+        series: Every time sample, by scenario and name of the call.
+        recordings: Recorded runs, by scenario.
     """
 
     figures: dict[str, Any]
@@ -33,11 +33,11 @@ class Bench:
 
 
 def run_bench(settings: BenchSettings, progress: Callable[[str], None] | None = None) -> Bench:
-    """Record every scenario, time its replay and return every figure; raises Error.
+    """Record every scenario, time its replay and return all figures; raises Error.
 
     Args:
-        settings: What to do.
-        progress: Told which scenario comes.
+        settings: Settings of the benchmark.
+        progress: Called with one line of text before each step.
     """
     say = progress or (lambda _: None)
     all_series, recordings = {}, {}

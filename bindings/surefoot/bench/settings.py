@@ -1,4 +1,4 @@
-"""What a bench is asked to be."""
+"""Settings of a benchmark."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ DEFAULT_SCENARIOS = ("quiet", "motion", "push50", "push80", "weak")
 
 @dataclass(frozen=True)
 class BenchSettings:
-    """Robot, length and program of a bench.
+    """Robot, scenarios, number of ticks and form of the QP.
 
     Attributes:
-        robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
-        ticks: That are timed in each scenario, at least; its reports are replayed as often as that
-            takes.
-        form: Of the program that is timed.
-        rate: Reports per second of the recorded runs [Hz].
-        seed: Of their sensors' noise.
-        scenarios: What is recorded: names in SCENARIOS.
+        robot: A name of surefoot.available_robots(), or the result of describe_robot().
+        ticks: Smallest number of ticks timed per scenario; its recording is replayed as often as
+            needed.
+        form: Form of the QP that is timed.
+        rate: Rate of the LowStates in the recorded runs [Hz].
+        seed: Seed of the sensor noise.
+        scenarios: Names in SCENARIOS to record and time.
     """
 
     robot: str | RobotDescription = "go1"

@@ -1,4 +1,4 @@
-"""A bench as a table for people."""
+"""Figures of a benchmark as a table of text."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ from surefoot.bench.timing_statistics import PERCENTILES
 ROW_MEANINGS = {
     "tick": "LowState to LowCmd: StandController::update()",
     "state_to_torque": "WholeBodyController::update() alone",
-    "paced": "LowState to LowCmd, one report a period: a second of it, asleep in between",
-    "null": "a loop that computes nothing, as long as a tick: its tail is the machine's",
+    "paced": "LowState to LowCmd once per period for one second, sleeping in between",
+    "null": "an idle loop as long as a tick: its tail shows the jitter of the machine",
 }
 NOTE = (
-    "C++ from C++, without a pause between reports but in paced. Wall time; columns cpu have the "
-    "thread's\nown CPU time. Stages are timed in passes of their own. Slowest: of the reports, by "
-    "its median over all\npasses; a max is mostly the machine's. Where other programs share the "
-    "processor, the tail is theirs."
+    "Timed in C++, without pauses between LowStates except in paced. Times are wall times; columns "
+    "cpu have\nthe CPU time of the thread. Stages are timed in separate passes. Slowest: the "
+    "largest median over all passes\nof one LowState; max is mostly due to the machine, and other "
+    "processes also lengthen the tail."
 )
-FAILED = "SOME CALLS FAILED: what they took is not the time of a tick that was solved."
+FAILED = "SOME CALLS FAILED: their times are not times of solved ticks."
 
 
 def bench_text(b: dict[str, Any]) -> str:
-    """Return a bench's figures for people to read."""
+    """Return the figures of a benchmark as text."""
     lines = [f"{b['robot']}, {b['form']} form, {b['rate']:g} Hz", machine_line(b["machine"])]
     for name, scenario in b["scenarios"].items():
-        fell = ", and the robot falls" if scenario["fell"] else ""
-        lines += ["", f"{name}: {scenario['reports']} reports{fell}"]
+        fell = "; the robot falls at the end" if scenario["fell"] else ""
+        lines += ["", f"{name}: {scenario['reports']} LowStates{fell}"]
         lines += _table([_HEADER, *(_row(row, scenario[row]) for row in ROW_MEANINGS)])
         lines.append("  " + _stages(scenario["stages_wall_us"]))
         lines.append("  " + _first_pass(scenario["tick"]["first_pass"]))
@@ -35,11 +35,11 @@ def bench_text(b: dict[str, Any]) -> str:
 
 
 def machine_line(m: dict[str, Any]) -> str:
-    """Return the machine in one line."""
+    """Return processor, system, versions and build in one line."""
     versions = ", ".join(f"{name} {v}" for name, v in m["versions"].items() if v is not None)
     governor = f"governor {m['governor'] or 'unknown'}"
     parts = [m["cpu"] or "unknown processor", f"{m['cores']} cores", governor]
-    build = [m["build"]] if "build" in m else []  # programs that are built elsewhere say it there
+    build = [m["build"]] if "build" in m else []  # only the tick program reports its build
     if m.get("memory_locked"):
         build.append("memory locked")
     return ", ".join([*parts, m["system"], versions, *build])
@@ -94,7 +94,7 @@ def _table(rows: list[list[str]]) -> list[str]:
 
 def _first_pass(first: dict[str, int]) -> str:
     return (
-        f"the first pass of all, not in the figures: heap {first['allocations']}, "
+        f"first pass, excluded from the figures: heap {first['allocations']}, "
         f"faults {first['page_faults']}"
     )
 

@@ -1,4 +1,7 @@
-"""Runs the program that times ticks: C++ alone, so that heap and pages are the tick's own."""
+"""Runs the C++ executable that times ticks.
+
+Without Python in the process, all heap allocations and page faults that it counts are the tick's.
+"""
 
 from __future__ import annotations
 
@@ -25,17 +28,17 @@ _CALL_TIMING = np.dtype(
 
 @dataclass(frozen=True)
 class Series:
-    """One kind of call, timed again and again.
+    """Time samples of one kind of call.
 
     Attributes:
-        wall: (n,) [us].
-        cpu: (n,) of the thread [us]; None where only the wall clock was read.
-        iterations: (n,) of the solver.
-        failures: Calls without a usable status.
-        allocations: On the heap, in all calls.
-        page_faults: In all calls.
-        first_allocations: In the first pass over the reports, which is not among the calls.
-        first_page_faults: The same.
+        wall: (n,) wall time [us].
+        cpu: (n,) CPU time of the thread [us]; None where only the wall clock was read.
+        iterations: (n,) iterations of the solver.
+        failures: Number of calls without a usable status.
+        allocations: Number of heap allocations in all calls.
+        page_faults: Number of page faults in all calls.
+        first_allocations: Heap allocations in the first pass, which is not in the samples.
+        first_page_faults: Page faults in the first pass.
     """
 
     wall: npt.NDArray[np.float32]
@@ -51,13 +54,13 @@ class Series:
 def run_tick_program(
     recording: Recording, form: QpForm, ticks: int
 ) -> tuple[dict[str, Series], dict[str, Any]]:
-    """Time a recording; return the series by name, and what the program says of itself.
+    """Time a recording; return the series by name, and facts about the executable.
 
-    That is "build", the library's compiler and flags, and "memory_locked", whether the system
-    allowed that; where it does not, pages are there after the first pass only.
+    The facts are "build", the compiler and flags of the library, and "memory_locked", whether the
+    system allowed mlockall(). Without it, pages are mapped only after the first pass.
 
     Raises:
-        Error: The program is not there or failed; with its own words.
+        Error: The executable is missing or failed; with its error text.
     """
     passes = math.ceil(ticks / len(recording.reports))
     with tempfile.TemporaryDirectory() as folder:
@@ -77,13 +80,14 @@ def run_tick_program(
             raise Error(f"bench: {PROGRAM}: {problem.strerror}") from None
         if process.returncode != 0:
             raise Error(
-                f"bench: {PROGRAM.name} ended with {process.returncode}: {process.stderr.strip()}"
+                f"bench: {PROGRAM.name} ended with status {process.returncode}: "
+                f"{process.stderr.strip()}"
             )
         return _read_output(out)
 
 
 def _reference_row(r: BodyReference) -> list[float]:
-    return [r.x, r.y, r.height, r.roll, r.pitch, r.yaw]  # the struct's order
+    return [r.x, r.y, r.height, r.roll, r.pitch, r.yaw]  # order of the C++ struct
 
 
 def _read_output(path: Path) -> tuple[dict[str, Series], dict[str, Any]]:

@@ -1,4 +1,4 @@
-"""Durations of calls, and how they are distributed."""
+"""Statistics of the durations of calls."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from surefoot.bench.tick_program import Series
 
 PERCENTILES = {"min": 0.0, "p50": 50.0, "p90": 90.0, "p99": 99.0, "p99.9": 99.9, "max": 100.0}
 DEADLINES = {"500Hz": 2000.0, "1kHz": 1000.0}  # [us]
-HISTOGRAM_END = 500  # [us] the last bin has all that is longer
+HISTOGRAM_END = 500  # [us] the last bin holds all longer durations
 
 
 def distribution(durations: npt.ArrayLike) -> dict[str, float]:
-    """Return n, and min, p50, p90, p99, p99.9 and max, of durations [us]."""
+    """Return n and min, p50, p90, p99, p99.9, max of durations [us]."""
     values = np.asarray(durations, dtype=float)
     numbers = np.percentile(values, list(PERCENTILES.values()))
     return {
@@ -26,21 +26,22 @@ def distribution(durations: npt.ArrayLike) -> dict[str, float]:
 
 
 def histogram(durations: npt.ArrayLike) -> list[int]:
-    """Return how many durations [us] fall in bins of 1 us, as far as there are any."""
+    """Return the counts of durations [us] in bins of 1 us, up to the last non-empty bin."""
     bins = np.minimum(np.asarray(durations, dtype=float), HISTOGRAM_END).astype(int)
     return [int(count) for count in np.bincount(bins)]
 
 
 def slowest_tick(durations: npt.NDArray[np.float32], reports: int) -> float:
-    """Return how long the slowest of the reports takes [us], by its median over all passes.
+    """Return the largest median over all passes of the duration of one tick [us].
 
-    A maximum over everything is mostly the machine's; what is slow again and again is ours.
+    The maximum over all samples is mostly due to the machine. A tick that is slow in most passes
+    is due to the controller.
     """
     return round(float(np.median(durations.reshape(-1, reports), axis=0).max()), 3)
 
 
 def series_statistics(series: Series, reports: int) -> dict[str, Any]:
-    """Return a series' figures as plain JSON types; each pass had so many reports."""
+    """Return the figures of a series as JSON values; `reports` is the number of ticks per pass."""
     figures: dict[str, Any] = {
         "wall_us": distribution(series.wall),
         "slowest_us": slowest_tick(series.wall, reports),

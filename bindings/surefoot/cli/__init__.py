@@ -1,4 +1,4 @@
-"""The command surefoot."""
+"""Entry point of the command surefoot."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the command.
 
     Args:
-        argv: Arguments without the command's own name; those of the process if None.
+        argv: Arguments without the command's own name. None: the arguments of this process.
 
     Returns:
         Exit status: 0 done, 1 a file could not be written, 2 a wrong argument, 3 the robot fell,
-        130 interrupted. What was wrong is one line on stderr.
+        130 interrupted. An error is reported in one line on stderr.
     """
     argv = list(sys.argv[1:] if argv is None else argv)
     try:

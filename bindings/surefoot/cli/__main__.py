@@ -1,8 +1,8 @@
-"""python -m surefoot.cli is the command surefoot."""
+"""Entry point of python -m surefoot.cli, which is the command surefoot."""
 
 import sys
 
 from surefoot.cli import main
 
-if __name__ == "__main__":  # a process that Python starts beside it imports this file as well
+if __name__ == "__main__":  # worker processes import this file too
     sys.exit(main())

@@ -1,4 +1,4 @@
-"""What can be typed after surefoot, and how it is read."""
+"""Subcommands and options of the command surefoot, and their parser."""
 
 from __future__ import annotations
 
@@ -28,13 +28,14 @@ from surefoot.robot.robot_toml import suggest
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser whose complaint is one line."""
+    """A parser that reports an error in one line."""
 
     def error(self, message: str) -> NoReturn:
         line = " ".join(message.split())
         self.exit(2, f"{self.prog}: error: {line} (see {self.prog} --help)\n")
 
-    # A subcommand's own words are complained about by the subcommand, which knows its options.
+    # argparse would report unknown options from the top-level parser, which does not know the
+    # options of the subcommand. The subcommand's own parser can suggest the nearest option.
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         found, unknown = super().parse_known_args(args, namespace)
         if unknown:
@@ -45,9 +46,16 @@ class _Parser(argparse.ArgumentParser):
 
 
 def parse_arguments(argv: Sequence[str]) -> argparse.Namespace:
-    """Read the arguments; `run` of what comes back is the subcommand's function.
+    """Parse the arguments of the command.
 
-    Exits with status 2 and one line on stderr if they make no sense.
+    Args:
+        argv: Arguments without the command's own name.
+
+    Returns:
+        The parsed arguments; `run` is the function of the chosen subcommand.
+
+    Raises:
+        SystemExit: An argument is wrong (status 2, one line on stderr), or --help or --version.
     """
     return _build_parser().parse_args(_join_negative_values(argv))
 
@@ -69,28 +77,30 @@ def _build_parser() -> _Parser:
         command.set_defaults(run=run)
         return command
 
-    add_stand_options(add("stand", stand, "let a robot stand on torques in simulation"))
-    add_run_options(add("run", run, "let a robot stand over the SDK's UDP frames"))
-    text = "run the state estimator over a log of a robot's sensors"
+    add_stand_options(add("stand", stand, "simulate a robot that stands under torque control"))
+    add_run_options(add("run", run, "control a robot over UDP with the SDK's frames"))
+    text = "run the state estimator on a sensor log"
     add_estimate_options(add("estimate", estimate, text))
-    text = "play a log into a fresh controller: are its commands the same, bit for bit?"
+    text = "replay a log through a new controller and compare the commands bit for bit"
     add_replay_options(add("replay", replay, text))
-    _add_export_options(add("export", export, "write the one file that a robot computer needs"))
+    _add_export_options(
+        add("export", export, "write a robot's model and gains to one file for its computer")
+    )
     add_bench_options(add("bench", bench, "time the controller on recorded runs"))
     add_virtual_robot_options(
-        add("robot", robot, "simulate a robot that SDK programs drive over UDP as the real one")
+        add("robot", robot, "simulate a robot that SDK programs control over UDP")
     )
-    text = "inject every fault of the catalogue into a robot in simulation, and judge what it does"
+    text = "inject every fault of the catalogue in simulation and check the reactions"
     add_faults_options(add("faults", faults, text))
-    text = "fill the scorecard of a standing robot: pushes, ground, payload, link, motors, faults"
+    text = "measure a standing controller: pushes, ground, payload, link, motors, faults"
     add_assess_options(add("assess", assess, text))
     tune = commands.add_parser(
         "tune", help="find gains", description="Find gains.", allow_abbrev=False
     )
     add_tune_options(tune)
     add("robots", list_robots, "list the robots known by name")
-    gains = add("gains", list_gains, "list what can be tuned: value, unit, range, meaning")
-    add_robot_options(gains, "the library's own values")
+    gains = add("gains", list_gains, "list all gains: value, unit, range, meaning")
+    add_robot_options(gains, "the library's default values")
     return parser
 
 
@@ -101,7 +111,7 @@ def _add_export_options(parser: _Parser) -> None:
 
 
 def _join_negative_values(argv: Sequence[str]) -> list[str]:
-    """Join '--slope' '-5:90' to '--slope=-5:90', which argparse would take for an option."""
+    """Join '--slope' '-5:90' to '--slope=-5:90': argparse would parse '-5:90' as an option."""
     joined: list[str] = []
     for word in argv:
         if joined and re.match(r"--[a-z-]+$", joined[-1]) and re.match(r"-[\d.]", word):

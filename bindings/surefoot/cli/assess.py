@@ -1,4 +1,4 @@
-"""surefoot assess: the options, the run, and where its results go."""
+"""surefoot assess: its options, the assessment and the output of its results."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     from surefoot.assess import AssessSettings
 
 _EPILOG = """\
-Pushes all around, then conditions of ground, payload, link and motors, with real sensors at 500 Hz,
-each with many seeds; impulses are compared with the linear inverted pendulum's limit and with the
-robot's own. With --store an assessment that was ended, however, goes on where it was.
+Pushes the robot in all directions, then varies ground, payload, link and motors, with real sensors
+at 500 Hz and many seeds. Impulses are compared with the LIP push limit (linear inverted pendulum)
+and with the push limit of the robot. With --store, an interrupted assessment can be resumed.
 
-exit status: 0 done, 1 a file could not be written (results in the store are safe), 2 a wrong
+exit status: 0 done, 1 a file could not be written (results in the store are kept), 2 a wrong
 argument, scenario or store, 130 interrupted"""
 
 
@@ -44,27 +44,27 @@ def add_assess_options(parser: argparse.ArgumentParser) -> None:
         "--controller",
         default="surefoot",
         metavar="NAME|MODULE:CALLABLE",
-        help="surefoot, pd, force_qp, or what is called with the surefoot.Robot and returns what "
-        "makes a LowCmd of each LowState (surefoot)",
+        help="controller under test: surefoot, pd, force_qp, or a callable that receives the "
+        "surefoot.Robot and returns a function from LowState to LowCmd (surefoot)",
     )
-    add("--gains", metavar="FILE.toml", help="of the controller surefoot (the robot's own)")
-    add("--quick", action="store_true", help="one push, three seeds, their minimum: minutes")
-    add("--scenario", metavar="FILE.toml", help="a card of your own instead of the full one")
-    add("--jobs", type=int, metavar="N", help="processes (one a core)")
+    add("--gains", metavar="FILE.toml", help="gains of the controller surefoot (the robot's own)")
+    add("--quick", action="store_true", help="one push duration, minimum of three seeds: minutes")
+    add("--scenario", metavar="FILE.toml", help="your own scorecard instead of the full one")
+    add("--jobs", type=int, metavar="N", help="number of processes (one per core)")
     add(
         "--deadline",
         type=float,
         default=60.0,
         metavar="S",
-        help="for one run of some seconds; a controller that takes longer never returns (60)",
+        help="wall time limit of one run; a controller that takes longer counts as hung (60)",
     )
-    add("--store", metavar="FILE", help="results, one a line; an assessment in it goes on")
+    add("--store", metavar="FILE", help="keep results, one per line; resume the assessment in FILE")
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
     add("--report", metavar="DIR", help="write index.html, plots, films, tables and summary.json")
 
 
 def assess(arguments: argparse.Namespace) -> None:
-    """Run the assessment, and print and write what was asked for.
+    """Run the assessment; print the result and write the requested files.
 
     Raises:
         Error: A wrong argument, scenario or store.

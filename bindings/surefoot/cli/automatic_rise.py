@@ -1,4 +1,4 @@
-"""surefoot run --yes: a rise that nobody asks for with a key."""
+"""surefoot run --yes: arm and rise without a key press."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from surefoot._core import Mode, RequestStatus, RunSnapshot, StandRunner
 
 
 class AutomaticRise:
-    """Arms and rises once, as soon as all checks pass, and ends a run that does not come to stand.
+    """Automatic operator: arms and rises once, as soon as all arming checks pass.
 
-    Nothing is armed again after a latch.
+    Ends the run if the rise fails. Does not arm again after damping was latched.
 
     Args:
-        runner: Is asked.
+        runner: The runner that receives the requests.
     """
 
     def __init__(self, runner: StandRunner) -> None:
@@ -19,7 +19,7 @@ class AutomaticRise:
         self._rise_requested = self._rising = False
 
     def update(self, snapshot: RunSnapshot) -> None:
-        """Ask for what is next."""
+        """Send the next request, if one is due."""
         self._rising |= snapshot.mode == Mode.RISE
         if snapshot.mode != Mode.PASSIVE:
             return

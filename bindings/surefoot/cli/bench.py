@@ -1,4 +1,4 @@
-"""surefoot bench: how long a tick takes."""
+"""surefoot bench: measures the computation time of a tick."""
 
 from __future__ import annotations
 
@@ -19,32 +19,41 @@ def add_bench_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot bench."""
     add_robot_options(parser, "go1")
     add = parser.add_argument
-    add("--ticks", type=int, metavar="N", help="to time in each scenario (20000)")
-    add("--scenario", action="append", metavar="NAME", help="to time; repeatable (the usual five)")
+    add("--ticks", type=int, metavar="N", help="ticks to time in each scenario (20000)")
+    add(
+        "--scenario",
+        action="append",
+        metavar="NAME",
+        help="scenario to time; repeatable (the default five)",
+    )
     add_form_option(parser)
     add(
         "--peers",
         action="store_true",
-        help="whole ticks beside TSID's and PlaCo's too, which it installs in .venv-peers",
+        help="also time whole ticks of TSID and PlaCo; installs them in .venv-peers",
     )
-    add("--json", metavar="FILE|-", help="write the figures as JSON; - is stdout")
-    add("--report", metavar="DIR", help="write a page with histograms and tails")
+    add("--json", metavar="FILE|-", help="write the results as JSON; - is stdout")
+    add("--report", metavar="DIR", help="write a page with histograms and tail latencies")
     add(
         "--solvers",
         nargs="*",
         metavar="FILE.npz",
-        help="compare QP solvers instead, on these recorded programs or on fresh ones",
+        help="compare QP solvers instead, on these recorded QPs or on newly recorded ones",
     )
     add(
         "--export",
         metavar="DIR",
-        help="write the programs of all scenarios as .npz sequences, and time nothing",
+        help="write the QPs of all scenarios as .npz sequences; time nothing",
     )
-    add("--qpbenchmark", action="store_true", help="with --export: a sample, for qpbenchmark")
+    add("--qpbenchmark", action="store_true", help="with --export: write a sample for qpbenchmark")
 
 
 def bench(arguments: argparse.Namespace) -> None:
-    """Record runs, time their replay, print a table and write JSON; raises Error."""
+    """Record runs, time their replay, print a table and write JSON.
+
+    Raises:
+        Error: A wrong argument.
+    """
     choose_graphics()
     check_options(arguments)
     if arguments.solvers is not None:

@@ -1,4 +1,4 @@
-"""surefoot bench --export: the programs of recorded runs as files."""
+"""surefoot bench --export: writes the QPs of recorded runs to files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from surefoot.cli.robot_choice import chosen_robot
 
 
 def bench_export(arguments: argparse.Namespace) -> None:
-    """Record scenarios and write their programs; raises Error."""
+    """Record scenarios and write their QPs; raises Error."""
     try:
         from surefoot.bench.problems import export_qpbenchmark, record_problems
         from surefoot.bench.problems.record import SCENARIO_NAMES
@@ -31,5 +31,5 @@ def bench_export(arguments: argparse.Namespace) -> None:
                 for sequence in sequences:
                     sequence.save(folder)
             count = sum(map(len, sequences))
-            line = f"{scenario}, {form.name.lower()}: {count} programs"
+            line = f"{scenario}, {form.name.lower()}: {count} QPs"
             print(line, file=sys.stderr, flush=True)

@@ -1,4 +1,4 @@
-"""Which options of surefoot bench go together."""
+"""Checks which options of surefoot bench may be combined."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import argparse
 from surefoot._core import Error, QpForm
 from surefoot.cli.stand import read_form
 
-# What each way of running it has no use for.
+# Options that have no effect in each form of the command.
 _INEFFECTIVE_OPTIONS = {
     "--export": ("--solvers", "--ticks", "--peers", "--json", "--report"),
     "--solvers": ("--ticks", "--peers", "--report", "--urdf", "--config", "--qpbenchmark"),
@@ -17,7 +17,7 @@ _INEFFECTIVE_OPTIONS = {
 
 
 def check_options(arguments: argparse.Namespace) -> None:
-    """Raise Error of an option that would have no effect."""
+    """Raise Error if an option would have no effect."""
     commands = ["bench"]
     if arguments.export is not None:
         commands = ["--export"]
@@ -26,11 +26,13 @@ def check_options(arguments: argparse.Namespace) -> None:
     for command in commands:
         for option in _INEFFECTIVE_OPTIONS[command]:
             if _is_given(arguments, option):
-                raise Error(f"{option}: has no effect with {_command_name(command)}")
+                raise Error(
+                    f"{option}: has no effect with {_command_name(command)}; expected it without"
+                )
 
 
 def requested_forms(arguments: argparse.Namespace) -> tuple[QpForm, ...]:
-    """Return the form of --form; both, if it is auto."""
+    """Return the form that --form names; both forms for auto."""
     form = read_form(arguments.form)
     return (QpForm.CONDENSED, QpForm.GENERAL) if form == QpForm.AUTO else (form,)
 

@@ -1,4 +1,4 @@
-"""surefoot bench --solvers: QP solvers side by side on recorded programs."""
+"""surefoot bench --solvers: compares QP solvers on recorded QPs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SCENARIOS = ("quiet", "push80", "weak", "limp")
 
 
 def bench_solvers(arguments: argparse.Namespace) -> None:
-    """Record programs or read them, run every solver, print tables and write JSON; raises Error."""
+    """Record or read QPs, run every solver on them, print tables and write JSON; raises Error."""
     try:
         from surefoot.bench.problems import check_scenario
         from surefoot.bench.solvers import run_solvers, solvers_text
@@ -25,7 +25,7 @@ def bench_solvers(arguments: argparse.Namespace) -> None:
         raise missing_module("bench", problem) from None
     check_json_path(arguments.json)
     for scenario in arguments.scenario or ():
-        check_scenario(scenario)  # before anything is compiled
+        check_scenario(scenario)  # before the solver adapters are compiled
     requested_forms(arguments)
     result = run_solvers(_sequences(arguments))
     write_json(arguments.json, result)

@@ -1,4 +1,4 @@
-"""What commands that simulate need of the machine: graphics, modules, a place for results."""
+"""Checks of the machine before a command runs: graphics, Python modules, output paths."""
 
 from __future__ import annotations
 
@@ -16,20 +16,21 @@ from surefoot.files.tables import check_table_name
 
 
 def choose_graphics() -> None:
-    """Choose, before MuJoCo is imported, how it draws on a machine without a screen."""
+    """Choose how MuJoCo renders on a machine without a screen; call before MuJoCo is imported."""
     if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or sys.platform != "linux":
         return
-    # Without the library MuJoCo would not even import; a run without a film needs no graphics.
+    # With MUJOCO_GL=egl but without the library, importing MuJoCo fails. A run without a film
+    # needs no graphics.
     library = ctypes.util.find_library("EGL")
     os.environ.setdefault("MUJOCO_GL", "egl" if library else "disable")
 
 
 def missing_module(command: str, problem: ModuleNotFoundError, *more: str) -> Error:
-    """Return the error that says how to get a module that a command needs.
+    """Return the error that says how to install a missing module.
 
     Args:
-        command: Without "surefoot".
-        problem: Names the module.
+        command: Subcommand that needs the module, without "surefoot".
+        problem: Import error, which names the module.
         more: Extras that the command needs besides "sim".
     """
     extras = ("sim", *more)
@@ -41,20 +42,20 @@ def missing_module(command: str, problem: ModuleNotFoundError, *more: str) -> Er
 
 
 def check_json_path(place: str | None) -> None:
-    """Find out before a run, not after it, that its result has no place to go; raises Error."""
+    """Raise Error if --json cannot be written; call before the run, so that no result is lost."""
     if place != "-":
         check_output_path("--json", place)
 
 
 def check_table_path(option: str, place: str | None) -> None:
-    """Find out before a run that a .csv or .npz has another name or no place; raises Error."""
+    """Raise Error unless `place` is None or a .csv or .npz file that can be written."""
     if place is not None:
         check_table_name(place, option)
         check_output_path(option, place)
 
 
 def check_output_path(option: str, place: str | None) -> None:
-    """Raise Error unless there is a folder for a file that an option asks for; None is none."""
+    """Raise Error unless `place` is None or a file in a folder that can be written."""
     if place is None:
         return
     path = Path(place)
@@ -66,9 +67,9 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
     """Write a result as one JSON object to a file or, for "-", to stdout.
 
     Args:
-        place: Where to; None is nowhere.
-        result: What.
-        indent: Of nested lines; None puts everything in one, for long logs.
+        place: Path, "-" for stdout, or None to write nothing.
+        result: The object.
+        indent: Spaces of indentation; None writes one line, for long logs.
     """
     if place is None:
         return
@@ -80,12 +81,15 @@ def write_json(place: str | None, result: dict[str, Any], indent: int | None = 2
 
 
 def check_report_folder(folder: str | None, command: str, module: str) -> None:
-    """Find out before a run, not after it, that its report cannot be written; raises Error.
+    """Make the report's folder and import its writer; call before the run.
 
     Args:
-        folder: Where it goes, or None for no report.
-        command: That needs it, for the message.
-        module: That writes it; imported here.
+        folder: Folder of the report, or None for no report.
+        command: Subcommand that writes the report, for the message.
+        module: Module that writes the report; it is imported here.
+
+    Raises:
+        Error: The folder cannot be made, or a module is missing.
     """
     if folder is None:
         return

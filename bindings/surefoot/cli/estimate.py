@@ -1,4 +1,4 @@
-"""surefoot estimate: a log through the state estimator to its results."""
+"""surefoot estimate: runs the state estimator on a log and writes its results."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from surefoot.robot.loading import build_robot
 
 
 def estimate(arguments: argparse.Namespace) -> None:
-    """Read the log, run the estimator and print, write and draw what was asked for.
+    """Read the log, run the estimator, print a summary and write the requested files.
 
     Raises:
-        Error: A wrong argument, or a log that is refused.
+        Error: A wrong argument, or an invalid log.
         OSError: A file could not be written.
     """
     check_json_path(arguments.json)

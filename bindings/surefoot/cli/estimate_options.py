@@ -10,21 +10,22 @@ from surefoot.estimate.trajectory import TRAJECTORY_COLUMNS
 from surefoot.sensor_log.columns import COLUMNS, Column
 
 _EPILOG = """\
-a log has one row a report and these columns, SI units, feet and legs FR FL RR RL, each hip thigh
-calf:
+A log has one row per sample and these columns, in SI units. Legs and feet are ordered FR FL RR RL,
+each leg hip thigh calf:
 
 {columns}
 
-* needed, with one of the clocks. Others are zeros where they are missing, dq is made from q.
-truth_ columns judge the estimate and never reach the estimator. In an NPZ a column is an array
-(rows, width); in a CSV its numbers are columns of a header's names, accelerometer_0 ...;
-imu.accelerometer[0], acc_x, motorState[3].q, q_FL_hip, q_FL_hip_joint, footForce_RL are read too.
+* required, together with one of the clocks. Other missing columns are zero; missing dq is computed
+from q. truth_ columns are only compared with the estimate; the estimator does not receive them. In
+an NPZ file a column is an array (rows, width). In a CSV file each number has its own column, with a
+header such as accelerometer_0, imu.accelerometer[0], acc_x, motorState[3].q, q_FL_hip,
+q_FL_hip_joint or footForce_RL.
 
-a trajectory has a row for each row of the log that is no repetition:
+A trajectory has one row for each row of the log that does not repeat the row before:
 
 {trajectory}
 
-exit status: 0 done, 1 a file could not be written, 2 a wrong argument or a log that is refused, 130
+exit status: 0 done, 1 a file could not be written, 2 a wrong argument or an invalid log, 130
 interrupted"""
 
 
@@ -36,11 +37,11 @@ def add_estimate_options(parser: argparse.ArgumentParser) -> None:
         trajectory=_table(list(TRAJECTORY_COLUMNS.items())),
     )
     add = parser.add_argument
-    add("log", metavar="LOG.csv|LOG.npz", help="what the sensors of a robot said")
+    add("log", metavar="LOG.csv|LOG.npz", help="sensor log of a robot")
     add_robot_options(parser, "go1")
     add("--gains", metavar="FILE.toml", help="gains that differ from the robot's own")
     add("--json", metavar="FILE|-", help="write the summary as one JSON object; - is stdout")
-    add("--trajectory", metavar="FILE.csv|FILE.npz", help="write the estimate row by row")
+    add("--trajectory", metavar="FILE.csv|FILE.npz", help="write the estimated trajectory")
     add("--report", metavar="DIR", help="write plots, index.html and summary.json")
 
 

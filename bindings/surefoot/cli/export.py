@@ -1,4 +1,4 @@
-"""surefoot export: a robot as one file."""
+"""surefoot export: writes a robot to one file."""
 
 from __future__ import annotations
 

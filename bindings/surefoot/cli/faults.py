@@ -1,4 +1,4 @@
-"""surefoot faults: the options, the run, and where its results go."""
+"""surefoot faults: its options, the fault injection and the output of its results."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ if TYPE_CHECKING:
 
 FAILED = 4
 _EPILOG = """\
-Every row of the fault catalogue is injected (off, stuck, garbage, wrong, slow, delayed,
-intermittent, where that makes sense) while the robot lies, rises, stands and is pushed; sensors are
-real, at 500 Hz. A cell passes if every command is finite, within torque, rate and power limits, and
-the reaction that fault_table() names comes in its time.
+Injects every fault of the catalogue (off, stuck, garbage, wrong, slow, delayed or intermittent,
+where applicable) while the robot lies, rises, stands and is pushed, with real sensors at 500 Hz. A
+cell is one fault injected in one mode. It passes if all commands are finite and within the torque,
+rate and power limits, and if the reaction of fault_table() occurs within its detection time.
 
-With --store a matrix that was ended, however, goes on where it was.
+With --store, an interrupted run can be resumed.
 
 exit status: 0 every cell passed, 4 some failed, 1 a file could not be written, 2 a wrong argument
 or store, 130 interrupted"""
@@ -44,34 +44,47 @@ def add_faults_options(parser: argparse.ArgumentParser) -> None:
     parser.epilog = _EPILOG
     add_robot_options(parser, "go1")
     add = parser.add_argument
-    add("--seed", type=int, default=0, metavar="N", help="of sensors, motors, lying pose (0)")
-    add("--jobs", type=int, metavar="N", help="processes (one a core)")
+    add(
+        "--seed",
+        type=int,
+        default=0,
+        metavar="N",
+        help="seed of sensors, motors and lying pose (0)",
+    )
+    add("--jobs", type=int, metavar="N", help="number of processes (one per core)")
     add(
         "--only",
         action="append",
         default=[],
         metavar="PATTERN",
-        help="a row, or ROW/INJECTION/MODE with * and ?; may be given again",
+        help="run only this fault, or ROW/INJECTION/MODE with * and ?; repeatable",
     )
-    add("--store", metavar="FILE", help="keep every cell when it is done; the same command goes on")
+    add("--store", metavar="FILE", help="keep the result of every cell, to resume the run")
     add(
         "--taken-over",
         action="store_true",
-        help="the robot stands from the start, as surefoot run finds it without --rise",
+        help="start with a standing robot, as surefoot run without --rise does",
     )
-    add("--list", action="store_true", help="list the cells and what is expected; run nothing")
+    add(
+        "--list",
+        action="store_true",
+        help="list the cells and their expected reactions; run nothing",
+    )
     add(
         "--names",
         action="store_true",
-        help="list every fault that an operator is told: reaction, how soon, what ends it, what it "
-        "means; run nothing",
+        help="list every fault that is reported to an operator: reaction, detection time, what "
+        "clears it, meaning; run nothing",
     )
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
     add("--report", metavar="DIR", help="write index.html, plots and summary.json")
 
 
 def faults(arguments: argparse.Namespace) -> int | None:
-    """Run the matrix, and print and write what was asked for; return the exit status.
+    """Run the fault matrix, print the result and write the requested files.
+
+    Returns:
+        Exit status: 4 if a cell failed, else None.
 
     Raises:
         Error: A wrong argument.
@@ -108,11 +121,11 @@ def faults(arguments: argparse.Namespace) -> int | None:
 
 
 def fault_names_text() -> str:
-    """Return fault_table() as an operator reads it."""
+    """Return fault_table() as text for an operator."""
     blocks = []
     for info in fault_table():
         reaction = f"{info.reaction.name.lower()} within {1000 * info.detection_time:.0f} ms"
-        head = f"{info.name:<18} {reaction}; ends {info.cleared_by}"
+        head = f"{info.name:<18} {reaction}; clears: {info.cleared_by}"
         blocks += [head, textwrap.indent(textwrap.fill(info.meaning, 88), "    ")]
     return "\n".join(blocks)
 

@@ -1,4 +1,4 @@
-"""A progress bar, for people only."""
+"""Progress bar on a terminal."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ WIDTH = 30
 
 
 def progress_bar() -> Callable[[str, int, int], None] | None:
-    """Return a function that draws progress on stderr, or None if no terminal is there."""
+    """Return a function (label, done, total) that draws a bar; None if stderr is no terminal."""
     if not sys.stderr.isatty():
         return None
 
@@ -27,11 +27,11 @@ def progress_bar() -> Callable[[str, int, int], None] | None:
 
 @contextmanager
 def report_kept_results(store: str | None) -> Iterator[None]:
-    """Say where the results of a long run are if it is ended by Ctrl-C."""
+    """On Ctrl-C, print whether the results so far were kept in `store`."""
     try:
         yield
     except KeyboardInterrupt:
-        where = f"in {store}: the same command goes on"
-        kept = where if store else "lost; --store FILE would have kept them"
+        where = f"in {store}: run the same command again to resume"
+        kept = where if store else "lost; use --store FILE to keep them"
         print(f"surefoot: the results so far are {kept}", file=sys.stderr)
         raise

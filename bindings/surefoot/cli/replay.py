@@ -1,4 +1,4 @@
-"""surefoot replay: a log through a fresh controller; are its commands the same, bit for bit?"""
+"""surefoot replay: replays a log through a new controller and compares the commands bit for bit."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from surefoot.robot.loading import build_robot
 
 DIFFERS = 4
 _EPILOG = """\
-The log has all that went into the controller: its gains and options, every LowState, and what was
-asked of it in between. Bits are promised on the same build of the library and the same machine.
+The log holds all inputs of the controller: its gains and options, every LowState, and the requests
+in between. Commands are bit-identical on the same build of the library and the same machine.
 
 exit status: 0 identical, 4 the commands differ, 1 a file could not be written, 2 a wrong argument
 or a log that cannot be replayed, 130 interrupted"""
@@ -25,13 +25,16 @@ def add_replay_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot replay."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _EPILOG
-    parser.add_argument("log", metavar="LOG.npz", help="that surefoot stand --log wrote")
-    add_robot_options(parser, "the one that the log names")
+    parser.add_argument("log", metavar="LOG.npz", help="log that surefoot stand --log wrote")
+    add_robot_options(parser, "the robot that the log names")
     parser.add_argument("--json", metavar="FILE|-", help="write the result as JSON; - is stdout")
 
 
 def replay(arguments: argparse.Namespace) -> int | None:
-    """Play the log and say what differs; return the exit status.
+    """Replay the log and print the first difference.
+
+    Returns:
+        Exit status: 4 if the commands differ, else None.
 
     Raises:
         Error: A wrong argument, or a log that cannot be replayed.
@@ -49,9 +52,9 @@ def replay(arguments: argparse.Namespace) -> int | None:
 
 
 def replay_text(recording: Recording, result: Replay) -> str:
-    """Return what is said of a replay."""
+    """Return the result of a replay as text."""
     what = f"{len(recording.commands)} commands of a {recording.kind} on {recording.robot}"
-    other = f"\nthe log is of build {recording.build}, this is {build_id()}: bits may differ"
+    other = f"\nbuild: got a log of {recording.build}, this is {build_id()}: bits may differ"
     build = "" if result.same_build else other
     if result.first is None:
         return f"identical: {what}{build}"

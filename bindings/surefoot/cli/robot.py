@@ -1,4 +1,4 @@
-"""surefoot robot: a simulated robot that existing SDK programs can drive."""
+"""surefoot robot: simulates a robot that existing SDK programs can control."""
 
 from __future__ import annotations
 
@@ -18,17 +18,22 @@ LOG_RATE = 100.0  # [Hz]
 
 
 def robot(arguments: argparse.Namespace) -> None:
-    """Run a virtual robot until its time is over, Ctrl-C or SIGTERM; raises Error, OSError."""
+    """Run a virtual robot until --duration is over, Ctrl-C or SIGTERM.
+
+    Raises:
+        Error: A wrong argument.
+        OSError: The port is taken or not permitted, or a file could not be written.
+    """
     choose_graphics()
     try:
         from surefoot.virtual_robot import RunOptions, run_robot
     except ModuleNotFoundError as problem:
         raise missing_module("robot", problem) from None
     if arguments.json == "-":
-        raise Error("--json: got '-', expected a file: stdout has the status lines")
+        raise Error("--json: got '-', expected a file: the status lines use stdout")
     check_json_path(arguments.json)
-    if arguments.lying:  # not to stdout: programs read the port from its first line
-        print("dropping it until it lies well, its legs clear: some seconds ...", file=sys.stderr)
+    if arguments.lying:  # to stderr, because programs read the port from the first line of stdout
+        print("simulating drops until the robot lies with free legs: some seconds", file=sys.stderr)
     options = RunOptions(arguments.bind, arguments.port, arguments.duration, arguments.view)
     record = run_robot(read_settings(arguments), options, LinePrinter(sys.stdout))
     write_json(arguments.json, record, indent=None)

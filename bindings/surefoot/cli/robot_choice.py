@@ -1,4 +1,4 @@
-"""Which robot a command is about: one known by name, or one's own from files."""
+"""Options that choose the robot of a command: by name, or from a URDF and a TOML file."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from surefoot.robot.description import RobotDescription, describe_robot
 
 
 def add_robot_options(parser: argparse.ArgumentParser | argparse._ArgumentGroup, text: str) -> None:
-    """Add --robot, --urdf and --config; `text` says what is taken without any of them."""
+    """Add --robot, --urdf and --config; `text` names the default robot in the help."""
     parser.add_argument("--robot", metavar="NAME", help=f"see surefoot robots ({text})")
     add_file_options(parser, "--robot")
 
@@ -20,21 +20,22 @@ def add_file_options(
     """Add --urdf and --config."""
     text = f"instead of {instead}, a robot of your own"
     parser.add_argument("--urdf", metavar="FILE.urdf", help=text)
-    parser.add_argument("--config", metavar="FILE.toml", help="what that URDF does not say")
+    parser.add_argument("--config", metavar="FILE.toml", help="robot settings that the URDF lacks")
 
 
 def chosen_robot(
     arguments: argparse.Namespace, option: str = "--robot", default: str | None = None
 ) -> RobotDescription | None:
-    """Return the robot that was asked for; None if there is neither one nor a default.
+    """Return the robot that the arguments choose, or None without a choice and a default.
 
     Args:
-        arguments: With robot, urdf and config, each None if not given.
-        option: How the robot's name is asked for.
-        default: Name of the robot if nothing was given.
+        arguments: Arguments with robot, urdf and config, each None if not given.
+        option: Name of the option that names the robot, for the message.
+        default: Name of the robot if none is chosen.
 
     Raises:
-        Error: A name and files at once, one file without the other, a robot that cannot be found.
+        Error: Both a name and files are given, one file without the other, or the robot does not
+            exist.
     """
     files = {"--urdf": arguments.urdf, "--config": arguments.config}
     given = [name for name, value in files.items() if value is not None]

@@ -1,4 +1,4 @@
-"""surefoot run: the stand controller on a robot that speaks the SDK's UDP frames."""
+"""surefoot run: runs the stand controller on a robot over UDP, with the SDK's frames."""
 
 from __future__ import annotations
 
@@ -32,11 +32,14 @@ NO_ROBOT = 1
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Control the robot until it is told to stop; print, and write JSON; raises Error.
+    """Control the robot until the run ends; print status lines and write JSON.
 
     Returns:
-        Exit status: 0 it stood, and lay down because it was asked to, 1 no robot of the right
-        generation answered, 3 anything else.
+        Exit status: 0 the robot stood, and lay down on request; 1 no robot of the right generation
+        answered; 3 any other end.
+
+    Raises:
+        Error: A wrong argument.
     """
     check_json_path(arguments.json)
     check_log(arguments.log, arguments.log_time)
@@ -47,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
         f"{arguments.host}:{arguments.port} from port {runner.local_port}, {generation}, "
         f"{arguments.rate:g} Hz, power level {arguments.power_level}; {key_help(arguments.rise)}; "
         "Ctrl-C "
-        + ("lies down and ends, twice it damps at once" if arguments.rise else "ends by damping")
+        + ("sits down and ends, twice damps at once" if arguments.rise else "damps and ends")
     )
     end = supervise(runner, robot, print_line, arguments.rise, arguments.yes)
     result = run_summary(end, robot, generation, runner.real_time)
@@ -63,9 +66,9 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _write_log(file: str, log: RunLog, print_line: Callable[[str], None]) -> None:
-    """Write the log if something was heard; one that cannot be written is told, no more."""
+    """Write the log if a LowState arrived; only print a write error."""
     if not len(log):
-        print_line(f"no log: no LowState came; {file} is not written")
+        print_line(f"--log: no LowState arrived; {file} is not written")
         return
     try:
         logged_time = write_run_log(file, log)
@@ -77,21 +80,23 @@ def _write_log(file: str, log: RunLog, print_line: Callable[[str], None]) -> Non
 
 def _check_operator(arguments: argparse.Namespace) -> None:
     if arguments.yes and not arguments.rise:
-        raise Error("--yes: got it without --rise, expected both: it rises without being asked")
+        raise Error(
+            "--yes: got no --rise, expected both: --yes lets the robot rise without a key press"
+        )
     if arguments.real_robot and not arguments.rise:
         raise Error(
-            "--real-robot: got it without --rise, expected both: a real robot lies at first, and "
-            "gets torques when its arming checks have passed"
+            "--real-robot: got no --rise, expected both: a real robot must start lying, so that "
+            "its arming checks run before it gets torques"
         )
     if arguments.real_robot and arguments.no_remote and not has_keyboard():
         raise Error(
-            "--real-robot: got --no-remote and no terminal, expected a way to stop it: the "
-            "remote's button B, or keys"
+            "--real-robot: got --no-remote and no terminal, expected button B of the remote or a "
+            "terminal to stop the robot"
         )
     if arguments.rise and not arguments.yes and not has_keyboard():
         raise Error(
-            "--rise: got no terminal to ask for it, expected one, or --yes to arm and rise as soon "
-            "as all checks pass"
+            "--rise: got no terminal for the keys, expected a terminal, or --yes to arm and rise "
+            "as soon as all checks pass"
         )
 
 

@@ -1,4 +1,4 @@
-"""Lines typed on the keyboard, none of them late, and its end said."""
+"""Lines typed on the keyboard, read without blocking."""
 
 from __future__ import annotations
 
@@ -10,14 +10,16 @@ from collections.abc import Callable
 
 from surefoot.system.terminal import has_keyboard
 
-_MAX_EOFS = 3  # one after the other: the terminal is gone, and no Ctrl-D
+_MAX_EOFS = 3  # in a row: the terminal has closed; a Ctrl-D gives one EOF
 
 
 class KeyboardLines:
-    """Reads lines from the terminal without waiting, and without keeping any back.
+    """Reader of terminal lines that neither blocks nor buffers complete lines.
+
+    Reads the file descriptor directly: the buffer of sys.stdin would delay lines.
 
     Args:
-        print_line: Called with a line about the keyboard itself.
+        print_line: Called with messages about the keyboard itself.
     """
 
     def __init__(self, print_line: Callable[[str], None]) -> None:
@@ -26,22 +28,24 @@ class KeyboardLines:
         self.present = has_keyboard()
 
     def lines(self) -> list[str]:
-        """Return what has been typed since the last look, without blanks at the ends."""
+        """Return the complete lines typed since the last call, stripped, without empty lines."""
         typed = ""
         while self.present and select.select([sys.stdin], [], [], 0.0)[0]:
             got = os.read(sys.stdin.fileno(), 4096).decode(errors="replace")
             typed += got
             self._eof_count = 0 if got else self._eof_count + 1
             if self._eof_count == 1:
-                self._print_line("Ctrl-D ends nothing: keys are still obeyed")
+                self._print_line("Ctrl-D does not end the run: keys still work")
             if self._eof_count >= _MAX_EOFS:
                 self.present = False
-                self._print_line("the keyboard is gone: Ctrl-C and the remote's button B are left")
+                self._print_line(
+                    "the terminal has closed: stop with Ctrl-C or button B of the remote"
+                )
         *whole, self._partial_line = (self._partial_line + typed).split("\n")
         return [line.strip() for line in whole if line.strip()]
 
     def discard_typed(self) -> bool:
-        """Leave out what has been typed and not been read; return whether there is a keyboard."""
+        """Discard typed lines that were not read; return whether there is a keyboard."""
         if self.present:
             termios.tcflush(sys.stdin, termios.TCIFLUSH)
             self._partial_line = ""

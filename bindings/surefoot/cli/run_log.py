@@ -1,4 +1,4 @@
-"""The last ticks of a run in a file that surefoot estimate reads."""
+"""Log of the last ticks of a run, in the format of surefoot estimate."""
 
 from __future__ import annotations
 
@@ -14,26 +14,32 @@ from surefoot.messages.low_state_layout import MOTOR_COUNT
 from surefoot.sensor_log.columns import RUN_PREFIX
 from surefoot.sensor_log.sensor_columns import sensor_columns
 
-LOG_TIME = 60.0  # [s]
+LOG_TIME = 60.0  # [s] default of --log-time
 
 
 def check_log(path: str | None, time: float | None) -> None:
-    """Raise Error for a place where no NPZ file can be written, or a time of none."""
+    """Raise Error unless --log is a .npz file that can be written and --log-time is above 0."""
     if path is None and time is not None:
-        raise Error("--log-time: got it without --log, expected both")
+        raise Error("--log-time: got no --log, expected both")
     if time is not None and not time > 0.0:
         raise Error(f"--log-time: got {time:g}, expected above 0, up to 600 [s]")
     check_output_path("--log", path)
     if path is not None and Path(path).suffix.lower() != ".npz":
-        raise Error(f"--log: got '{path}', expected a name that ends in .npz")
+        raise Error(f"--log: got '{path}', expected a name ending in .npz")
 
 
 def write_run_log(path: str, log: RunLog) -> float:
-    """Write what a runner knew and sent, tick by tick, and return how long [s]; raises OSError.
+    """Write the samples and commands of a run as a sensor log.
 
-    The columns are a sensor log's; arrays run_... say the rest (docs/estimation.md).
+    The file has the columns of a sensor log and the arrays run_... (docs/estimation.md).
+
+    Returns:
+        Time [s] that the log covers.
+
+    Raises:
+        OSError: The file could not be written.
     """
-    time, reports, commands = log.time, log.reports, log.commands
+    time, reports, commands = log.time, log.samples, log.commands
     extras = {
         "time": time,
         "heard": log.has_new_state,
@@ -45,7 +51,7 @@ def write_run_log(path: str, log: RunLog) -> float:
     }
     elapsed = time - time[0]
     columns = sensor_columns(reports) | {"time": elapsed[:, None]}
-    if _restarted(columns["tick"][:, 0]):  # one clock for both of the robot's lives
+    if _restarted(columns["tick"][:, 0]):  # its clock restarted, so use the host's clock
         del columns["tick"]
     sensors = SensorLog("surefoot run", columns, elapsed, clock="time")
     write_log(path, sensors, {f"{RUN_PREFIX}{name}": values for name, values in extras.items()})
@@ -53,7 +59,7 @@ def write_run_log(path: str, log: RunLog) -> float:
 
 
 def _restarted(ticks: np.ndarray) -> bool:
-    """Return whether the robot's clock [ms], which wraps, went back."""
+    """Return whether the robot's clock [ms] ran backwards; the difference allows for wrapping."""
     return bool((np.diff(ticks.astype(np.uint32)).astype(np.int32) < 0).any())
 
 

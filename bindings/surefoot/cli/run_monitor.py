@@ -1,4 +1,4 @@
-"""Watches a StandRunner's loop: signals and keys to it, lines from it."""
+"""Supervision of a StandRunner: passes signals and keys to its loop and prints its state."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from surefoot.cli.run_operator import ArmingMonitor, Operator
 from surefoot.cli.run_text import FaultMonitor, LinkWarnings, status_line
 from surefoot.reports.damping_reason import damping_reason
 
-_POLL_PERIOD = 0.02  # [s] between looks at the loop
+_POLL_PERIOD = 0.02  # [s] between two snapshots of the loop
 _STATUS_PERIOD = 1.0  # [s] between status lines
-_STUCK_TIME = 0.5  # [s] without a look, after which what was typed is of another time
+_STUCK_TIME = 0.5  # [s] without a poll, after which typed keys are out of date
 _STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -26,14 +26,20 @@ def supervise(
     rise: bool = False,
     automatic: bool = False,
 ) -> RunSnapshot:
-    """Run the loop in a thread of its own; watch it, the keyboard and signals from this one.
+    """Run the control loop in its own thread; poll it, the keyboard and signals from this thread.
+
+    SIGINT, SIGTERM and SIGHUP finish the run; a second one stops it. SIGUSR1 arms again, SIGQUIT
+    stops at once.
 
     Args:
-        runner: The loop.
-        robot: What it runs on, for names and limits.
-        print_line: Called with lines for people.
-        rise: The robot is to get up: say what keeps it from being armed.
-        automatic: Arm and rise without being asked, once all checks pass.
+        runner: The control loop.
+        robot: Its robot, for names and limits.
+        print_line: Called with each line for the operator.
+        rise: The robot starts lying: print which arming checks fail.
+        automatic: Arm and rise once, without a key press, as soon as all checks pass.
+
+    Returns:
+        The last snapshot of the runner.
     """
     loop = threading.Thread(target=runner.run)
     monitor = _RunMonitor(runner, robot, rise, print_line)
@@ -65,7 +71,7 @@ def supervise(
 
 
 class _RunMonitor:
-    """Says what changes, and how it is once a second."""
+    """Printer of changes, and of one status line per second."""
 
     def __init__(
         self, runner: StandRunner, robot: Robot, rise: bool, print_line: Callable[[str], None]
@@ -82,21 +88,21 @@ class _RunMonitor:
         self._stuck = self._ending = False
 
     def end(self) -> None:
-        """Sit down, then damp, and end; asked again, damp at once."""
+        """Finish the run: the robot sits down, then damps. A second call damps at once."""
         if self._ending:
             self._runner.stop()
         self._ending = True
         self._runner.finish()
 
     def discard_stale_keys(self) -> None:
-        """Leave out what was typed while this program was stuck: it was meant for then."""
+        """Discard keys typed while this thread was stuck: the robot's state has changed since."""
         stuck = time.monotonic() - self._last_poll_time
         self._last_poll_time = time.monotonic()
         if stuck > _STUCK_TIME and self._operator.discard_typed():
-            self._print_line(f"stuck for {stuck:.1f} s: keys typed meanwhile are left out")
+            self._print_line(f"stalled for {stuck:.1f} s: keys typed meanwhile are ignored")
 
     def update(self, snapshot: RunSnapshot) -> bool:
-        """Look at keys and loop; return whether a status line was due."""
+        """Handle keys and print changes; return whether a status line was printed."""
         self._operator.update(snapshot)
         self._link_warnings.update(snapshot)
         self._print_counts(snapshot)
@@ -129,11 +135,9 @@ class _RunMonitor:
             self._print_line(f"{snapshot.time:7.2f} s not re-armed: {why}")
         if snapshot.resumed_dampings > self._pauses:
             self._pauses = snapshot.resumed_dampings
-            self._print_line(
-                f"{snapshot.time:7.2f} s going on: the robot's clock had stood still as well"
-            )
+            self._print_line(f"{snapshot.time:7.2f} s resumed: the robot's clock had paused too")
         if snapshot.rise_failed and not self._stuck:
             self._print_line(
-                f"{snapshot.time:7.2f} s the rise gave up: a leg or the body could not follow"
+                f"{snapshot.time:7.2f} s rise given up: a leg or the body did not follow"
             )
         self._stuck = snapshot.rise_failed

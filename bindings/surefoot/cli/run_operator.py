@@ -1,4 +1,4 @@
-"""The operator of surefoot run: keys to requests, and what keeps the robot from obeying them."""
+"""Operator of surefoot run: turns keys into requests and prints why a request is refused."""
 
 from __future__ import annotations
 
@@ -10,36 +10,36 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.system.terminal import has_keyboard
 
 _REFUSAL_REASONS = {
-    RequestStatus.NO_STATE: "no valid LowState comes",
+    RequestStatus.NO_STATE: "no valid LowState arrives",
     RequestStatus.NOT_ARMED: "not armed: a + Enter arms",
     RequestStatus.LATCHED: "damping is latched: a + Enter arms again",
-    RequestStatus.BUSY: "busy: torques are on their way; once more in a moment",
+    RequestStatus.BUSY: "busy: another request is pending, or torques fade; try again",
 }
 _NEXT_KEY = {
     Mode.PASSIVE: "u rises",
-    Mode.RISE: "d lies down",
-    Mode.STAND: "d lies down",
-    Mode.SIT: "u goes up again",
+    Mode.RISE: "d sits down",
+    Mode.STAND: "d sits down",
+    Mode.SIT: "u rises again",
     Mode.DAMPING: "a arms",
 }
 
 
 def key_help(rise: bool) -> str:
-    """Return what can be typed; `rise`: to a robot that lies, else to one that stands."""
+    """Return the keys and their meaning; `rise`: for a robot that starts lying."""
     if not has_keyboard():
         return "no terminal, no keys"
-    arms = "a + Enter arms" if rise else "a + Enter takes it over again, as and where it is"
-    return f"x + Enter damps, d lies down, {arms}, u goes up, q says joint angles"
+    arms = "a + Enter arms" if rise else "a + Enter takes the robot over again in its present pose"
+    return f"x + Enter damps, d sits down, {arms}, u rises, q prints joint angles"
 
 
 class Operator:
-    """Obeys lines typed on the keyboard.
+    """Handler of the lines typed on the keyboard.
 
     Args:
-        runner: Is asked.
-        robot: What it runs on, for names and limits.
-        rise: As for keys().
-        print_line: Called with a line about what was refused.
+        runner: Receives the requests.
+        robot: Its robot, for names and limits.
+        rise: As for key_help().
+        print_line: Called with each refusal.
     """
 
     def __init__(
@@ -49,16 +49,16 @@ class Operator:
         self._keys = KeyboardLines(print_line)
 
     def update(self, snapshot: RunSnapshot) -> None:
-        """Obey what has been typed since the last look."""
+        """Handle the lines typed since the last call."""
         for line in self._keys.lines():
             self.handle_line(line.lower(), snapshot)
 
     def discard_typed(self) -> bool:
-        """Leave out what has been typed and not been read; return whether there is a keyboard."""
+        """Discard typed lines that were not read; return whether there is a keyboard."""
         return self._keys.discard_typed()
 
     def handle_line(self, word: str, snapshot: RunSnapshot) -> None:
-        """Do what a line asks for; say why not. Any line with an x in it damps."""
+        """Send the request of a line, or print why it is refused. Any line with an x damps."""
         up = Mode.STAND if snapshot.mode == Mode.SIT else Mode.RISE
         if "x" in word or word == "stop":
             self._runner.damp()
@@ -76,7 +76,9 @@ class Operator:
         elif word == "q":
             self._print_line(f"{snapshot.time:7.2f} s joints [rad] {joints_text(snapshot)}")
         else:
-            self._print_line(f"{snapshot.time:7.2f} s '{word}' is no key: {key_help(self._rise)}")
+            self._print_line(
+                f"{snapshot.time:7.2f} s '{word}': unknown key: {key_help(self._rise)}"
+            )
 
     def _print_refusal(self, what: str, status: RequestStatus, snapshot: RunSnapshot) -> None:
         if status == RequestStatus.ACCEPTED:
@@ -92,11 +94,11 @@ class Operator:
         failing = [name for name, check in snapshot.arming.checks.items() if is_failing(check)]
         if failing:
             return f"arming checks fail: {', '.join(failing)}"
-        return f"arming checks have passed for {snapshot.arming.passed_for:.1f} s, and must for 1"
+        return f"arming checks have passed for {snapshot.arming.passed_for:.1f} s, expected 1 s"
 
 
 def joints_text(snapshot: RunSnapshot) -> str:
-    """Return the joints' angles as reported, leg by leg: hip, thigh, calf."""
+    """Return the measured joint angles [rad] of each leg: hip, thigh, calf."""
     legs = zip(LEGS, range(0, 12, 3), strict=True)
     return "; ".join(
         f"{leg} {' '.join(f'{angle:.3f}' for angle in snapshot.joint_angles[first : first + 3])}"
@@ -105,10 +107,10 @@ def joints_text(snapshot: RunSnapshot) -> str:
 
 
 class ArmingMonitor:
-    """Says what keeps a robot that is down from being armed, and when nothing does any more.
+    """Printer of the arming checks of a lying robot: the failing ones, and when all pass.
 
     Args:
-        robot: Its names and limits.
+        robot: Robot, for names and limits.
         print_line: Called with a line for each failing check.
     """
 
@@ -117,8 +119,9 @@ class ArmingMonitor:
         self._failing, self._ready, self._armed = "", False, False
 
     def update(self, snapshot: RunSnapshot, due: bool) -> None:
-        """Say what has changed; `due`: say what fails once more."""
-        # A robot that is silent is braked before it is known whether it is to be let go of.
+        """Print changes; `due`: print the failing checks again."""
+        # While the robot is silent, the phase is damping before damping is latched (the mode is
+        # still another). The arming checks do not matter then.
         if (snapshot.phase, snapshot.mode) not in (
             ("passive", Mode.PASSIVE),
             ("damping", Mode.DAMPING),
@@ -137,5 +140,5 @@ class ArmingMonitor:
 
 
 def is_failing(check: ArmingCheck) -> bool:
-    """Return whether a check keeps the robot from being armed."""
+    """Return whether a check prevents arming."""
     return bool(check.applies and not check.passed)

@@ -1,4 +1,4 @@
-"""What surefoot run says: lines for people, a summary for programs."""
+"""Text of surefoot run: status lines, warnings and the summary."""
 
 from __future__ import annotations
 
@@ -10,28 +10,28 @@ from surefoot._core import RiseStage, Robot, RunSnapshot, fault_table
 from surefoot.messages.low_state_layout import LEGS
 
 _GROUND_STAGE_TEXT = {
-    RiseStage.HOLD_LEGS: "legs hold themselves",
-    RiseStage.FOLD: "legs fold",
-    RiseStage.WEIGH: "legs are weighed",
-    RiseStage.PRESS: "rear legs press",
+    RiseStage.HOLD_LEGS: "holding the legs",
+    RiseStage.FOLD: "folding the legs",
+    RiseStage.WEIGH: "weighing the legs",
+    RiseStage.PRESS: "pressing with the rear legs",
 }
 MOTOR_NAMES = [f"{leg}_{joint}" for leg in LEGS for joint in range(3)]
 
 
 class LinkWarnings:
-    """Says once, when it is seen first, what should not be on the wire."""
+    """Printer of unexpected datagrams on the link; each kind is printed once."""
 
     def __init__(self, print_line: Callable[[str], None]) -> None:
         self._print_line, self._printed = print_line, set[str]()
 
     def update(self, snapshot: RunSnapshot) -> None:
-        """Look at the counts."""
+        """Print new kinds of link errors in the counts of `snapshot`."""
         link = snapshot.link
         warnings = {
-            "someone else sends to our port; not listened to": link.strangers,
-            "more datagrams wait than are read in a tick: the peer floods": link.floods,
-            f"a datagram was not taken: {snapshot.last_reject}": link.corrupt + link.wrong_length,
-            "the system does not send: is there a route?": link.send_failed,
+            "another sender uses this port; its datagrams are ignored": link.strangers,
+            "more datagrams arrive than a tick reads: the peer sends too fast": link.floods,
+            f"a datagram was rejected: {snapshot.last_reject}": link.corrupt + link.wrong_length,
+            "sending failed: check the network route": link.send_failed,
         }
         for text, count in warnings.items():
             kind = text.split(":")[0]
@@ -41,13 +41,13 @@ class LinkWarnings:
 
 
 class FaultMonitor:
-    """Says what the supervisor finds wrong, as often as it begins."""
+    """Printer of faults that the supervisor detects, each time a fault begins."""
 
     def __init__(self, print_line: Callable[[str], None]) -> None:
         self._print_line, self._counts = print_line, dict[str, int]()
 
     def update(self, snapshot: RunSnapshot) -> None:
-        """Look at the faults."""
+        """Print the faults that began since the last call."""
         for info in fault_table():
             count = snapshot.faults.count(info.id)
             if count > self._counts.get(info.name, 0):
@@ -58,9 +58,9 @@ class FaultMonitor:
 
 
 def status_line(snapshot: RunSnapshot) -> str:
-    """Return how it is, on one line."""
+    """Return the state of the robot and the link in one line."""
     link = snapshot.link
-    detail = ""  # height and tilt are the controller's, which knows them while it stands
+    detail = ""  # height and tilt come from the controller, which estimates them while standing
     if snapshot.phase == "standing":
         detail = f"height {snapshot.height:.3f} m, tilt {math.degrees(snapshot.tilt):.1f} deg, "
     elif snapshot.phase in ("rising", "sitting"):
@@ -73,14 +73,16 @@ def status_line(snapshot: RunSnapshot) -> str:
     elif snapshot.phase == "passive":
         detail = "armed, " if snapshot.armed else "not armed, "
     return (
-        f"{snapshot.time:7.2f} s {snapshot.phase:8} {detail}power {snapshot.measured_power:.0f} W; states {link.valid}, lost "
+        f"{snapshot.time:7.2f} s {snapshot.phase:8} {detail}power "
+        f"{snapshot.measured_power:.0f} W; states {link.valid}, lost "
         f"{link.lost}, bad {link.corrupt + link.wrong_length + link.wrong_generation}, age "
-        f"{1000 * snapshot.state_age:.0f} ms; tick {snapshot.tick_p50:.0f} us, {snapshot.tick_p999:.0f} p99.9"
+        f"{1000 * snapshot.state_age:.0f} ms; tick {snapshot.tick_p50:.0f} us, "
+        f"{snapshot.tick_p999:.0f} p99.9"
     )
 
 
 def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str) -> dict[str, Any]:
-    """Return what --json writes."""
+    """Return the summary that --json writes."""
     names = [name for name in dir(end.link) if not name.startswith("_")]
     times = [name for name in dir(end) if name.startswith(("tick_", "wake_"))]
     return {
@@ -122,7 +124,7 @@ def run_summary(end: RunSnapshot, robot: Robot, generation: str, real_time: str)
 
 
 def closing_text(result: dict[str, Any]) -> str:
-    """Return the summary for people."""
+    """Return the summary of run_summary() as text."""
     us, link = result["us"], result["link"]
     faults = ", ".join(f"{name} {count}" for name, count in result["faults"].items()) or "none"
     return (
@@ -134,7 +136,7 @@ def closing_text(result: dict[str, Any]) -> str:
         f"power up to {result['greatest_power_w']:.0f} W, faults {faults}\n"
         f"  link  {link['valid']} states, {link['lost']} lost, {link['late']} late, "
         f"{link['duplicate']} duplicate, {link['reordered']} reordered, {link['corrupt']} corrupt, "
-        f"{link['strangers']} from strangers, {link['floods']} floods\n"
+        f"{link['strangers']} from other senders, {link['floods']} floods\n"
         f"  tick  {us['tick_p50']:.0f} us median, {us['tick_p90']:.0f} p90, {us['tick_p99']:.0f} "
         f"p99, {us['tick_p999']:.0f} p99.9, {us['tick_max']:.0f} max; woken {us['wake_p50']:.0f} "
         f"us late, {us['wake_p99']:.0f} p99, {us['wake_max']:.0f} max\n"
@@ -143,14 +145,14 @@ def closing_text(result: dict[str, Any]) -> str:
 
 
 def no_robot_text(where: str, end: RunSnapshot, generation: str) -> str:
-    """Return why no robot was controlled."""
+    """Return the reason why no robot was controlled."""
     if end.reason == "wrong_generation":
-        return f"the robot at {where} does not speak {generation}: {end.last_reject}; see --sdk"
+        return f"the robot at {where} does not use {generation}: {end.last_reject}; see --sdk"
     if end.link.received:
         return f"no valid LowState from {where}: {end.last_reject}"
     if where.startswith("127."):
-        return f"nobody answers at {where}; a virtual robot is started with surefoot robot"
+        return f"no answer from {where}; start a virtual robot with surefoot robot"
     return (
-        f"nobody answers at {where}: cable, address and port, low level on the robot, --local-port "
-        f"if it answers to a port of its own choice"
+        f"no answer from {where}: check cable, address and port, low-level mode of the robot, and "
+        f"--local-port if the robot answers to a fixed port"
     )

@@ -1,4 +1,4 @@
-"""surefoot stand: a run from its arguments to its results."""
+"""surefoot stand: simulates a standing robot and writes the results."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ FELL = 3
 
 
 def stand(arguments: argparse.Namespace) -> int:
-    """Run the robot and print, write and draw what was asked for; raises Error.
+    """Simulate the robot, print a summary and write the requested files; raises Error.
 
     Returns:
-        Exit status: 0 if it stood, 3 if it fell.
+        Exit status: 0 if the robot stood, 3 if it fell.
     """
     choose_graphics()
     try:
@@ -107,7 +107,7 @@ def read_settings(arguments: argparse.Namespace) -> StandSettings:
 
 
 def read_form(text: str) -> QpForm:
-    """Return the form of a name of --form; raises Error."""
+    """Return the QpForm that --form names; raises Error."""
     names = {form.name.lower(): form for form in QpForm}
     if text not in names:
         valid = ", ".join(names)
@@ -116,7 +116,7 @@ def read_form(text: str) -> QpForm:
 
 
 def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
-    """Return the robot's gains with those of a file on top, or None; raises Error."""
+    """Return the robot's gains with those of `file` on top, None without a file; raises Error."""
     if file is None:
         return None
     return load_gains(file, build_robot(robot).config.gains)
@@ -125,7 +125,7 @@ def read_gains(file: str | None, robot: RobotDescription) -> Gains | None:
 def _parse_numbers(
     option: str, text: str, form: str, counts: tuple[int, ...], size: int
 ) -> tuple[float, ...]:
-    """Read numbers between colons and fill up with zeros to `size`; raises Error."""
+    """Parse numbers separated by colons and append zeros up to `size` numbers; raises Error."""
     try:
         values = tuple(float(word) for word in text.split(":"))
     except ValueError:

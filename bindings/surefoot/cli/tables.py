@@ -1,4 +1,4 @@
-"""surefoot robots and surefoot gains: what is there, as tables."""
+"""surefoot robots and surefoot gains: tables of the known robots and of all gains."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def list_robots(arguments: argparse.Namespace) -> None:
 
 
 def list_gains(arguments: argparse.Namespace) -> None:
-    """Print every gain, with a robot's values or the library's; raises Error."""
+    """Print every gain, with the values of a robot or the library's defaults; raises Error."""
     gains = Gains()
     description = chosen_robot(arguments)
     if description is not None:
@@ -52,7 +52,7 @@ def list_gains(arguments: argparse.Namespace) -> None:
 
 
 def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Print columns as wide as they need to be."""
+    """Print a header and rows in aligned columns."""
     widths = [max(len(line[k]) for line in (header, *rows)) for k in range(len(header))]
     for line in (header, ["-" * width for width in widths], *rows):
         cells = (cell.ljust(width) for cell, width in zip(line, widths, strict=True))

@@ -1,4 +1,4 @@
-"""surefoot tune: three ways to gains, each a subcommand of its own."""
+"""surefoot tune: three methods to find gains, each a subcommand."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import argparse
 from surefoot.cli import tune_design, tune_live, tune_search
 
 _SUBCOMMANDS = (
-    ("live", tune_live, "serve a page with sliders over a simulated robot, or one on UDP"),
-    ("search", tune_search, "search gains over simulated disturbances, on every core"),
+    ("live", tune_live, "serve a page with gain sliders for a simulated robot, or for one on UDP"),
+    ("search", tune_search, "search gains by simulating disturbances on all cores"),
     ("design", tune_design, "compute gains and margins from frequencies, damping and delay"),
 )
 

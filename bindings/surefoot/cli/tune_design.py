@@ -1,4 +1,4 @@
-"""surefoot tune design."""
+"""surefoot tune design: computes gains and stability margins."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ __all__ = ["add_options", "run"]
 
 
 def run(arguments: argparse.Namespace) -> int | None:
-    """Design, print, and write what was asked for; raises Error."""
-    # These need no CasADi, so that a machine without it gets one line that says so.
+    """Design gains, print them and write the requested files; raises Error."""
+    # These imports work without CasADi, so that load_casadi() can report it missing in one line.
     from surefoot.tune.design.closed_loop import load_casadi
     from surefoot.tune.design.gain_design import design_gains
     from surefoot.tune.design.text import design_summary, design_text

@@ -1,4 +1,4 @@
-"""What surefoot tune design is asked, as options and as settings."""
+"""Options of surefoot tune design, and the settings that they make."""
 
 from __future__ import annotations
 
@@ -29,18 +29,24 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument_group("results").add_argument
     add("--toml", metavar="FILE.toml", help="write all gains, for --gains of the other commands")
     add("--json", metavar="FILE|-", help="write gains and margins as one object; - is stdout")
-    add("--report", metavar="DIR", help="write maps of where it is stable, and index.html")
+    add("--report", metavar="DIR", help="write maps of the stable gains, and index.html")
 
 
 def _add_goal_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument_group("what is asked for").add_argument
+    add = parser.add_argument_group("desired closed loop").add_argument
     add(
         "--bandwidth",
         metavar=_GOAL_METAVAR,
-        help="natural frequency [Hz] and damping of every axis that has none of its own; without "
-        "it the others keep the robot's gains",
+        help="natural frequency [Hz] and damping ratio of all axes without their own option; "
+        "without --bandwidth those axes keep the robot's gains",
     )
-    add("--damping", type=float, default=0.8, metavar="ZETA", help="where none is said (0.8)")
+    add(
+        "--damping",
+        type=float,
+        default=0.8,
+        metavar="ZETA",
+        help="damping ratio where FREQ has none (0.8)",
+    )
     for name, text in _AXES.items():
         add(f"--{name}", metavar=_GOAL_METAVAR, help=text)
     add(
@@ -48,36 +54,37 @@ def _add_goal_options(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=1.0,
         metavar="X",
-        help="times the robot's own: above 1 pushes are answered sooner and smaller ones, which "
-        "costs margin; below 1 less is made of the accelerometer (1)",
+        help="divides push_time, push_dead_band and the initial IMU noise: above 1 the controller "
+        "reacts sooner and to smaller pushes, with less margin (1)",
     )
     add(
         "--trust-legs",
         type=float,
         default=1.0,
         metavar="X",
-        help="times the robot's own: how surely feet stand where they stand (1)",
+        help="divides the initial noise of stance feet: above 1 the estimator trusts more that "
+        "they do not move (1)",
     )
-    add("--gains", metavar="FILE.toml", help="start from these, not from the robot's own")
+    add("--gains", metavar="FILE.toml", help="start from these instead of the robot's gains")
 
 
 def _add_loop_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument_group("the loop").add_argument
+    add = parser.add_argument_group("control loop").add_argument
     add("--rate", type=float, default=500.0, metavar="HZ", help="commands per second (500)")
     add(
         "--delay-ms",
         type=float,
         default=0.0,
         metavar="MS",
-        help="further delay of commands, beyond one period each way (0)",
+        help="additional delay of commands, beyond one period each way (0)",
     )
-    add("--motor-lag-ms", type=float, default=2.0, metavar="MS", help="time constant (2)")
+    add("--motor-lag-ms", type=float, default=2.0, metavar="MS", help="motor time constant (2)")
     add(
         "--joint-friction-scale",
         type=float,
         default=1.0,
         metavar="X",
-        help="factor on the joints' friction, which stops small oscillations; 0 relies on none (1)",
+        help="factor on joint friction, which damps small oscillations; 0: no friction (1)",
     )
 
 
@@ -121,7 +128,7 @@ def _timing(arguments: argparse.Namespace) -> Timing:
     )
 
     rate, delay, lag = arguments.rate, arguments.delay_ms, arguments.motor_lag_ms
-    # Here, by the options' names and in their units; the model's own are seconds.
+    # Check here, so that messages have the options' names and units; the model uses seconds.
     check_range("--rate", rate, *RATE_RANGE, "Hz")
     check_requested_delay(rate, delay / 1000.0, "--rate", "--delay-ms")
     least, most = (1000.0 * end for end in MOTOR_LAG_RANGE)

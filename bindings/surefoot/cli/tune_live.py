@@ -1,4 +1,4 @@
-"""surefoot tune live."""
+"""surefoot tune live: serves a page that changes gains of a running robot."""
 
 from __future__ import annotations
 
@@ -21,30 +21,41 @@ from surefoot.system.terminal import LinePrinter
 if TYPE_CHECKING:
     from surefoot.tune.live.session import Session
 
-ROBOT_PORT = 8007
+ROBOT_PORT = 8007  # UDP port of the robot if --host names none
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Add every option of surefoot tune live."""
     add_robot_options(parser, "go1")
     parser.epilog = (
-        "exit status: 0 the end, by Ctrl-C or SIGTERM; 1 the page's port is taken or not "
-        "permitted; 2 a wrong argument. Whoever reaches the page may use it: leave --bind at "
-        "loopback unless the network is your own"
+        "exit status: 0 ended by Ctrl-C or SIGTERM; 1 the port of the page is taken or not "
+        "permitted; 2 a wrong argument. The page has no access control: keep --bind at loopback "
+        "unless you trust the network"
     )
     add = parser.add_argument
-    add("--gains", metavar="FILE.toml", help="gains to begin with (the robot's own)")
+    add("--gains", metavar="FILE.toml", help="initial gains (the robot's own)")
     add("--folder", default=".", metavar="DIR", help="where the page saves and loads gains (.)")
-    add("--port", type=int, default=8080, metavar="N", help="of the page; 0: a free one (8080)")
-    add("--bind", default="127.0.0.1", metavar="ADDRESS", help="to serve on (127.0.0.1)")
+    add(
+        "--port",
+        type=int,
+        default=8080,
+        metavar="N",
+        help="TCP port of the page; 0: a free one (8080)",
+    )
+    add("--bind", default="127.0.0.1", metavar="ADDRESS", help="address to serve on (127.0.0.1)")
     add("--open", action="store_true", help="open a browser")
-    add("--plain", action="store_true", help="no shadows: for a computer without a graphics card")
-    group = parser.add_argument_group("a robot on UDP instead of a simulated one")
+    add("--plain", action="store_true", help="no shadows, for a computer without a GPU")
+    group = parser.add_argument_group("robot on UDP instead of a simulated one")
     add = group.add_argument
-    text = f"of the robot, see surefoot run (port {ROBOT_PORT}); gains then move in guarded ranges"
+    text = f"address of the robot, see surefoot run (port {ROBOT_PORT}); gain ranges are limited"
     add("--host", metavar="ADDRESS[:PORT]", help=text)
-    add("--sdk", metavar="GENERATION", help="of its frames (the robot's newest)")
-    add("--power-level", type=int, metavar="N", help="N x 100 W: 1 .. 10; 0: off (1)")
+    add("--sdk", metavar="GENERATION", help="generation of the frames (the robot's newest)")
+    add(
+        "--power-level",
+        type=int,
+        metavar="N",
+        help="power protection, N x 100 W: 1 .. 10; 0: off (1)",
+    )
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -68,16 +79,16 @@ def run(arguments: argparse.Namespace) -> None:
         page = Page(server, session, files, arguments.plain)
     except BaseException:
         if session is not None:
-            session.close()  # a robot on UDP may stand already
+            session.close()  # a robot on UDP may already stand
         close_server(server)
         raise
     page.start()
     url = f"http://{arguments.bind}:{server.get_port()}"
     LinePrinter(sys.stdout)(f"serving {url} ({own.name}); Ctrl-C ends")
     if arguments.open and not webbrowser.open(url):
-        LinePrinter(sys.stderr)(f"no browser could be opened; see {url}")
+        LinePrinter(sys.stderr)(f"--open: no browser could be opened; open {url}")
     try:
-        while not stop_event.wait(0.5):  # a wait without an end would not let signals through
+        while not stop_event.wait(0.5):  # an endless wait would not let signals through
             page.check()
     finally:
         page.stop()
@@ -110,7 +121,7 @@ def _open_session(
 
 
 def _stop_on_signals() -> threading.Event:
-    """Return what Ctrl-C, SIGTERM and a closed terminal set from now on: a server's ends."""
+    """Return an event that SIGINT, SIGTERM and SIGHUP (closed terminal) set from now on."""
     stop_event = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda *_: stop_event.set())

@@ -1,4 +1,4 @@
-"""surefoot tune search: the options, and the search."""
+"""surefoot tune search: searches gains by simulation."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ if TYPE_CHECKING:
     from surefoot.tune.search.settings import SearchSettings
 
 _EPILOG = """\
-Every trial is judged by the same runs (seeds of sensors, motors, payload, ground and three pushes
-each); the result is judged by others. Without --gain frequency and damping of five tasks are
-searched: sway, height, tilt, yaw, foot, as sway_frequency and so on. With --store a search that
-was ended, however, goes on where it was.
+Every trial is evaluated on the same runs (random sensors, motors, payload and ground, three pushes
+each); the result is evaluated on held-out runs. Without --gain, the search varies frequency and
+damping of five tasks: sway, height, tilt, yaw and foot, named sway_frequency and so on. With
+--store, an interrupted search can be resumed.
 
-exit status: 0 done, 1 a file could not be written (trials in the store are safe), 2 a wrong
+exit status: 0 done, 1 a file could not be written (trials in the store are kept), 2 a wrong
 argument, store or cluster, 130 interrupted"""
 
 
@@ -44,9 +44,15 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     add_robot_options(parser, "go1")
     add = parser.add_argument
     add("--from", dest="start", metavar="FILE.toml", help="gains to start from (the robot's own)")
-    add("--trials", type=int, default=200, metavar="N", help="in all, those in the store too (200)")
-    add("--jobs", type=int, metavar="N", help="processes (one a core)")
-    add("--cluster", metavar="tcp://HOST:PORT", help="Dask scheduler, instead of processes")
+    add(
+        "--trials",
+        type=int,
+        default=200,
+        metavar="N",
+        help="total number of trials, including those in the store (200)",
+    )
+    add("--jobs", type=int, metavar="N", help="number of processes (one per core)")
+    add("--cluster", metavar="tcp://HOST:PORT", help="Dask scheduler instead of local processes")
     add(
         "--objective",
         default="balance",
@@ -57,20 +63,26 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--gain",
         action="append",
         metavar="NAME[=LOW:HIGH]",
-        help="search this, a task's number or any gain; may be given again",
+        help="search this parameter: a task's frequency or damping, or any gain; repeatable",
     )
-    add("--episodes", type=int, default=6, metavar="N", help="runs a trial (6)")
-    add("--held-out", type=int, default=10, metavar="N", help="runs that judge the result (10)")
+    add("--episodes", type=int, default=6, metavar="N", help="runs per trial (6)")
+    add(
+        "--held-out",
+        type=int,
+        default=10,
+        metavar="N",
+        help="held-out runs that evaluate the result (10)",
+    )
     add("--sampler", metavar="NAME", help="cmaes, tpe, nsga2, random (cmaes; nsga2 for two)")
-    add("--seed", type=int, default=0, metavar="N", help="of the search (0)")
-    add("--store", metavar="FILE", help="journal of trials; a search in it goes on")
+    add("--seed", type=int, default=0, metavar="N", help="seed of the search (0)")
+    add("--store", metavar="FILE", help="journal of trials; resume the search in FILE")
     add("--toml", metavar="FILE.toml", help="write the best gains")
     add("--report", metavar="DIR", help="write plots, films, gains.toml, index.html, summary.json")
     add("--json", metavar="FILE|-", help="write the result as one JSON object; - is stdout")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Search, and print and write what was asked for.
+    """Search gains, print a summary and write the requested files.
 
     Raises:
         Error: A wrong argument, store or cluster.
@@ -93,9 +105,9 @@ def run(arguments: argparse.Namespace) -> None:
     try:
         result = run_search(_settings(arguments, own), own, _progress())
     except KeyboardInterrupt:
-        where = f"in {arguments.store}: the same command goes on"
-        kept = where if arguments.store else "lost; --store FILE would have kept them"
-        print(f"surefoot: the trials that were done are {kept}", file=sys.stderr)
+        where = f"in {arguments.store}: run the same command again to resume"
+        kept = where if arguments.store else "lost; use --store FILE to keep them"
+        print(f"surefoot: the finished trials are {kept}", file=sys.stderr)
         raise
     summary = summarise(result)
     command = shlex.join(["surefoot", *arguments.argv])
@@ -141,7 +153,7 @@ def _settings(arguments: argparse.Namespace, own: Gains) -> SearchSettings:
 
 
 def _progress() -> Callable[[int, int, float], None] | None:
-    """Return what draws a bar with the best cost on a terminal, or None."""
+    """Return a function that draws a bar with the best cost; None if stderr is no terminal."""
     if not sys.stderr.isatty():
         return None
 

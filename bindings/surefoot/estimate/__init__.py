@@ -1,4 +1,4 @@
-"""Logs of real or simulated robots, and the state estimator over them without a controller."""
+"""State estimation over the log of a real or simulated robot, without a controller."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    # The report draws with matplotlib; an estimate without pictures must not need it.
+    # Loaded on first use: only the report needs matplotlib.
     if name == "write_report":
         from surefoot.estimate.report import write_report
 

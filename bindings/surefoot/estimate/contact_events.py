@@ -1,4 +1,4 @@
-"""When something begins and ends."""
+"""Contact transitions and slip events of an estimate."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ THRESHOLD = 0.5
 
 @dataclass(frozen=True)
 class Transition:
-    """A foot that came down or lifted off.
+    """Touch-down or lift-off of a foot.
 
     Attributes:
-        time: [s].
-        leg: 0 .. 3, FR FL RR RL.
-        begins: Whether it came down.
+        time: Time of the first row after the change [s].
+        leg: 0 .. 3, in the order FR FL RR RL.
+        begins: True for a touch-down, false for a lift-off.
     """
 
     time: float
@@ -29,7 +29,7 @@ class Transition:
 
 
 def transitions(time: Array, on: Array) -> list[Transition]:
-    """Return where (n, 4) changes, NaN rows apart, in order of time (n,)."""
+    """Find the rows where `on` (n, 4) crosses THRESHOLD, in order of time (n,); skip NaN rows."""
     known = np.isfinite(on).all(axis=1)
     time, states = time[known], on[known] > THRESHOLD
     rows, legs = np.nonzero(states[1:] != states[:-1])
@@ -40,16 +40,16 @@ def transitions(time: Array, on: Array) -> list[Transition]:
 
 
 def row_durations(estimate: Estimate) -> Array:
-    """Return how long each row was in force (m,) [s]: until the next; the last one a period."""
+    """Return the time from each row to the next (m,) [s]; the last row lasts one period."""
     return np.diff(estimate.time, append=estimate.time[-1] + estimate.log.period)
 
 
 def slip_events(estimate: Estimate) -> list[dict[str, object]]:
-    """Return when feet slipped more likely than not: time [s], foot, how long [s]."""
+    """Return the slips, in which Estimate.slip exceeds THRESHOLD: time [s], foot, duration [s]."""
     end = float(estimate.time[-1])
     events: list[dict[str, object]] = []
     start_times: dict[int, float] = {}
-    # A quiet row before, so that a slip under way at the start is one too.
+    # A first row without slip makes a slip that is under way at the start count.
     time = np.concatenate([estimate.time[:1], estimate.time])
     slip = np.vstack([np.zeros((1, 4)), estimate.slip])
     changes = transitions(time, slip)

@@ -1,4 +1,4 @@
-"""Takes down what an estimator says after every row."""
+"""Record of the estimator's output after each row of a log."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ _UNJUDGED = SensorVerdict.UNJUDGED.value
 
 
 class EstimateRecorder:
-    """Arrays that fill up row by row.
+    """Arrays of the estimator's output, filled row by row.
 
     Args:
-        robot: Whose estimator it is.
-        rows: How many there will be.
+        robot: Robot of the estimator.
+        rows: Number of rows.
     """
 
     def __init__(self, robot: Robot, rows: int) -> None:
@@ -39,7 +39,7 @@ class EstimateRecorder:
         self._verdict_codes = self.verdicts[:1].copy()
 
     def record(self, k: int, status: Status, estimator: StateEstimator, elapsed_us: float) -> None:
-        """Take down row k; what was refused changes nothing but verdicts."""
+        """Record row k; a rejected row only sets its status, update time and verdicts."""
         report = estimator.report
         self.update_us[k] = elapsed_us
         self.status[k] = status.value
@@ -67,7 +67,7 @@ class EstimateRecorder:
         ]
         if (
             verdict_sources != self._last_verdicts
-        ):  # verdicts seldom change, and their numbers are slow to get
+        ):  # verdicts change rarely, and converting them to integers is slow
             self._last_verdicts = verdict_sources
             verdicts = [
                 *verdict_sources[:3],
@@ -77,10 +77,10 @@ class EstimateRecorder:
         self.verdicts[k] = self._verdict_codes
 
     def arrays(self) -> dict[str, Array]:
-        """Return the rows; one that was refused is as the last that was taken."""
+        """Return the rows by name; a rejected row repeats the last accepted one."""
         count = np.arange(len(self.status))
         last = np.maximum.accumulate(np.where(self.status == Status.OK.value, count, -1))
-        # Before the first that was taken: row 0, which is NaN then.
+        # Rows before the first accepted one take row 0, which is then NaN.
         rows = {name: values[np.maximum(last, 0)] for name, values in self._rows.items()}
         covariance = rows.pop("covariance")
         rows["std"] = np.sqrt(np.maximum(covariance[:, :15], 0.0))

@@ -1,4 +1,4 @@
-"""What an estimator made of a log, row by row."""
+"""Result of the estimator for each row of a log."""
 
 from __future__ import annotations
 
@@ -13,50 +13,56 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
 
 IMU_SENSORS = ("gyroscope", "accelerometer", "quaternion")
-FOOT_SENSORS = ("footForceEst", "footForce", "tauEst")  # as surefoot.ContactSource begins
+FOOT_SENSORS = (
+    "footForceEst",
+    "footForce",
+    "tauEst",
+)  # the first entries of surefoot.ContactSource
 SENSOR_NAMES = IMU_SENSORS + tuple(f"{name}[{leg}]" for name in FOOT_SENSORS for leg in LEGS)
-"""Of what there are verdicts, in the order of Estimate.verdicts."""
+"""Sensors that the estimator judges, in the order of Estimate.verdicts."""
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """One run of an estimator over a log.
+    """One run of the estimator over a log.
 
-    Row k belongs to row rows[k] of the log: repetitions of a row and rows without a time are left
-    out. A row that the estimator refused repeats the last it took; before the first that it took
-    all is NaN. World z is up; the estimator's world begins under the base, with its heading.
+    Row k is the estimate after row rows[k] of the log. Rows that repeat the clock and rows without
+    a finite clock are skipped. A rejected row repeats the last accepted one; rows before the first
+    accepted one are NaN. World z is up; the world frame of the estimator starts under the base,
+    with the heading of the base.
 
     Attributes:
-        robot: The model.
-        log: The log.
+        robot: Robot model.
+        log: Log that was estimated.
         rows: (m,) index of each row in the log.
-        time: (m,) since the log's first row [s].
+        time: (m,) time since the first row of the log [s].
         status: (m,) values of surefoot.Status.
-        q: (m, nq) Pinocchio's: position, quaternion x y z w, joints.
+        q: (m, nq) configuration as in Pinocchio: position, quaternion x y z w, joints.
         v: (m, nv) base twist in base axes, joint velocities.
-        contact: (m, 4) probability that a foot bears load.
-        std: (m, 15) of the errors of rotation (world axes) [rad], v_world [m/s], p_world [m],
-            gyroscope bias [rad/s], accelerometer bias [m/s^2].
-        rotation_covariance: (m, 3, 3) of the rotation's error, world axes [rad^2].
+        contact: (m, 4) contact confidence of each foot.
+        std: (m, 15) standard deviations of the errors of rotation (world axes) [rad], v_world
+            [m/s], p_world [m], gyroscope bias [rad/s], accelerometer bias [m/s^2].
+        rotation_covariance: (m, 3, 3) covariance of the rotation error, world axes [rad^2].
         gyroscope_bias: (m, 3) base axes [rad/s].
         accelerometer_bias: (m, 3) base axes [m/s^2].
         nis: (m,) normalised innovation squared.
-        nis_dimension: (m,) its dimension.
-        slip: (m, 4) how surely a standing foot slips.
-        contact_by_source: (m, 4, 4) [ContactSource][foot], 0.5 is nothing.
+        nis_dimension: (m,) dimension of the innovation.
+        slip: (m, 4) how sure the estimator is that a loaded foot slips, 0 .. 1.
+        contact_by_source: (m, 4, 4) evidence of each ContactSource for each foot: 0 off the
+            ground, 1 loaded, 0.5 none.
         foot_forces_from_torques: (m, 4) vertical ground force from joint torques [N].
-        refused: (m, 4) whether the innovation gate refused a foot.
-        payload: (m,) [kg] more than the model has.
-        com_shift: (m, 3) [m] base axes.
-        verdicts: (m, 15) values of surefoot.SensorVerdict on SENSOR_NAMES.
+        refused: (m, 4) whether the innovation gate rejected a foot.
+        payload: (m,) mass beyond the model [kg].
+        com_shift: (m, 3) centre of mass, loaded minus model, base axes [m].
+        verdicts: (m, 15) values of surefoot.SensorVerdict for SENSOR_NAMES.
         update_us: (m,) time of StateEstimator.update() [us]; 0 where it was not called.
-        derived: How columns that the log has not were made, by name.
-        non_finite: Rows with NaN or infinity by column.
-        duplicates: Rows whose clock repeats the one before; skipped.
-        rows_without_time: Rows without a finite clock; skipped.
-        gaps: Steps longer than the estimator is told.
-        longest_gap: The longest step [s].
-        warnings: What was strange.
+        derived: For each column that the log lacks: how its values were made.
+        non_finite: Number of rows with NaN or infinity, by column.
+        duplicates: Number of rows whose clock repeats the row before; skipped.
+        rows_without_time: Number of rows without a finite clock; skipped.
+        gaps: Number of steps longer than 0.1 s, the largest dt that the estimator receives.
+        longest_gap: Longest step of the clock [s].
+        warnings: Findings that make the log or the estimate doubtful.
     """
 
     robot: Robot
@@ -91,27 +97,27 @@ class Estimate:
 
     @property
     def valid(self) -> npt.NDArray[np.bool_]:
-        """(m,) whether the estimator has taken a row by now."""
+        """(m,) whether the estimator has accepted a row so far."""
         return np.isfinite(self.q[:, 0])
 
     @property
     def rotation(self) -> Array:
-        """(m, 3, 3) base axes to world axes."""
+        """(m, 3, 3) rotation matrices, base axes to world axes."""
         return matrices_from_xyzw(self.q[:, 3:7])
 
     @property
     def rpy(self) -> Array:
-        """(m, 3) roll, pitch, yaw [rad] (ZYX)."""
+        """(m, 3) roll, pitch, yaw [rad], ZYX convention."""
         return rpy_from_matrices(self.rotation)
 
     @property
     def v_world(self) -> Array:
-        """(m, 3) of the base in world axes [m/s]."""
+        """(m, 3) velocity of the base in world axes [m/s]."""
         return np.asarray(np.einsum("nij,nj->ni", self.rotation, self.v[:, :3]))
 
     @property
     def rpy_std(self) -> Array:
-        """(m, 3) of roll, pitch, yaw [rad], from the rotation's covariance to first order."""
+        """(m, 3) standard deviations of roll, pitch, yaw [rad], to first order."""
         _, pitch, yaw = self.rpy.T
         c, s, o = np.cos(yaw), np.sin(yaw), np.zeros_like(yaw)
         flat = np.maximum(np.cos(pitch), 1e-6)

@@ -1,4 +1,4 @@
-"""What each number of a summary means, said once: for the report, the documentation, the tests."""
+"""Meaning of each field of a summary, for the report, the documentation and the tests."""
 
 from __future__ import annotations
 
@@ -6,79 +6,91 @@ from surefoot.reports.summary_field import Field
 
 _GROUPS: dict[str, tuple[tuple[str, str, str], ...]] = {
     "Log": (
-        ("version", "", "of Surefoot"),
+        ("version", "", "version of Surefoot"),
         ("robot", "", "name of the robot"),
-        ("file", "", "the log"),
-        ("rows", "", "rows in it"),
-        ("duration", "s", "from its first row to its last"),
-        ("rate", "Hz", "one over the median step of its clock"),
-        ("clock", "", "the column that time is from: tick or time"),
-        ("columns_used", "", "columns that the estimator got"),
-        ("columns_derived", "", "columns made from others, and how"),
-        ("columns_missing", "", "columns that the estimator got as zeros"),
-        ("truth_columns", "", "columns that judge the estimate and never reach the estimator"),
-        ("ignored_columns", "", "names in the file that nothing was made of"),
-        ("warnings", "", "what is doubtful about the log"),
-        ("non_finite_rows", "", "rows with NaN or infinity, by column; the estimator refuses them"),
+        ("file", "", "name of the log"),
+        ("rows", "", "rows in the log"),
+        ("duration", "s", "time from the first row to the last"),
+        ("rate", "Hz", "inverse of the median step of the clock"),
+        ("clock", "", "column that gives the time: tick or time"),
+        ("columns_used", "", "columns that the estimator received"),
+        ("columns_derived", "", "columns computed from others, and how"),
+        ("columns_missing", "", "columns that the estimator received as zeros"),
+        (
+            "truth_columns",
+            "",
+            "ground truth, compared with the estimate; never reaches the estimator",
+        ),
+        ("ignored_columns", "", "names in the file that were not used"),
+        ("warnings", "", "findings that make the log doubtful"),
+        ("non_finite_rows", "", "rows with NaN or infinity, by column; the estimator rejects them"),
         ("duplicate_rows", "", "rows whose clock repeats the row before; skipped"),
-        ("gaps", "", "steps longer than 0.1 s, of which the estimator is told 0.1 s"),
+        ("gaps", "", "steps longer than 0.1 s; the estimator receives 0.1 s instead"),
         ("longest_gap_s", "s", "longest step of the clock"),
-        ("statuses", "", "rows by what the estimator said of them: surefoot.Status"),
+        ("statuses", "", "number of rows by surefoot.Status of the estimator"),
         ("update_us", "us", "time of StateEstimator.update(): p50, p90, p99, max"),
     ),
     "End": (
-        ("position", "m", "of the base in the world, which begins below it, feet at height 0"),
-        ("position_std", "m", "its standard deviation"),
-        ("velocity", "m/s", "of the base, world axes"),
-        ("velocity_std", "m/s", "its standard deviation"),
+        (
+            "position",
+            "m",
+            "position of the base, world; the origin is below its first position, feet at 0",
+        ),
+        ("position_std", "m", "standard deviation of position"),
+        ("velocity", "m/s", "velocity of the base, world axes"),
+        ("velocity_std", "m/s", "standard deviation of velocity"),
         ("rpy_deg", "deg", "roll, pitch, yaw"),
-        ("rpy_std_deg", "deg", "their standard deviations, to first order"),
-        ("path_length", "m", "of the base, corners every 0.1 s"),
+        ("rpy_std_deg", "deg", "standard deviations of rpy_deg, to first order"),
+        ("path_length", "m", "path length of the base, sampled every 0.1 s"),
         ("height_range", "m", "lowest and highest z of the base"),
-        ("payload_kg", "kg", "more than the model has"),
-        ("com_shift", "m", "from the model's centre of mass to the loaded one, base axes"),
+        ("payload_kg", "kg", "mass beyond the model"),
+        ("com_shift", "m", "centre of mass, loaded minus model, base axes"),
     ),
     "Sensors": (
         ("gyroscope_bias", "rad/s", "at the end, base axes"),
-        ("gyroscope_bias_std", "rad/s", "its standard deviation"),
+        ("gyroscope_bias_std", "rad/s", "standard deviation of gyroscope_bias"),
         ("accelerometer_bias", "m/s^2", "at the end, base axes"),
-        ("accelerometer_bias_std", "m/s^2", "its standard deviation"),
+        ("accelerometer_bias_std", "m/s^2", "standard deviation of accelerometer_bias"),
         (
             "nis_per_dimension",
             "",
-            "normalised innovation squared, all rows together, over its dimension: 1 where noise "
-            "is as large as believed; null if nothing was innovated",
+            "normalised innovation squared of all rows over its dimension: 1 where the noise is as "
+            "large as modelled; null if no measurement was used",
         ),
         (
             "verdicts",
             "",
-            "surefoot.SensorVerdict on each sensor: now (at the end) and the share of time in each",
+            "surefoot.SensorVerdict of each sensor: now (at the end) and share of time per verdict",
         ),
     ),
     "Contact": (
-        ("contact", "", "per foot: transitions, and share of time with a probability above 0.5"),
-        ("contact_transitions", "", "time [s], foot, contact: true came down, false lifted off"),
-        ("slip_events", "", "time [s], foot, duration [s] of slips above 0.5"),
+        (
+            "contact",
+            "",
+            "per foot: transitions, and share of time with contact confidence above 0.5",
+        ),
+        ("contact_transitions", "", "time [s], foot, contact: true touch-down, false lift-off"),
+        ("slip_events", "", "slips with confidence above 0.5: time [s], foot, duration [s]"),
     ),
     "Truth": (
         (
             "velocity_rmse",
             "m/s",
-            "world axes, length of the error, true heading at the start taken over; null, like all "
-            "here, if the log has no truth_ columns for it",
+            "norm of the velocity error, world axes, true heading used at the start; null, like "
+            "all fields of this group, if the log has no truth_ columns for it",
         ),
-        ("roll_pitch_rmse_deg", "deg", "of roll and of pitch"),
-        ("height_error_range", "m", "lowest and highest error of z, which is 0 at the start"),
+        ("roll_pitch_rmse_deg", "deg", "roll error and pitch error"),
+        ("height_error_range", "m", "lowest and highest error of z, relative to the start"),
         (
             "vertical_force_rmse",
             "",
-            "per foot, vertical force from joint torques, as a share of the model's weight",
+            "per foot: vertical force from joint torques, as a share of the model weight",
         ),
         (
             "contact_delays",
             "",
-            "per foot: true transitions, missed (not told from 0.1 s before to 0.3 s after), false "
-            "(told without a true one), mean and max delay [s]",
+            "per foot: true transitions, missed (not estimated from 0.1 s before to 0.3 s after), "
+            "false (estimated without a true one), mean and max delay [s]",
         ),
     ),
 }
@@ -88,4 +100,4 @@ FIELDS: tuple[Field, ...] = tuple(
     for group, rows in _GROUPS.items()
     for name, unit, meaning in rows
 )
-"""Every entry of surefoot.estimate.summarise(), in its order."""
+"""Every field of surefoot.estimate.summarise(), in its order."""

@@ -1,4 +1,4 @@
-"""Joint velocities from joint angles, as a real-time program could have made them."""
+"""Joint velocities from joint angles, by a causal filter that could run in real time."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ import numpy as np
 
 from surefoot.geometry.batch_rotations import Array
 
-CUTOFF_HZ = 50.0  # [Hz] delays by 3 ms; an encoder's steps of 3e-5 rad at 500 Hz leave 0.004 rad/s
-HOLD_TIME = 0.010  # [s] an angle that repeats for longer stands still
+CUTOFF_HZ = 50.0  # [Hz] 3 ms of delay; encoder steps of 3e-5 rad at 500 Hz leave 0.004 rad/s
+HOLD_TIME = 0.010  # [s] a joint whose angle repeats for longer stands still
 METHOD = (
-    f"from q: differences between samples, causal first-order low-pass at {CUTOFF_HZ:g} Hz; an angle "
-    f"that repeats is an old sample for {1000 * HOLD_TIME:g} ms, then a joint that stands still"
+    f"from q: differences between samples, causal first-order low-pass at {CUTOFF_HZ:g} Hz; a "
+    f"repeated angle is an old sample for {1000 * HOLD_TIME:g} ms, then a joint at rest"
 )
 
 
 def derive_velocities(time: Array, q: Array) -> Array:
-    """Return dq (n, 12) [rad/s] for angles q (n, 12) [rad] at times (n,) [s].
+    """Compute dq (n, 12) [rad/s] from angles q (n, 12) [rad] at times (n,) [s].
 
-    Causal: row k depends on rows up to k alone, as in a robot. Each joint's angle is differenced
-    over the time since its last new sample, however long that is, and low-passed by a first-order
-    filter with its cut-off at 50 Hz whose share is 1 - exp(-2 pi 50 Hz x that time). Logs faster
-    than the encoders repeat samples: for up to 10 ms the velocity holds, after that it falls.
-    Rows whose time or angle is not finite keep the velocity that was.
+    The filter is causal: row k depends on rows 0 .. k only, as on a robot. For each joint it takes
+    the difference over the time dt since the last new angle and low-passes it to first order at
+    50 Hz: dq += (1 - exp(-2 pi 50 Hz dt)) (difference / dt - dq). A log that is faster than the
+    encoders repeats angles. For up to 10 ms dq is held; after that it decays. A row with a
+    non-finite time or angle keeps the last velocity.
     """
     dq = np.zeros_like(q)
     velocity = [0.0] * q.shape[1]
@@ -31,7 +31,7 @@ def derive_velocities(time: Array, q: Array) -> Array:
     last_time = [0.0] * q.shape[1]
     rate = -2.0 * math.pi * CUTOFF_HZ
     for k, (t, row) in enumerate(zip(time.tolist(), q.tolist(), strict=True)):
-        if t == t:  # neither NaN nor, by read_clock(), infinite
+        if t == t:  # false for NaN; read_clock() leaves no infinity
             for i, angle in enumerate(row):
                 step = t - last_time[i]
                 if last_angle[i] != last_angle[i]:

@@ -1,4 +1,4 @@
-"""Rows of a log as LowStates, many at a time."""
+"""Conversion of the rows of a log to LowStates, in blocks."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 from surefoot.sensor_log.columns import FOOT_COLUMNS, SENSOR_COLUMNS
 from surefoot.sensor_log.sensor_log import SensorLog
 
-CHUNK = 4096  # rows at a time: 4 MB of frames
+CHUNK = 4096  # rows per block: 4 MB of LowStates
 SERVO_MODE = 0x0A
 _IMU = ("quaternion", "gyroscope", "accelerometer")
 _INT16 = np.iinfo(np.int16)
 
 
 def low_state_blocks(log: SensorLog, dq: Array) -> Iterator[npt.NDArray[np.uint8]]:
-    """Yield the packed LowStates of a log, (up to CHUNK, 937) bytes each time, in order.
+    """Yield the packed LowStates of a log in order, as blocks of bytes (up to CHUNK, 937).
 
-    Columns that the log has not are zeros.
+    Columns that the log lacks are zeros.
 
     Args:
         log: The log.
-        dq: (n, 12) joint velocities [rad/s], from the log or derived.
+        dq: (n, 12) joint velocities [rad/s], from the log or from derive_velocities().
     """
     empty_state = np.array(LowState().raw)
     for start in range(0, log.rows, CHUNK):
         rows = slice(start, min(start + CHUNK, log.rows))
         block = np.tile(empty_state, (rows.stop - start, 1))
         state = block.view(LOW_STATE)[:, 0]
-        # What is beyond float32 becomes infinite, and the estimator refuses it.
+        # Values beyond float32 become infinite; the estimator rejects them.
         with np.errstate(over="ignore", invalid="ignore"):
             for name in _IMU:
                 state[name] = log.sensor(name)[rows]
@@ -58,9 +58,9 @@ def _ticks(log: SensorLog, rows: slice) -> Array:
 
 
 def finite_rows(log: SensorLog) -> tuple[npt.NDArray[np.bool_], dict[str, int]]:
-    """Return whether the clock and all sensors of each row are finite (n,), and what is not.
+    """Return whether clock and sensors of each row are finite (n,), and the counts of bad rows.
 
-    The second is the number of rows with NaN or infinity by column; columns without are left out.
+    The counts are the numbers of rows with NaN or infinity by column; zero counts are left out.
     """
     good = np.isfinite(log.time)
     counts = {} if good.all() else {log.clock: int((~good).sum())}

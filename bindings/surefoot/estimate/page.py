@@ -1,4 +1,4 @@
-"""The report's page: one HTML file, no script, pictures beside it."""
+"""Page of the report: one HTML file without scripts, with its plots as separate files."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from surefoot.estimate.plots import PLOTS
 from surefoot.estimate.text import bad_sensors, headline, log_line, values_with_std, warning_lines
 from surefoot.reports.page import page_html, plots_html, summary_table_html, tiles_html
 
-MAX_LIST_LINES = 20  # lines of a list on the page; summary.json has all
+MAX_LIST_LINES = 20  # lines of a list on the page; summary.json has all entries
 
 
 def render_page(summary: dict[str, Any], command: str) -> str:
     """Return the page as HTML.
 
     Args:
-        summary: What summarise() returned.
-        command: What made it; "" if no command did.
+        summary: Result of summarise().
+        command: Command line that made the report; "" if there was none.
     """
     title = headline(summary)
     mark = (
         "bad" if not summary["statuses"].get("OK") else "fair" if warning_lines(summary) else "good"
     )
-    notes = "".join(f"<p>Doubt: {escape(text)}</p>" for text in warning_lines(summary))
+    notes = "".join(f"<p>Warning: {escape(text)}</p>" for text in warning_lines(summary))
     body = f"""<h1><span class="mark {mark}"></span>{escape(title)}</h1>
 <p class="soft">{escape(log_line(summary))}</p>
 {notes}
@@ -44,7 +44,7 @@ def _tiles(s: dict[str, Any]) -> str:
         ("position at the end", values_with_std(s["position"], s["position_std"], "m", 2)),
         ("roll, pitch, yaw at the end", values_with_std(s["rpy_deg"], s["rpy_std_deg"], "deg", 1)),
         ("path", f"{s['path_length']:.2f} m"),
-        ("sensors known to be bad", str(len(bad))),
+        ("bad sensors", str(len(bad))),
         ("contact transitions", str(len(s["contact_transitions"]))),
         ("NIS over its dimension", "-" if nis is None else f"{nis:.2f}"),
         ("velocity error, RMS", "-" if rmse is None else f"{1000 * rmse:.1f} mm/s"),
@@ -54,7 +54,7 @@ def _tiles(s: dict[str, Any]) -> str:
 
 
 def _page_summary(summary: dict[str, Any]) -> dict[str, Any]:
-    """Return the summary with long lists cut and nested ones in words."""
+    """Return the summary with long lists cut and nested entries as text."""
     shown = dict(summary)
     verdicts = summary["verdicts"].items()
     shown["verdicts"] = {name: f"{v['now']} now, {_shares(v['share'])}" for name, v in verdicts}

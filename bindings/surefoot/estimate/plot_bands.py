@@ -1,4 +1,4 @@
-"""Lines with two standard deviations to either side, and the truth behind them."""
+"""Plots of estimates with bands of two standard deviations, and of the truth."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ def three_bands(
     truth: Array | None,
     span: float,
 ) -> Figure:
-    """Draw three quantities above each other.
+    """Draw three quantities in three axes, one above the other.
 
     Args:
-        estimate: Whose times they are at.
-        values: (m, 3).
-        std: (m, 3) their standard deviations.
-        labels: Of the three.
-        truth: (m, 3), or None.
-        span: What the y axes show at least, to either side of 0.
+        estimate: Estimate with the times of the rows.
+        values: (m, 3) estimated quantities.
+        std: (m, 3) standard deviations of the values.
+        labels: Labels of the three y axes.
+        truth: (m, 3) true quantities, or None.
+        span: Smallest range of the y axes on either side of 0.
     """
     rows = rows_to_plot(estimate)
     figure, axes = subplot_grid(3, 1, 5.2)
@@ -46,6 +46,6 @@ def three_bands(
 def band(
     ax: Axes, time: Array, value: Array, std: Array, color: str = ORANGE, label: str = ""
 ) -> None:
-    """Draw a value with two standard deviations to either side."""
+    """Draw a value with a band of two standard deviations on either side."""
     ax.fill_between(time, value - 2.0 * std, value + 2.0 * std, color=color, alpha=0.2, lw=0)
     ax.plot(time, value, color=color, lw=0.9, label=label or None)

@@ -1,4 +1,4 @@
-"""Pictures of feet and of verdicts."""
+"""Plots of contact and of sensor verdicts."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _VERDICT_COLOURS = {
 
 
 def draw_contact(estimate: Estimate) -> Figure:
-    """Draw each foot's probability of contact, and its vertical force by source and in truth."""
+    """Draw each foot's contact confidence, and its vertical force by source and in truth."""
     rows = rows_to_plot(estimate)
     time = estimate.time[rows]
     truth = true_rows(estimate, "truth_foot_forces")
@@ -43,7 +43,7 @@ def draw_contact(estimate: Estimate) -> Figure:
             ax.plot(time, values, color=GREY, lw=0.7, label="footForceEst [N]")
         values = estimate.foot_forces_from_torques[rows, leg]
         ax.plot(time, values, color=BLUE, lw=0.8, label="from tauEst [N]")
-        ax.plot([], [], color=ORANGE, label="probability (right)")
+        ax.plot([], [], color=ORANGE, label="contact confidence (right)")
         ax.set_title(LEGS[leg])
         ax.set_ylabel("force [N]")
         right = ax.twinx()
@@ -57,14 +57,14 @@ def draw_contact(estimate: Estimate) -> Figure:
 
 
 def draw_verdicts(estimate: Estimate) -> Figure:
-    """Draw what each sensor was held for, as stripes over time."""
+    """Draw the verdict on each sensor as stripes over time."""
     figure, axes = subplot_grid(1, 1, 3.8)
     ax = axes[0][0]
     order = list(_VERDICT_COLOURS)
     colour_index = {verdict.value: k for k, verdict in enumerate(order)}
     rows = rows_to_plot(estimate)
     codes = np.vectorize(colour_index.__getitem__, otypes=[np.int64])(estimate.verdicts[rows])
-    # Rows need not be evenly spaced: each holds until the next.
+    # Each row lasts until the next; rows need not be evenly spaced.
     edges = np.append(estimate.time[rows], estimate.time[-1] + estimate.log.period)
     colours = ListedColormap(list(_VERDICT_COLOURS.values()))
     levels = np.arange(len(SENSOR_NAMES) + 1) - 0.5

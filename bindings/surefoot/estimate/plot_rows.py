@@ -1,4 +1,4 @@
-"""Which rows are drawn of a long log."""
+"""Selection of the rows to plot from a long log."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ import numpy.typing as npt
 
 from surefoot.estimate.estimate_result import Estimate
 
-MAX_PLOT_ROWS = 20_000  # rows in a plot: ten to a pixel
+MAX_PLOT_ROWS = 20_000  # rows in a plot: ten per pixel
 
 
 def rows_to_plot(estimate: Estimate) -> npt.NDArray[np.int64]:
-    """Return the indices of the rows to draw: all, or evenly spread ones."""
+    """Return the indices of the rows to plot: all, or MAX_PLOT_ROWS evenly spaced ones."""
     count = len(estimate.time)
     return np.unique(np.linspace(0, count - 1, min(count, MAX_PLOT_ROWS)).astype(np.int64))

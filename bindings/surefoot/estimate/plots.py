@@ -1,4 +1,4 @@
-"""Pictures of an estimate over time."""
+"""Plots of an estimate over time."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ AXES = ("x", "y", "z")
 
 
 def draw_path(estimate: Estimate) -> Figure:
-    """Draw the way over ground with the ellipse of its end, and the height."""
+    """Draw the path over ground with the 2-sigma ellipse of its end, and the height."""
     rows = rows_to_plot(estimate)
     p, std = estimate.q[rows, :3], estimate.std[rows, 6:9]
     figure = Figure(figsize=(9.2, 3.6), layout="constrained")
@@ -53,7 +53,7 @@ def draw_path(estimate: Estimate) -> Figure:
 
 
 def draw_attitude(estimate: Estimate) -> Figure:
-    """Draw roll, pitch, yaw."""
+    """Draw roll, pitch and yaw."""
     truth = true_rpy(estimate)
     if truth is not None:
         truth = truth - [0.0, 0.0, heading_offset(estimate)]
@@ -65,7 +65,7 @@ def draw_attitude(estimate: Estimate) -> Figure:
 
 
 def draw_velocity(estimate: Estimate) -> Figure:
-    """Draw the base's velocity in world axes."""
+    """Draw the velocity of the base in world axes."""
     truth = true_rows(estimate, "truth_v")
     truth = None if truth is None else rotate_by_yaw(truth, -heading_offset(estimate))
     labels = tuple(f"{axis} [m/s]" for axis in AXES)
@@ -73,7 +73,7 @@ def draw_velocity(estimate: Estimate) -> Figure:
 
 
 def draw_biases(estimate: Estimate) -> Figure:
-    """Draw the biases of gyroscope and accelerometer."""
+    """Draw the biases of the gyroscope and the accelerometer."""
     rows = rows_to_plot(estimate)
     figure, axes = subplot_grid(2, 1, 4.2)
     sensors = (
@@ -90,16 +90,16 @@ def draw_biases(estimate: Estimate) -> Figure:
 
 
 def draw_nis(estimate: Estimate) -> Figure:
-    """Draw the normalised innovation squared over its dimension, and how many feet it is of."""
+    """Draw the normalised innovation squared over its dimension, and the rejected rows."""
     figure, axes = subplot_grid(1, 1, 2.6)
     ax = axes[0][0]
     with np.errstate(invalid="ignore", divide="ignore"):
         share = np.where(estimate.nis_dimension > 0, estimate.nis / estimate.nis_dimension, np.nan)
     rows = rows_to_plot(estimate)
     ax.plot(estimate.time[rows], share[rows], ".", ms=1.5, color=BLUE, label="one row")
-    ax.axhline(1.0, color=GREY, label="as believed")
+    ax.axhline(1.0, color=GREY, label="as modelled")
     refused = np.nansum(estimate.refused, axis=1) > 0
-    ax.plot(estimate.time[refused], 0.0 * estimate.time[refused], "|", color=RED, label="refused")
+    ax.plot(estimate.time[refused], 0.0 * estimate.time[refused], "|", color=RED, label="rejected")
     ax.set_ylim(0.0, max(2.0, 1.1 * float(np.nanmax(share[rows], initial=1.0))))
     ax.set_ylabel("NIS / dimension")
     finish_time_axis(figure, axes, float(estimate.time[-1]))
@@ -107,7 +107,7 @@ def draw_nis(estimate: Estimate) -> Figure:
 
 
 def _true_path(estimate: Estimate) -> Array | None:
-    """Return the true positions (m, 3) in the estimator's world, both at one place at the start."""
+    """Return the true positions (m, 3), aligned with the estimate's pose at the start."""
     truth = true_rows(estimate, "truth_p")
     if truth is None or not np.isfinite(truth).any():
         return None
@@ -119,27 +119,42 @@ def _true_path(estimate: Estimate) -> Array | None:
 PLOTS: tuple[Plot[Estimate], ...] = (
     Plot(
         "path.png",
-        "Where the base was",
-        "In the estimator's world, which begins under the base with its heading; the truth is "
-        "moved there at the start. Bands and ellipse are two standard deviations.",
+        "Path of the base",
+        "In the world frame of the estimator, which starts under the base with its heading. The "
+        "truth is aligned at the start. Bands and ellipse are two standard deviations.",
         draw_path,
     ),
-    Plot("attitude.png", "Attitude", "With two standard deviations.", draw_attitude),
-    Plot("velocity.png", "Velocity", "Of the base, along world axes.", draw_velocity),
-    Plot("biases.png", "Biases", "Of the IMU, base axes, two standard deviations.", draw_biases),
+    Plot(
+        "attitude.png",
+        "Attitude",
+        "Roll, pitch and yaw with two standard deviations.",
+        draw_attitude,
+    ),
+    Plot(
+        "velocity.png",
+        "Velocity",
+        "Velocity of the base, world axes, with two standard deviations.",
+        draw_velocity,
+    ),
+    Plot(
+        "biases.png",
+        "Biases",
+        "Biases of the IMU, base axes, with two standard deviations.",
+        draw_biases,
+    ),
     Plot(
         "contact.png",
         "Contact",
-        "Probability that each foot bears load, and the vertical forces that tell of it; shaded "
-        "where it truly does.",
+        "Contact confidence of each foot and the measured vertical forces; the shaded area is the "
+        "true force.",
         draw_contact,
     ),
-    Plot("verdicts.png", "Verdicts", "What each sensor was worth, and when.", draw_verdicts),
+    Plot("verdicts.png", "Verdicts", "Verdict on each sensor over time.", draw_verdicts),
     Plot(
         "nis.png",
         "Consistency",
-        "Normalised innovation squared over its dimension: around 1 where noise is as large as "
-        "believed. Red: the gate refused a foot.",
+        "Normalised innovation squared over its dimension: about 1 where the noise is as large as "
+        "modelled. Red: the innovation gate rejected a foot.",
         draw_nis,
     ),
 )

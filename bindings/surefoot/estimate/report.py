@@ -1,4 +1,4 @@
-"""The report: a folder with plots, the numbers, and a page that shows them."""
+"""Report of an estimate: a folder with plots, the summary and an HTML page."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ def write_report(
     folder: str | Path,
     command: Sequence[str] = (),
 ) -> Path:
-    """Write index.html, the plots and summary.json; return the page to open.
+    """Write index.html, the plots and summary.json; return the path of index.html.
 
     Args:
-        estimate: What run_estimator() returned.
-        summary: What summarise() made of it.
-        folder: Made if it is not there.
-        command: The words that made it, shown on the page.
+        estimate: Result of run_estimator().
+        summary: Result of summarise(estimate).
+        folder: Folder of the report; made if it does not exist.
+        command: Arguments of the command that made the report, shown on the page.
 
     Raises:
         OSError: The folder or a file cannot be written.

@@ -1,4 +1,4 @@
-"""The estimator over a log, without a controller."""
+"""Run of the state estimator over a log, without a controller."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from surefoot.sensor_log.columns import FOOT_COLUMNS
 from surefoot.sensor_log.sensor_log import SensorLog
 
 Progress = Callable[[str, int, int], None]
-_ZEROS = "zeros: the log has none"
+_ZEROS = "zeros: the log lacks the column"
 
 
 def run_estimator(
@@ -28,19 +28,20 @@ def run_estimator(
 ) -> Estimate:
     """Run the state estimator over a log.
 
-    It gets LowStates made of the sensors' columns and the time since the last that it took, at most
-    0.1 s; of truth_ columns it gets nothing. A clock that repeats is no new row. What the log has
-    not is zeros, but for dq, which derive_velocities() makes of q.
+    For each row the estimator receives a LowState made from the sensor columns, and the time since
+    the last accepted row, at most 0.1 s. The truth_ columns never reach it. A row whose clock
+    repeats is skipped. Columns that the log lacks are zeros, except dq, which derive_velocities()
+    computes from q.
 
     Args:
-        robot: The robot that the log is of.
-        log: What its sensors said.
-        gains: None for the robot's own.
-        progress: Told how far it is.
+        robot: Robot that the log was taken on.
+        log: Log of its sensors.
+        gains: Gains of the estimator; None for those of the robot.
+        progress: Called with "estimate", the rows done and the rows in total.
 
     Raises:
-        Error: Gains out of range; a log that contradicts itself or the robot: units, order of
-            quaternion or legs, signs. What is doubtful only is a warning.
+        Error: Gains are out of range, or the log contradicts itself or the robot (units, order of
+            quaternion or legs, signs). Doubtful findings are warnings instead.
     """
     estimator = StateEstimator(robot)
     if gains is not None:
@@ -59,7 +60,7 @@ def run_estimator(
     _run_rows(estimator, log, dq, rows, recorder, progress)
     if not np.any(recorder.status == Status.OK.value):
         names = sorted({Status(int(value)).name for value in recorder.status})
-        warnings.append(f"no row was taken by the estimator: {', '.join(names)}")
+        warnings.append(f"the estimator accepted no row: {', '.join(names)}")
     steps = np.diff(log.time[rows])
     return Estimate(
         robot=robot,
@@ -81,7 +82,7 @@ def run_estimator(
 
 
 def _rows_with_new_time(log: SensorLog) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.bool_]]:
-    """Return the rows to take, and of those with a time whether each is new."""
+    """Return the rows to use, and for each row with a finite time whether its time is new."""
     timed = np.flatnonzero(np.isfinite(log.time))
     new = np.concatenate([[True], np.diff(log.time[timed]) > 0.0])
     return timed[new], new
@@ -95,7 +96,7 @@ def _run_rows(
     recorder: EstimateRecorder,
     progress: Progress | None,
 ) -> None:
-    # Feet's forces are integers in a LowState: a NaN in them would arrive as a number.
+    # Foot forces are integers in a LowState: a NaN would become a number, so skip such rows.
     foot_forces_finite = np.ones(log.rows, dtype=np.bool_)
     for name in FOOT_COLUMNS:
         if name in log.columns:
@@ -120,6 +121,6 @@ def _run_rows(
         status = estimator.update(state, dt)
         recorder.record(k, status, estimator, 1e-3 * (perf_counter_ns() - start))
         if status == Status.OK:
-            last = time[row]  # time in refused rows is not lost to the estimator
+            last = time[row]  # the next dt also covers rejected rows
     if progress is not None:
         progress("estimate", len(rows), len(rows))

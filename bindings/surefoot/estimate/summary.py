@@ -1,4 +1,4 @@
-"""An estimate in numbers; fields.py says what each one means."""
+"""Summary of an estimate in numbers; fields.py lists their meaning."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.columns import CLOCK_COLUMNS, COLUMN_BY_NAME
 
-PATH_INTERVAL = 0.1  # [s] between points of the path whose length is told
+PATH_INTERVAL = 0.1  # [s] between points of the path whose length is computed
 
 
 def summarise(estimate: Estimate) -> dict[str, Any]:
-    """Return every field of fields.FIELDS as plain JSON types; what has no value is None."""
+    """Compute every field of fields.FIELDS as JSON values; None where there is no value."""
     parts = (
         _log(estimate),
         _end_state(estimate),
@@ -89,11 +89,11 @@ def _end_state(estimate: Estimate) -> dict[str, Any]:
 
 
 def path_length(time: Array, position: Array) -> float:
-    """Return the length of a path [m], joined by straight lines every 0.1 s.
+    """Compute the length of a path [m] as a polyline with a point every 0.1 s.
 
     Args:
-        time: (n,) [s].
-        position: (n, 3) [m].
+        time: (n,) times [s].
+        position: (n, 3) positions [m].
     """
     if len(time) < 2:
         return 0.0

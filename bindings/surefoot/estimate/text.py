@@ -1,4 +1,4 @@
-"""An estimate in a few lines of text."""
+"""Text for people about the summary of an estimate."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from surefoot.sensor_log.columns import CLOCK_COLUMNS
 
 
 def headline(s: dict[str, Any]) -> str:
-    """Return in one sentence what was estimated."""
+    """Return one sentence with robot, rows and duration."""
     taken = s["statuses"].get("OK", 0)
     return f"{s['robot']}: {taken} of {s['rows']} rows estimated over {s['duration']:.3g} s"
 
 
 def log_line(s: dict[str, Any]) -> str:
-    """Return what the log is like as one line."""
+    """Return one line with rate, missing columns and gaps of the log."""
     parts = [f"{s['file']}", f"{s['rate']:.4g} Hz by {s['clock']}"]
     if s["columns_missing"]:
         parts.append(f"without {', '.join(s['columns_missing'])}")
@@ -28,9 +28,11 @@ def log_line(s: dict[str, Any]) -> str:
 
 
 def warning_lines(s: dict[str, Any]) -> list[str]:
-    """Return what ought to be looked at: warnings, columns that were ignored, rows refused."""
+    """Return one line for each warning, for ignored columns, and for rejected and bad rows."""
     lines = list(s["warnings"])
-    ignored = [name for name in s["ignored_columns"] if name not in CLOCK_COLUMNS]  # one is enough
+    ignored = [
+        name for name in s["ignored_columns"] if name not in CLOCK_COLUMNS
+    ]  # a second clock is fine
     if ignored:
         lines.append(f"ignored columns: {', '.join(ignored)}")
     refused = {name: count for name, count in s["statuses"].items() if name != "OK"}
@@ -40,22 +42,22 @@ def warning_lines(s: dict[str, Any]) -> list[str]:
 
 
 def bad_sensors(s: dict[str, Any]) -> list[str]:
-    """Return the sensors whose verdict at the end is neither good nor open."""
+    """Return the sensors whose last verdict is neither GOOD nor UNJUDGED, with the verdict."""
     verdicts = {name: verdict["now"] for name, verdict in s["verdicts"].items()}
     bad = {name: word for name, word in verdicts.items() if word not in ("GOOD", "UNJUDGED")}
     return [f"{name} {word}" for name, word in bad.items()]
 
 
 def summary_text(s: dict[str, Any]) -> str:
-    """Return a summary for people to read."""
-    lines = [("log", log_line(s)), *(("doubt", text) for text in warning_lines(s))]
+    """Return the summary as a few lines of text."""
+    lines = [("log", log_line(s)), *(("warning", text) for text in warning_lines(s))]
     lines += [
         ("end", f"position {values_with_std(s['position'], s['position_std'], 'm', 3)}"),
         ("", f"velocity {values_with_std(s['velocity'], s['velocity_std'], 'm/s', 3)}"),
         ("", f"roll pitch yaw {values_with_std(s['rpy_deg'], s['rpy_std_deg'], 'deg', 2)}"),
     ]
     bad = bad_sensors(s)
-    lines.append(("sensors", ", ".join(bad) if bad else "none is known to be bad"))
+    lines.append(("sensors", ", ".join(bad) if bad else "no bad ones found"))
     changes = len(s["contact_transitions"])
     lines.append(("contact", f"{changes} transitions, {len(s['slip_events'])} slips"))
     if s["velocity_rmse"] is not None:
@@ -68,7 +70,7 @@ def summary_text(s: dict[str, Any]) -> str:
 def values_with_std(
     values: Sequence[float | None], std: Sequence[float | None], unit: str, n: int
 ) -> str:
-    """Return values with their standard deviations in words."""
+    """Return values with their standard deviations as text."""
     if any(value is None for value in [*values, *std]):
         return "unknown"
     told = ", ".join(f"{v:.{n}f} +- {s:.{n}f}" for v, s in zip(values, std, strict=True))

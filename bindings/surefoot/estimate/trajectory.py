@@ -1,4 +1,4 @@
-"""The estimate row by row, as a file."""
+"""Table of an estimate, one line per row, as a file."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from surefoot.estimate.estimate_result import Estimate
 from surefoot.files.tables import check_table_name, write_table
 
 TRAJECTORY_COLUMNS = {
-    "time": "[s] from the log's first row",
-    "status": "of the row: surefoot.Status by name; any but OK repeats the last state",
-    "p": "base, world [m]",
-    "quaternion": "base to world, w x y z",
-    "v_world": "base, world axes [m/s]",
-    "p_std": "[m]",
-    "rotation_std": "about world axes [rad]",
-    "v_world_std": "[m/s]",
+    "time": "[s] since the first row of the log",
+    "status": "name of surefoot.Status; rows other than OK repeat the last state",
+    "p": "position of the base, world [m]",
+    "quaternion": "w x y z, base to world",
+    "v_world": "velocity of the base, world axes [m/s]",
+    "p_std": "standard deviation of p [m]",
+    "rotation_std": "standard deviation of the rotation about world axes [rad]",
+    "v_world_std": "standard deviation of v_world [m/s]",
     "gyroscope_bias": "base axes [rad/s]",
-    "gyroscope_bias_std": "[rad/s]",
+    "gyroscope_bias_std": "standard deviation of gyroscope_bias [rad/s]",
     "accelerometer_bias": "base axes [m/s^2]",
-    "accelerometer_bias_std": "[m/s^2]",
-    "contact": "probability of each foot, FR FL RR RL",
-    "slip": "how surely each standing foot slips",
+    "accelerometer_bias_std": "standard deviation of accelerometer_bias [m/s^2]",
+    "contact": "contact confidence of each foot, FR FL RR RL",
+    "slip": "confidence that each loaded foot slips, 0 .. 1",
 }
-"""Columns of a trajectory in order; in a CSV those of several numbers are p_0, p_1 ..."""
+"""Columns of a trajectory in order; a CSV splits vectors into p_0, p_1 ..."""
 
 
 def trajectory(estimate: Estimate) -> dict[str, np.ndarray]:
-    """Return the columns of NAMES, (m,) or (m, k)."""
+    """Return the columns of TRAJECTORY_COLUMNS, each (m,) or (m, k)."""
     std = estimate.std
     names = {status.value: status.name for status in Status}
     columns = {
@@ -53,5 +53,5 @@ def trajectory(estimate: Estimate) -> dict[str, np.ndarray]:
 
 
 def write_trajectory(path: str | Path, estimate: Estimate) -> None:
-    """Write trajectory() as CSV or NPZ by the file's name; raises Error, OSError."""
+    """Write trajectory() as CSV or NPZ, depending on the suffix; raises Error, OSError."""
     write_table(check_table_name(path, "trajectory"), trajectory(estimate))

@@ -1,4 +1,4 @@
-"""How near an estimate is to what was true, where the log says it."""
+"""Errors of an estimate against the ground truth of its log."""
 
 from __future__ import annotations
 
@@ -12,12 +12,15 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rpy_fro
 from surefoot.messages.low_state_layout import LEGS
 
 GRAVITY = 9.81
-MATCH_BEFORE, MATCH_AFTER = -0.1, 0.3  # [s] of a transition told after a true one
-MIN_CONTACT_FORCE = 1.0  # [N] on a foot that stands, where the log has forces only
+MATCH_BEFORE, MATCH_AFTER = (
+    -0.1,
+    0.3,
+)  # [s] delay of an estimated transition that matches a true one
+MIN_CONTACT_FORCE = 1.0  # [N] on a loaded foot, where the log has forces but no truth_contact
 
 
 def truth_summary(estimate: Estimate) -> dict[str, Any]:
-    """Return the fields of the group Truth; None for what the log has no column of."""
+    """Return the fields of the group Truth; None for those whose truth_ column the log lacks."""
     return {
         "velocity_rmse": _velocity_rmse(estimate),
         "roll_pitch_rmse_deg": _tilt_rmse(estimate),
@@ -28,7 +31,7 @@ def truth_summary(estimate: Estimate) -> dict[str, Any]:
 
 
 def true_rows(estimate: Estimate, name: str) -> Array | None:
-    """Return a truth column at the estimate's rows (m, k), NaN where it does not count."""
+    """Return a truth column at the estimate's rows (m, k); NaN before the first accepted row."""
     if name not in estimate.log.columns:
         return None
     values = estimate.log.columns[name][estimate.rows].copy()
@@ -43,7 +46,7 @@ def true_rpy(estimate: Estimate) -> Array | None:
 
 
 def heading_offset(estimate: Estimate) -> float:
-    """Return the yaw of the estimator's world in the true one [rad]; 0 without an attitude."""
+    """Return the yaw of the estimator's world in the true world [rad]; 0 without true attitude."""
     rpy = true_rpy(estimate)
     if rpy is None or not np.isfinite(rpy).any():
         return 0.0
@@ -52,7 +55,7 @@ def heading_offset(estimate: Estimate) -> float:
 
 
 def rotate_by_yaw(values: Array, yaw: float) -> Array:
-    """Return vectors (n, 3) turned about world z by an angle [rad]."""
+    """Rotate vectors (n, 3) about world z by `yaw` [rad]."""
     c, s = np.cos(yaw), np.sin(yaw)
     return np.asarray(values @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]))
 
@@ -113,7 +116,7 @@ def _delays(estimate: Estimate) -> dict[str, Any] | None:
 def _match_transitions(
     true: list[Transition], estimated: list[Transition], leg: int
 ) -> dict[str, Any]:
-    """Give each true transition the nearest one that was told of it."""
+    """Match each true transition with the nearest estimated one; return counts and delays."""
     unmatched = [change for change in estimated if change.leg == leg]
     delays = []
     true_transitions = [change for change in true if change.leg == leg]

@@ -1,4 +1,4 @@
-"""Faults, injected into a supervised robot on its plant, and what it does about them."""
+"""Fault matrix: inject faults into a supervised robot in simulation and judge the reactions."""
 
 from surefoot.faults.catalogue import choose_cells
 from surefoot.faults.matrix.matrix_settings import FaultSettings

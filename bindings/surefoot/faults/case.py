@@ -1,4 +1,4 @@
-"""One fault of the catalogue, injected in one way: what is done, and what is expected."""
+"""Case: one way to inject a fault of the catalogue, with the expected reactions."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ STANDING_MODES = ("standing", "pushed")
 
 @dataclass(frozen=True)
 class Case:
-    """A row's injection.
+    """One injection of a row of the catalogue.
 
     Attributes:
         injection: One of injections.INJECTIONS.
-        description: In words.
-        make_fault: Makes the fault, anew for every run.
-        expectations: By mode; modes that are not in it make no sense.
-        refusal_text: Must be in the text of the arming checks that failed, where arming is refused.
-        level: Of the power protection, where not the robot's usual one.
-        slow_descent: Must it go down slowly, even where the motors damp?
+        description: Description of the injection.
+        make_fault: Constructs a new fault for each run.
+        expectations: Expected reaction by mode; modes without an entry do not apply.
+        refusal_text: Text that the failed arming checks must contain if arming is refused.
+        level: Power protection level; None for the robot's default level.
+        slow_descent: True if the body must descend slowly even when the motors damp.
     """
 
     injection: str
@@ -42,8 +42,8 @@ class Row:
 
     Attributes:
         id: Short name.
-        fault: In words.
-        cases: Its injections.
+        fault: Description of the fault.
+        cases: Injections of the fault.
     """
 
     id: str
@@ -70,14 +70,14 @@ def case(
         injection: See Case.
         description: See Case.
         make_fault: See Case.
-        up: Expected while rising, standing and pushed.
-        lying: Expected while lying; None where that makes no sense.
-        rising: Expected while rising, where it is something else.
-        modes: In which it makes sense.
+        up: Expectation while rising, standing and pushed.
+        lying: Expectation while lying; None if the mode does not apply.
+        rising: Expectation while rising, if it differs from `up`.
+        modes: Modes that apply.
         refusal_text: See Case.
         level: See Case.
         slow_descent: See Case.
-        pushed: Expected while pushed, where it is something else.
+        pushed: Expectation while pushed, if it differs from `up`.
     """
     expected = {mode: up for mode in modes}
     if "rising" in expected and rising is not None:

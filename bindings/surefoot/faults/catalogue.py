@@ -1,4 +1,4 @@
-"""The whole matrix: rows by injections by modes."""
+"""Fault catalogue: all cells of the matrix, rows by injections by modes."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ ROWS: tuple[Row, ...] = (
 
 @dataclass(frozen=True)
 class Cell:
-    """One field of the matrix.
+    """One cell of the matrix.
 
     Attributes:
-        row: Of the catalogue.
-        case: One of its injections.
-        number: Among the row's cases of that injection, from 1.
-        mode: In which it begins.
+        row: Row of the catalogue.
+        case: Injection of the row.
+        number: Number of the case among the row's cases of this injection, from 1.
+        mode: Mode in which the fault begins.
     """
 
     row: Row
@@ -48,23 +48,23 @@ class Cell:
 
     @property
     def id(self) -> str:
-        """ROW/INJECTION/MODE, with a number where the row has several of that injection."""
+        """ROW/INJECTION/MODE, with a number after INJECTION from the second such case on."""
         number = str(self.number) if self.number > 1 else ""
         return f"{self.row.id}/{self.case.injection}{number}/{self.mode}"
 
     @property
     def starts_standing(self) -> bool:
-        """Can a robot that is taken over as it stands come to where it begins?"""
+        """True if the cell applies to a robot that already stands when the supervisor starts."""
         return self.mode in ("standing", "pushed") and not self.case.make_fault().from_start
 
     @property
     def expectation(self) -> Expectation:
-        """What is expected."""
+        """Expected reaction."""
         return self.case.expectations[self.mode]
 
 
 def all_cells() -> list[Cell]:
-    """Return the whole matrix, row by row."""
+    """Return all cells of the matrix, row by row."""
     cells = []
     for row in ROWS:
         numbers: dict[str, int] = {}
@@ -75,14 +75,14 @@ def all_cells() -> list[Cell]:
 
 
 def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list[Cell]:
-    """Return the cells that any of the patterns fits; all without patterns.
+    """Return the cells that match any of the patterns; all cells if there are no patterns.
 
     Args:
-        patterns: A row's id, or ROW/INJECTION/MODE with * and ? as in file names.
-        taken_over: Only those that a robot comes to that is taken over as it stands.
+        patterns: Row ids, or ROW/INJECTION/MODE with the wildcards * and ?.
+        taken_over: True for only the cells that apply to a robot that already stands at the start.
 
     Raises:
-        Error: A pattern that fits none.
+        Error: A pattern matches no cell.
     """
     cells = [cell for cell in all_cells() if cell.starts_standing or not taken_over]
     if not patterns:
@@ -97,12 +97,12 @@ def choose_cells(patterns: Sequence[str] = (), taken_over: bool = False) -> list
 
 
 def find_cell(name: str) -> Cell:
-    """Return the cell of an id; raises Error."""
+    """Return the cell with an id; raises Error."""
     return choose_cells([name])[0]
 
 
 def _suggestions(cells: Sequence[Cell], pattern: str) -> str:
-    """Return what there is: of the row that a pattern begins with, or, without one, rows."""
+    """Return the cells of the row that a pattern begins with, or else all rows, as text."""
     row = [cell.id for cell in cells if fnmatchcase(cell.row.id, pattern.partition("/")[0])]
     if row:
         return f"cells: {', '.join(row)}"

@@ -1,4 +1,4 @@
-"""What a supervised robot is to do about a fault, and how soon."""
+"""Expected reaction of a supervised robot to a fault, and its time limit."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from enum import Enum
 
 from surefoot._core import Error, FaultReaction, fault_table
 
-MAX_HOLD_TIME = 0.010  # [s] the last good command is repeated at most this long
-TIME_TOLERANCE = 1e-9  # [s] of rounding
+MAX_HOLD_TIME = 0.010  # [s] limit of a command hold
+TIME_TOLERANCE = 1e-9  # [s] tolerance for rounding
 
 
 class Reaction(Enum):
-    """What is expected; the value is the word for it in tables."""
+    """Expected reaction; the values are its names in tables."""
 
     WATCH = "goes on"
     DEGRADE = "goes on with less"
@@ -24,14 +24,14 @@ class Reaction(Enum):
 
 @dataclass(frozen=True)
 class Expectation:
-    """A reaction and when it must be there.
+    """A reaction and its time limit.
 
     Attributes:
-        reaction: What.
-        within: Since the fault began [s]; of sitting down, until it begins to.
-        fault: Name in fault_table() under which the operator must be able to read it; "" for none.
-        alternative: Name of a fault whose damping will do as well, for what only shows when the robot
-            moves.
+        reaction: Expected reaction.
+        within: Time limit since the fault began [s]; for sitting down, until the descent begins.
+        fault: Name in fault_table() that the supervisor must report; "" for none.
+        alternative: Name of a fault for which the robot may damp instead; for faults that only a
+            moving robot can detect.
     """
 
     reaction: Reaction
@@ -45,38 +45,38 @@ REFUSE = Expectation(Reaction.REFUSE, 0.020)
 
 
 def expect_damp(within: float) -> Expectation:
-    """Return that the motors damp within a time [s], for whichever fault is seen first."""
+    """Expect damping within a time [s], for any fault."""
     return Expectation(Reaction.DAMP, within)
 
 
 def expect_refusal(within: float) -> Expectation:
-    """Return that arming and rising are refused within a time [s]."""
+    """Expect that arming and rising are refused within a time [s]."""
     return Expectation(Reaction.REFUSE, within)
 
 
 def expect_stay_down(fault: str) -> Expectation:
-    """Return that a rise is refused for a fault: latched before the body leaves the ground."""
+    """Expect that a rise ends in latched damping for a fault before the body leaves the ground."""
     return replace(table_expectation(fault), reaction=Reaction.STAY)
 
 
 def watch_unless(fault: str) -> Expectation:
-    """Return that it goes on, unless it is seen and damped as that fault."""
+    """Expect that the robot goes on, or that it detects a fault and damps for it."""
     return Expectation(Reaction.WATCH, alternative=_table_row(fault).fault)
 
 
 def table_expectation(fault: str, delay: float = 0.0) -> Expectation:
-    """Return what fault_table() says of a fault.
+    """Return the expectation that fault_table() states for a fault.
 
     Args:
-        fault: Its name.
-        delay: By how much the table's time begins later than the injection [s].
+        fault: Name of the fault.
+        delay: Time from the injection until the time of the table begins to count [s].
     """
     row = _table_row(fault)
     return replace(row, within=row.within + delay)
 
 
 def expect_sit(fault: str, delay: float = 0.0) -> Expectation:
-    """Return that it sits down for a fault that a robot which stands already goes on with."""
+    """Expect that the robot sits down for a fault at which a standing robot would go on."""
     return replace(table_expectation(fault, delay), reaction=Reaction.SIT)
 
 

@@ -1,1 +1,1 @@
-"""Files that are read and written: atomic writes, tables, JSON values, result stores."""
+"""File formats and helpers: atomic writes, tables, JSON values, result stores."""

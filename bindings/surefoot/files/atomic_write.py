@@ -1,4 +1,4 @@
-"""Files that are whole or not there at all."""
+"""Atomic writes: a file is replaced only after its new content is complete."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ from pathlib import Path
 
 @contextmanager
 def atomic_path(path: Path) -> Iterator[Path]:
-    """Yield a place beside a file's, and move there what was written; raises OSError.
+    """Yield a temporary path beside `path`, and move it to `path` on success; raises OSError.
 
-    A link stays one; what is no file, a pipe or a device, is written to as it is.
+    A symbolic link stays a link: its target is replaced. A pipe or a device is written directly.
     """
-    if path.exists() and not path.is_file():  # unresolved: what /dev/stdout leads to has no name
+    # Test before path.resolve(): the target of /dev/stdout may have no name.
+    if path.exists() and not path.is_file():
         yield path
         return
     path = path.resolve()
@@ -27,6 +28,6 @@ def atomic_path(path: Path) -> Iterator[Path]:
 
 
 def write_text_atomically(path: Path, text: str) -> None:
-    """Write a text file beside its place first, then move it there; raises OSError."""
+    """Write a text file atomically, in UTF-8; raises OSError."""
     with atomic_path(path) as beside:
         beside.write_text(text, encoding="utf-8")

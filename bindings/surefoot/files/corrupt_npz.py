@@ -1,4 +1,4 @@
-"""What numpy and the modules below it raise at NPZ files that are damaged."""
+"""Exceptions that numpy and the modules below it raise for corrupt NPZ files."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import zlib
 
 CORRUPT_NPZ = (
     ValueError,
-    KeyError,  # an array that is missing
+    KeyError,  # a missing array
     EOFError,
-    RuntimeError,  # NotImplementedError is one: a compression that there is not
+    RuntimeError,  # includes NotImplementedError: an unknown compression method
     zipfile.BadZipFile,
     zlib.error,
-    # An array's header is Python text, and read before any sum is checked.
+    # The header of an array is a Python literal that numpy parses before zipfile checks the CRC.
     tokenize.TokenError,
     SyntaxError,
     TypeError,

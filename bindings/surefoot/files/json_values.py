@@ -1,4 +1,4 @@
-"""Results as JSON knows them."""
+"""Conversion of results to JSON values."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 
 def json_value(value: Any) -> Any:
-    """Return a value as JSON knows it: six digits, None for what is not finite."""
+    """Convert a value for JSON: floats to six significant digits, NaN and infinity to None."""
     if isinstance(value, dict):
         return {str(name): json_value(item) for name, item in value.items()}
     if isinstance(value, np.ndarray):

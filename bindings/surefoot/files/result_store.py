@@ -1,4 +1,4 @@
-"""A store: every part of a long run on disk when it is done; one that ended, however, goes on."""
+"""Store of the partial results of a long run, from which an interrupted run resumes."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from surefoot._core import Error
 
 
 class ResultStore:
-    """Results by whose they are and a key; JSON, one a line, the first says of what run.
+    """Results by name and key, in a file of JSON lines. The first line identifies the run.
 
     Attributes:
-        results: What is there already.
+        results: The results so far, by (name, key).
     """
 
     def __init__(self, handle: IO[bytes] | None, results: dict[tuple[str, str], Any]) -> None:
         self._handle, self.results = handle, results
 
     def add(self, name: str, key: str, result: dict[str, Any]) -> None:
-        """Keep a result; it is in the system's hands when this returns."""
+        """Keep a result and flush it to the operating system."""
         self.results[name, key] = result
         if self._handle is not None:
             line = json.dumps({"who": name, "key": key, "result": result}, allow_nan=False)
@@ -38,13 +38,13 @@ def open_result_store(
     """Open a store, or keep results in memory only.
 
     Args:
-        path: The file; made if it is not there.
-        kind: The command whose run it is.
-        run_identity: What makes two runs the same.
+        path: The file, created if missing; None keeps results in memory.
+        kind: Command that makes the results.
+        run_identity: Settings that must be equal for a run to resume.
 
     Raises:
-        Error: The file holds something else, or another run is at work in it.
-        OSError: It cannot be written.
+        Error: The file is no store, or of a run with other settings, or another process uses it.
+        OSError: The file cannot be written.
     """
     if path is None:
         yield ResultStore(None, {})
@@ -53,11 +53,11 @@ def open_result_store(
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise Error(f"store '{path}': another run is at work in it") from None
+            raise Error(f"store '{path}': another run uses it; choose another --store") from None
         entries, end = _read_entries(path, kind, handle)
         if entries:
             _check_same_run(path, entries[0][kind], run_identity)
-        # It is ours: a last line that a killed run left unfinished is cut off.
+        # The store belongs to this run. Cut off an incomplete last line of a killed run.
         handle.truncate(end)
         handle.seek(0, 2)
         if not entries:
@@ -67,13 +67,13 @@ def open_result_store(
 
 
 def _read_entries(path: str, kind: str, handle: IO[bytes]) -> tuple[list[dict[str, Any]], int]:
-    """Return the entries, and where the last whole one ends."""
+    """Return the entries, and the offset [bytes] after the last complete line."""
     handle.seek(0)
     content = handle.read()
     whole, newline, rest = content.rpartition(b"\n")
     run_identity = json.dumps({kind: 0})[:-2].encode()
     if not newline and not (rest.startswith(run_identity) or run_identity.startswith(rest)):
-        raise Error(f"store '{path}': line 1 is no entry of {kind}")
+        raise Error(f"store '{path}': line 1 is not an entry of {kind}; choose another --store")
     lines = whole.split(b"\n") if newline else []
     entries = [_parse_entry(path, kind, number, line) for number, line in enumerate(lines, 1)]
     return entries, len(content) - len(rest)
@@ -86,7 +86,9 @@ def _parse_entry(path: str, kind: str, number: int, line: bytes) -> dict[str, An
         entry = None
     types = {kind: dict} if number == 1 else {"who": str, "key": str, "result": dict}
     if not isinstance(entry, dict) or {k: type(v) for k, v in entry.items()} != types:
-        raise Error(f"store '{path}': line {number} is no entry of {kind}")
+        raise Error(
+            f"store '{path}': line {number} is not an entry of {kind}; choose another --store"
+        )
     return entry
 
 
@@ -97,6 +99,6 @@ def _check_same_run(path: str, stored_identity: Any, run_identity: dict[str, Any
     old = stored_identity if isinstance(stored_identity, dict) else {}
     names = [name for name in now if old.get(name) != now[name]]
     raise Error(
-        f"store '{path}': holds another run, which differs in {', '.join(names) or 'all'}; name "
-        "another file, or ask for what it was begun with"
+        f"store '{path}': holds another run, which differs in {', '.join(names) or 'all'}; use "
+        "another file, or the arguments that the store was begun with"
     )

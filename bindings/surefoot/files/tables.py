@@ -1,4 +1,4 @@
-"""Tables of named columns as files."""
+"""Tables of named columns in CSV and NPZ files."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.files.atomic_write import atomic_path
 
-_DIGITS = {np.dtype(np.float32): "%.9g", np.dtype(np.float64): "%.17g"}  # none is lost
-_CHUNK = 4096  # rows of text at a time
+_DIGITS = {np.dtype(np.float32): "%.9g", np.dtype(np.float64): "%.17g"}  # lossless
+_CHUNK = 4096  # rows converted to text at a time
 
 
 def check_table_name(path: str | Path, what: str) -> Path:
-    """Return the path of a table that can be written as CSV or NPZ by its name; raises Error."""
+    """Return the path of a table; raises Error unless it ends in .csv or .npz."""
     path = Path(path)
     if path.suffix.lower() not in (".csv", ".npz"):
-        raise Error(f"{what}: got '{path}', expected a file whose name ends in .csv or .npz")
+        raise Error(f"{what}: got '{path}', expected a name ending in .csv or .npz")
     return path
 
 
 def write_table(path: Path, table: Mapping[str, np.ndarray]) -> None:
-    """Write arrays (n,) or (n, k) as CSV or NPZ by the file's name; raises OSError."""
+    """Write arrays (n,) or (n, k) as NPZ if the name ends in .npz, else as CSV; raises OSError."""
     if path.suffix.lower() == ".npz":
         write_npz(path, table)
     else:
@@ -32,13 +32,17 @@ def write_table(path: Path, table: Mapping[str, np.ndarray]) -> None:
 
 def write_npz(path: Path, table: Mapping[str, np.ndarray]) -> None:
     """Write arrays (n,) or (n, k) under their names; raises OSError."""
-    # A file, not its name: numpy would add a suffix to one that ends in .NPZ.
+    # Pass an open file: numpy would append .npz to a path that ends in .NPZ.
     with atomic_path(path) as place, place.open("wb") as file:
         np.savez_compressed(file, allow_pickle=False, **table)
 
 
 def write_csv(path: Path, table: Mapping[str, np.ndarray]) -> None:
-    """Write a header and one line a row; arrays (n, k) become columns name_0 ..; raises OSError."""
+    """Write a header and one line per row; arrays (n, k) become columns name_0, name_1 ...
+
+    Raises:
+        OSError: The file could not be written.
+    """
     header, formats, columns = [], [], []
     for name, values in table.items():
         parts = values[:, None] if values.ndim == 1 else values

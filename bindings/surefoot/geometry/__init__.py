@@ -1,1 +1,1 @@
-"""Rotations: one at a time and in batches."""
+"""Rotations, single and in batches."""

@@ -1,4 +1,4 @@
-"""Rotations of many rows at once."""
+"""Conversions of batches of rotations; n is the number of rows."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ Array = npt.NDArray[np.float64]
 
 
 def matrices_from_xyzw(quaternions: Array) -> Array:
-    """Return the (n, 3, 3) matrices of unit quaternions x y z w, (n, 4)."""
+    """Return the rotation matrices (n, 3, 3) of unit quaternions x y z w (n, 4)."""
     x, y, z, w = quaternions.T
     rows = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -20,7 +20,10 @@ def matrices_from_xyzw(quaternions: Array) -> Array:
 
 
 def rpy_from_matrices(rotation: Array) -> Array:
-    """Return roll, pitch, yaw (n, 3) [rad] (ZYX: yaw first) of matrices (n, 3, 3)."""
+    """Return roll, pitch, yaw (n, 3) [rad] of matrices R (n, 3, 3).
+
+    R = Rz(yaw) Ry(pitch) Rx(roll).
+    """
     R = rotation
     roll = np.arctan2(R[:, 2, 1], R[:, 2, 2])
     pitch = np.arcsin(np.clip(-R[:, 2, 0], -1.0, 1.0))
@@ -29,7 +32,7 @@ def rpy_from_matrices(rotation: Array) -> Array:
 
 
 def rotation_vectors(rotation: Array) -> Array:
-    """Return the rotation vectors (n, 3) [rad] of matrices (n, 3, 3), angles below pi."""
+    """Return the rotation vectors (n, 3) [rad] of matrices (n, 3, 3); angles must be below pi."""
     R = rotation
     twice_sine = np.stack(
         [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1

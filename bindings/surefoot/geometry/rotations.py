@@ -1,4 +1,4 @@
-"""Rotations as MuJoCo and the SDK write them: quaternions w x y z."""
+"""Conversions of rotations with quaternions w x y z, the order of MuJoCo and the SDK."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Array = npt.NDArray[np.float64]
 
 
 def matrix_from_wxyz(quaternion: npt.ArrayLike) -> Array:
-    """Return the (3, 3) matrix of a unit quaternion w x y z."""
+    """Return the rotation matrix (3, 3) of a unit quaternion w x y z."""
     w, x, y, z = (float(c) for c in np.asarray(quaternion))
     return np.array(
         [
@@ -23,7 +23,7 @@ def matrix_from_wxyz(quaternion: npt.ArrayLike) -> Array:
 
 
 def rpy_from_wxyz(quaternion: npt.ArrayLike) -> tuple[float, float, float]:
-    """Return roll, pitch, yaw [rad] (ZYX: yaw first, about world z)."""
+    """Return roll, pitch, yaw [rad] of a unit quaternion: R = Rz(yaw) Ry(pitch) Rx(roll)."""
     w, x, y, z = (float(c) for c in np.asarray(quaternion))
     roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
     pitch = math.asin(max(-1.0, min(1.0, 2 * (w * y - z * x))))
@@ -41,9 +41,9 @@ def wxyz_from_rotation_vector(vector: npt.ArrayLike) -> Array:
 
 
 def slope_quaternion(slope_deg: float, heading_deg: float) -> Array:
-    """Return the attitude w x y z of a plane that rises by a slope towards a heading.
+    """Return the orientation w x y z of a ground plane with the given slope and heading.
 
-    It is the shortest rotation that does it, so x of the plane stays above world x.
+    It is the shortest rotation from the horizontal plane to the slope.
 
     Args:
         slope_deg: Steepness [deg].

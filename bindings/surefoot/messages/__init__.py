@@ -1,1 +1,1 @@
-"""NumPy layouts of the packed LowState and LowCmd structs."""
+"""NumPy dtypes of the packed LowState and LowCmd structs."""

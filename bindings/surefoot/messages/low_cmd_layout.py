@@ -1,4 +1,4 @@
-"""LowCmd's fields in its 734 packed bytes: for arrays of many commands at once."""
+"""NumPy dtype of the packed LowCmd (734 bytes), for arrays of commands."""
 
 from __future__ import annotations
 

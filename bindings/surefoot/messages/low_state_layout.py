@@ -1,10 +1,10 @@
-"""LowState's fields in its 937 packed bytes: for arrays of many states at once."""
+"""NumPy dtype of the packed LowState (937 bytes), for arrays of samples."""
 
 from __future__ import annotations
 
 import numpy as np
 
-LEGS = ("FR", "FL", "RR", "RL")  # the SDK's order of legs: feet, and three motors each
+LEGS = ("FR", "FL", "RR", "RL")  # leg order of the SDK, for feet and for motors (three per leg)
 MOTOR_COUNT = 12
 MOTOR_SLOTS = 20
 

@@ -1,4 +1,4 @@
-"""Replay: what a controller was told, told to a fresh one; are its commands the same?"""
+"""Recording and replay: a new controller gets the same inputs, and its commands are compared."""
 
 from surefoot.replay.play import Difference, Replay, play
 from surefoot.replay.recorder import Recorder

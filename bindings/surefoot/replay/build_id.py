@@ -1,4 +1,4 @@
-"""Which build of the library computes: only the same one promises the same bits."""
+"""Identity of the build of the library: commands are bit-identical only on the same build."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from surefoot import _core
 
 @cache
 def build_id() -> str:
-    """Return 16 hexadecimal digits of the compiled library's own bytes.
+    """Return 16 hexadecimal digits that identify the bytes of the compiled library.
 
-    The processor is not in it: the system's mathematics library may choose other instructions on
-    another one, and round otherwise.
+    The processor is not included. On another processor the system's mathematics library may use
+    other instructions, which round differently.
     """
     module = Path(_core.__file__)
     digest = hashlib.sha256(module.read_bytes())

@@ -1,4 +1,4 @@
-"""Calls of a controller besides update(): their arguments as JSON knows them, and back."""
+"""Calls of a controller other than update(), and conversion of their arguments to JSON and back."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _AXES = ("x", "y", "height", "roll", "pitch", "yaw")
 
 @dataclass(frozen=True)
 class _CallCodec:
-    """How a call's argument becomes plain data, and what it was; None: it has none."""
+    """Conversions of a call's argument to JSON and back; None if the call has no argument."""
 
     to_json: Callable[[Any], Any] | None = None
     from_json: Callable[[Any], Any] | None = None
@@ -32,11 +32,15 @@ CALLS = {
     ),
     "set_gains": _CallCodec(gain_values, gains_from_values),
 }
-"""By the name of the controller's method."""
+"""Calls that a recording keeps, by name of the controller's method."""
 
 
 def json_argument(name: str, *arguments: Any) -> Any:
-    """Return a call's argument as JSON knows it; raises Error for a call that no tape keeps."""
+    """Convert a call's argument to a JSON value.
+
+    Raises:
+        Error: CALLS has no such call, or the arguments do not fit it.
+    """
     codec = _codec(name)
     if len(arguments) != (codec.to_json is not None):
         expected = "none" if codec.to_json is None else "one"
@@ -44,15 +48,17 @@ def json_argument(name: str, *arguments: Any) -> Any:
     try:
         return codec.to_json(*arguments) if codec.to_json is not None else None
     except (AttributeError, TypeError):
-        raise Error(f"call '{name}': got {arguments[0]!r}, which {name}() does not take") from None
+        raise Error(
+            f"call '{name}': got {arguments[0]!r}, expected an argument of {name}()"
+        ) from None
 
 
 def repeat_call(controller: Any, name: str, argument: Any) -> str:
-    """Make a call again and return the name of what it answers, "" for nothing; raises Error."""
+    """Repeat a recorded call and return answer_name() of its result; raises Error."""
     codec = _codec(name)
     method = getattr(controller, name, None)
     if method is None:
-        raise Error(f"log: got call '{name}', which {type(controller).__name__} has not")
+        raise Error(f"log: got call '{name}', expected a method of {type(controller).__name__}")
     try:
         arguments = () if codec.from_json is None else (codec.from_json(argument),)
     except (KeyError, TypeError, AttributeError) as problem:
@@ -61,7 +67,7 @@ def repeat_call(controller: Any, name: str, argument: Any) -> str:
 
 
 def answer_name(answer: Any) -> str:
-    """Return the name of a RequestStatus, or "" for what is none."""
+    """Return the name of a RequestStatus, or "" for any other value."""
     return answer.name if isinstance(answer, RequestStatus) else ""
 
 

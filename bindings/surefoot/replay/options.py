@@ -1,4 +1,4 @@
-"""Options of controllers as plain data, to the last bit, and back."""
+"""Lossless conversion of controller options to JSON values and back."""
 
 from __future__ import annotations
 
@@ -11,15 +11,17 @@ Options = TypeVar("Options")
 
 
 def json_options(options: Any) -> dict[str, Any]:
-    """Return every option by name; enums by theirs, options within options the same way."""
+    """Return all options by name; enums become their names, nested options become dicts."""
     return {name: _json_value(getattr(options, name)) for name in _names(options)}
 
 
 def options_from_json(values: dict[str, Any], options: Options) -> Options:
-    """Write options by name into `options`, which has all of them, and return it; raises Error."""
+    """Set all options of `options` from `values` and return it; raises Error if names differ."""
     if set(values) != set(_names(options)):
         differing = ", ".join(sorted(set(values) ^ set(_names(options))))
-        raise Error(f"log: got other options than this version has: {differing}")
+        raise Error(
+            f"log: got options that differ from this version's: {differing}; expected a log of this version"
+        )
     for name, value in values.items():
         current = getattr(options, name)
         if isinstance(current, StandOptions):

@@ -1,4 +1,4 @@
-"""A tape played into a fresh controller, its commands held against those of then."""
+"""Replay of a recording through a new controller, with a comparison of all commands."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ Progress = Callable[[str, int, int], None]
 
 @dataclass(frozen=True)
 class Difference:
-    """The first thing that is not as it was.
+    """First difference between a recording and its replay.
 
     Attributes:
-        row: Of the tape; its length for a call after the last one.
+        row: Row of the recording; the number of rows for a call after the last update().
         tick: LowState.tick of that row [ms].
-        field: Of LowCmd, such as motorCmd[4].tau, or the call whose answer it is.
-        logged: What it was.
-        replayed: What it is.
+        field: Field of LowCmd, such as motorCmd[4].tau, or the call whose answer differs.
+        logged: Value in the recording.
+        replayed: Value in the replay.
     """
 
     row: int
@@ -39,13 +39,13 @@ class Difference:
 
 @dataclass(frozen=True)
 class Replay:
-    """What came of it.
+    """Result of a replay.
 
     Attributes:
-        commands: (n, 734) bytes of the LowCmds of now.
-        differing: Rows whose commands are not the same, byte for byte.
-        first: The first difference; None: all is identical.
-        same_build: Did this very build of the library make the tape?
+        commands: Bytes of the replayed LowCmds, shape (n, 734).
+        differing: Number of rows whose commands differ in any byte.
+        first: First difference; None if commands and answers are identical.
+        same_build: True if this build of the library made the recording.
     """
 
     commands: Bytes
@@ -55,19 +55,20 @@ class Replay:
 
 
 def play(recording: Recording, robot: Robot, progress: Progress | None = None) -> Replay:
-    """Play a tape to its end, whatever differs on the way.
+    """Replay a whole recording, also after the first difference.
 
     Args:
-        recording: What to play.
-        robot: The model that the tape's controller had.
-        progress: Told how far it is.
+        recording: Recording to replay.
+        robot: Robot of the recorded controller.
+        progress: Called as progress("replay", done, total) after each tick.
 
     Raises:
-        Error: No tape, another robot, gains or options that are refused.
+        Error: `recording` is no Recording, the robot has another name, or gains or options are
+            invalid.
     """
     if not isinstance(recording, Recording):
         raise Error(
-            f"tape: got {type(recording).__name__}, expected what read_recording(FILE) returns"
+            f"recording: got {type(recording).__name__}, expected a Recording of read_recording()"
         )
     controller = recording.make(robot)
     calls: dict[int, list[Call]] = {}
@@ -102,7 +103,7 @@ def play(recording: Recording, robot: Robot, progress: Progress | None = None) -
 
 
 def _difference(row: int, tick: int, logged: Bytes, replayed: Bytes) -> Difference:
-    """Return the first field of two commands that is not the same."""
+    """Return the first field in which two commands differ."""
     byte = int(np.flatnonzero(logged != replayed)[0])
     name, kind, start = field_at(LOW_CMD, byte)
     span = slice(start, start + kind.itemsize)
@@ -113,7 +114,7 @@ def _difference(row: int, tick: int, logged: Bytes, replayed: Bytes) -> Differen
 
 
 def field_at(layout: np.dtype[Any], byte: int) -> tuple[str, np.dtype[Any], int]:
-    """Return name, type and first byte of the number that a byte of a packed struct is in."""
+    """Return name, type and first byte of the field that contains byte `byte` of a struct."""
     if layout.subdtype is not None:
         element = layout.subdtype[0]
         index, offset = divmod(byte, element.itemsize)

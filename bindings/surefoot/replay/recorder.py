@@ -1,4 +1,4 @@
-"""A controller whose every call is kept."""
+"""Recorder of all inputs and commands of a controller."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ from surefoot.replay.recording import (
 
 
 class Recorder:
-    """Makes a controller and keeps what goes in and comes out.
+    """A controller whose inputs and commands are recorded.
 
-    Whatever is to be on the tape must go through update() and call(), by one thread; to look at
-    the controller is free.
+    Only update() and call() are recorded; use them from one thread. Reading the state of the
+    controller needs no recording.
 
     Args:
-        robot: Its model.
+        robot: Robot of the controller.
         options: StandOptions for a StandController, SupervisorOptions for a Supervisor.
-        gains: None for the robot's own.
+        gains: Gains of the controller; None: the robot's own.
 
     Raises:
-        Error: As the controller's constructor.
+        Error: As the constructor of the controller.
 
     Attributes:
-        controller: It.
+        controller: The controller.
     """
 
     def __init__(self, robot: Robot, options: Options, gains: Gains | None = None) -> None:
@@ -46,24 +46,26 @@ class Recorder:
         self._calls: list[Call] = []
 
     def update(self, state: LowState) -> LowCmd:
-        """Take a tick."""
+        """Update the controller with a LowState, record both, and return the LowCmd."""
         self._samples.append(state.to_bytes())
         command: LowCmd = self.controller.update(state)
         self._commands.append(command.to_bytes())
         return command
 
     def call(self, name: str, *arguments: Any) -> Any:
-        """Make one of calls.CALLS, and return its answer; raises Error."""
+        """Call and record one of calls.CALLS, and return its result; raises Error."""
         argument = json_argument(name, *arguments)
         method = getattr(self.controller, name, None)
         if method is None:
-            raise Error(f"call: got '{name}', which {type(self.controller).__name__} has not")
+            raise Error(
+                f"call: got '{name}', expected a method of {type(self.controller).__name__}"
+            )
         answer = method(*arguments)
         self._calls.append(Call(len(self._samples), name, argument, answer_name(answer)))
         return answer
 
     def recording(self) -> Recording:
-        """Return what there is so far."""
+        """Return the recording so far."""
         samples, commands = (
             np.frombuffer(b"".join(rows), dtype=np.uint8).reshape(len(rows), width)
             for rows, width in (

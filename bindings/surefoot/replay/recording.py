@@ -1,4 +1,4 @@
-"""A tape: all that went into a controller, in order, and every command that came out."""
+"""Recording of a controller: all inputs in order, and all commands."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ _CONTROLLERS: dict[str, tuple[type[Controller], type[Options]]] = {
 
 @dataclass(frozen=True)
 class Call:
-    """A call of the controller other than update(), by the thread that updates it.
+    """Call of the controller other than update(), from the thread that updates it.
 
     Attributes:
-        row: It came after the update of row - 1 and before that of row.
+        row: The call came between update() of row - 1 and update() of row.
         name: One of calls.CALLS.
-        argument: As JSON knows it; None for none.
-        answer: Name of the RequestStatus that came back; "" for none.
+        argument: Argument as a JSON value; None without an argument.
+        answer: Name of the returned RequestStatus; "" if the call returned none.
     """
 
     row: int
@@ -50,20 +50,20 @@ class Call:
 
 @dataclass(frozen=True)
 class Recording:
-    """One run of a controller, from its making on.
+    """One run of a controller, from its construction on.
 
-    A robot's model is not in it, nor are tasks of one's own and what a link says besides LowStates
+    Not included are the robot's model, user-defined tasks, and the calls of a link besides update()
     (Supervisor.update_without_state(), lose(), count_samples()).
 
     Attributes:
         kind: "StandController" or "Supervisor".
-        robot: The robot's name.
-        gains: That the controller was made with, by name.
-        options: The same of its options.
-        samples: (n, 937) bytes of the LowStates, one an update().
-        commands: (n, 734) bytes of the LowCmds that came back.
-        calls: In order.
-        build: What made the commands: build.build_id() of then.
+        robot: Name of the robot.
+        gains: Gains passed to the constructor, by name.
+        options: Options passed to the constructor, by name.
+        samples: Bytes of the LowStates, one per update(), shape (n, 937).
+        commands: Bytes of the returned LowCmds, shape (n, 734).
+        calls: Calls other than update(), in order.
+        build: build_id() of the library that made the recording.
     """
 
     kind: str
@@ -76,22 +76,26 @@ class Recording:
     build: str = field(default_factory=build_id)
 
     def make(self, robot: Robot) -> Controller:
-        """Return a controller as the tape's was when it was new; raises Error for another robot."""
+        """Construct the recorded controller again; raises Error if the robot has another name."""
         if robot.name != self.robot:
-            raise Error(f"robot: got '{robot.name}', expected '{self.robot}', which the log is of")
+            raise Error(f"robot: got '{robot.name}', expected '{self.robot}' as in the log")
         return make_controller(robot, gains_from_values(self.gains), self.kind, self.options)
 
 
 def make_controller(robot: Robot, gains: Gains, kind: str, options: dict[str, Any]) -> Controller:
-    """Return a controller of a kind; raises Error."""
+    """Construct a controller of the given kind; raises Error."""
     if kind not in _CONTROLLERS:
         raise Error(f"log: got controller '{kind}', expected {' or '.join(_CONTROLLERS)}")
     controller, options_class = _CONTROLLERS[kind]
-    return controller(robot, gains, options_from_json(options, options_class()))  # type: ignore[arg-type]
+    return controller(
+        robot,
+        gains,
+        options_from_json(options, options_class()),  # type: ignore[arg-type]
+    )
 
 
 def controller_kind(options: Options) -> str:
-    """Return the kind of controller that options are for; raises Error."""
+    """Return the kind of controller that has these options; raises Error."""
     for kind, (_, options_class) in _CONTROLLERS.items():
         if isinstance(options, options_class):
             return kind
@@ -100,7 +104,7 @@ def controller_kind(options: Options) -> str:
 
 
 def recording_header(robot: Robot, gains: Gains | None, options: Options) -> dict[str, Any]:
-    """Return the fields of a Tape that are known when its controller is made."""
+    """Return the fields of a Recording that are known when its controller is constructed."""
     return {
         "kind": controller_kind(options),
         "robot": robot.name,

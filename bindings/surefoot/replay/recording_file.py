@@ -1,4 +1,4 @@
-"""Tapes as arrays of an NPZ file, by themselves or beside a sensor log's columns."""
+"""Recordings as arrays of an NPZ file, alone or together with the columns of a sensor log."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _KEYS = {"kind": str, "robot": str, "gains": dict, "options": dict, "build": str
 
 
 def recording_columns(recording: Recording) -> dict[str, np.ndarray]:
-    """Return a tape as arrays by name: bytes of reports and commands, the rest as JSON."""
+    """Return a recording as arrays by name: samples and commands as bytes, the rest as JSON."""
     header = {name: value for name, value in vars(recording).items() if name in _KEYS}
     header["calls"] = [asdict(call) for call in recording.calls]
     return {
@@ -34,22 +34,20 @@ def recording_columns(recording: Recording) -> dict[str, np.ndarray]:
 
 
 def write_recording(path: str | Path, recording: Recording) -> None:
-    """Write a tape by itself; raises OSError."""
+    """Write a recording to its own NPZ file; raises OSError."""
     write_npz(Path(path), recording_columns(recording))
 
 
 def read_recording(path: str | Path) -> Recording:
-    """Read a tape from an NPZ file; raises Error where there is none that is whole."""
+    """Read a recording from an NPZ file; raises Error if it has none, or a corrupt one."""
     path = Path(path)
     if path.suffix.lower() != ".npz":
-        raise Error(f"log: got '{path}', expected a .npz: a CSV has not all that commands need")
+        raise Error(f"log: got '{path}', expected a .npz file: a CSV lacks the options and calls")
     try:
         with np.load(path, allow_pickle=False) as file:
             missing = [name for name in (_REPORTS, _COMMANDS, _HEADER) if name not in file.files]
             if missing:
-                raise Error(
-                    f"{path}: got no {missing[0]}, expected what surefoot stand --log writes"
-                )
+                raise Error(f"{path}: got no {missing[0]}, expected a log of surefoot stand --log")
             samples, commands, header = (
                 file[_REPORTS],
                 file[_COMMANDS],
@@ -58,12 +56,12 @@ def read_recording(path: str | Path) -> Recording:
     except OSError as problem:
         raise Error(f"log: cannot read '{path}': {problem.strerror or problem}") from None
     except CORRUPT_NPZ as problem:
-        raise Error(f"{path}: got no NPZ file of a replay ({problem}), expected one") from None
+        raise Error(f"{path}: got a corrupt file ({problem}), expected an NPZ log") from None
     return _check(path, samples, commands, header)
 
 
 def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -> Recording:
-    """Return the tape of a file's arrays; raises Error."""
+    """Return the recording in the arrays of a file; raises Error if they do not fit together."""
     for name, rows, width in (
         (_REPORTS, samples, len(LowState().raw)),
         (_COMMANDS, commands, len(LowCmd().raw)),
@@ -72,7 +70,9 @@ def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -
             got = f"{rows.dtype} {rows.shape}"
             raise Error(f"{path}: {name}: got {got}, expected uint8 (rows, {width})")
     if len(samples) != len(commands):
-        raise Error(f"{path}: got {len(samples)} reports and {len(commands)} commands")
+        raise Error(
+            f"{path}: got {len(samples)} samples and {len(commands)} commands, expected equal"
+        )
     if not isinstance(header, dict) or header.pop("format", None) != _FORMAT:
         raise Error(f"{path}: {_HEADER}: got another format, expected {_FORMAT}")
     if {name: type(value) for name, value in header.items()} != _KEYS:
@@ -80,5 +80,5 @@ def _check(path: Path, samples: np.ndarray, commands: np.ndarray, header: Any) -
     try:
         calls = tuple(Call(**call) for call in header.pop("calls"))
     except TypeError as problem:
-        raise Error(f"{path}: {_HEADER}: a call is none: {problem}") from None
+        raise Error(f"{path}: {_HEADER}: got an invalid call: {problem}") from None
     return Recording(**header, samples=samples, commands=commands, calls=calls)

@@ -1,1 +1,1 @@
-"""HTML pages and plots that all reports share."""
+"""HTML pages and plots shared by all reports."""

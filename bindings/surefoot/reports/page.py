@@ -1,4 +1,4 @@
-"""What reports' pages share: the look, tiles, pictures, the table of numbers. No script."""
+"""Parts of report pages: style sheet, tiles, plots and the table of numbers. No script."""
 
 from __future__ import annotations
 
@@ -47,27 +47,27 @@ class FieldEntry(Protocol):
 
     @property
     def name(self) -> str:
-        """Its key."""
+        """Key in the summary."""
 
     @property
     def unit(self) -> str:
-        """Its unit; "" for words, counts and ratios."""
+        """Unit; "" for words, counts and ratios."""
 
     @property
     def meaning(self) -> str:
-        """One sentence or less."""
+        """Meaning in one sentence or less."""
 
     @property
     def group(self) -> str:
-        """Heading that it stands under."""
+        """Heading of its part of the table."""
 
 
 class PlotFile(Protocol):
-    """One picture of a report."""
+    """One plot of a report."""
 
     @property
     def file(self) -> str:
-        """Its name beside the page."""
+        """File name, in the folder of the page."""
 
     @property
     def title(self) -> str:
@@ -75,11 +75,11 @@ class PlotFile(Protocol):
 
     @property
     def caption(self) -> str:
-        """What can be seen."""
+        """Description of the plot."""
 
 
 def page_html(title: str, body: str) -> str:
-    """Return a whole page around a body of HTML; the title is plain text."""
+    """Return a complete HTML page; `title` is plain text, `body` is HTML."""
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -103,7 +103,7 @@ def tiles_html(tiles: Iterable[tuple[str, str]]) -> str:
 
 
 def plots_html(pictures: Iterable[PlotFile]) -> str:
-    """Return a card for each picture."""
+    """Return a section with title, caption and image for each plot."""
     return "\n".join(
         f'<section class="card"><h2>{escape(picture.title)}</h2>'
         f'<p class="soft">{escape(picture.caption)}</p>'
@@ -113,14 +113,14 @@ def plots_html(pictures: Iterable[PlotFile]) -> str:
 
 
 def summary_table_html(fields: Iterable[FieldEntry], summary: Mapping[str, Any]) -> str:
-    """Return the card with the table of every field; summary.json lies beside the page."""
+    """Return a section with a table of all fields and a link to summary.json beside the page."""
     parts = []
     for group, entries in itertools.groupby(fields, key=lambda field: field.group):
         parts.append(f'<tr><th colspan="4">{escape(group)}</th></tr>')
         parts += [_row(field, summary[field.name]) for field in entries]
     rows = "\n".join(parts)
     return f"""<section class="card"><h2>Numbers</h2>
-<p class="soft">The same as in <a href="summary.json">summary.json</a>.</p>
+<p class="soft">Same values as in <a href="summary.json">summary.json</a>.</p>
 <div class="scroll"><table>{rows}</table></div></section>"""
 
 
@@ -135,7 +135,7 @@ def _row(field: FieldEntry, value: Any) -> str:
 
 
 def _value_html(value: Any) -> str:
-    """Return a value as text; what has parts gets a line for each."""
+    """Return a value as HTML; dicts and lists get one line per item."""
     if isinstance(value, dict):
         return (
             "<br>".join(f"{escape(name)} {_value_html(part)}" for name, part in value.items())

@@ -1,4 +1,4 @@
-"""How reports' plots look: colours, grids; and how they are drawn into a report's folder."""
+"""Style of report plots, and helpers that draw them into the folder of a report."""
 
 from __future__ import annotations
 
@@ -33,13 +33,13 @@ Data = TypeVar("Data")
 
 @dataclass(frozen=True)
 class Plot(Generic[Data]):
-    """One picture of a report.
+    """One plot of a report.
 
     Attributes:
-        file: Its name in the report's folder.
+        file: File name in the folder of the report.
         title: Heading.
-        caption: What can be seen.
-        draw: Makes it.
+        caption: Description of the plot.
+        draw: Function that draws the data.
     """
 
     file: str
@@ -49,27 +49,27 @@ class Plot(Generic[Data]):
 
 
 def draw_plots(plots: Iterable[Plot[Data]], data: Data, folder: Path) -> None:
-    """Write every plot into a folder as PNG."""
+    """Write every plot of `data` into a folder as PNG."""
     with style.context(STYLE):
         for plot in plots:
             plot.draw(data).savefig(folder / plot.file, dpi=130)
 
 
 def subplot_grid(rows: int, columns: int, height: float) -> tuple[Figure, list[list[Axes]]]:
-    """Return a figure of so many plots above the same times, `height` in inches."""
+    """Return a figure with a grid of axes that share the time axis; `height` in inches."""
     figure = Figure(figsize=(9.2, height), layout="constrained")
     axes = figure.subplots(rows, columns, sharex=True, squeeze=False)
     return figure, [list(row) for row in axes]
 
 
 def widen_y_axis(ax: Axes, span: float) -> None:
-    """Widen the y axis to at least +- span, so that a still robot does not look restless."""
+    """Widen the y axis to at least [-span, span], so that small noise is not drawn large."""
     low, high = ax.get_ylim()
     ax.set_ylim(min(low, -span), max(high, span))
 
 
 def finish_time_axis(figure: Figure, axes: list[list[Axes]], duration: float) -> None:
-    """Label the time axis, 0 .. duration [s], and explain the lines once, above all plots."""
+    """Label the time axis, 0 .. duration [s], and add one legend above all plots."""
     for ax in axes[-1]:
         ax.set_xlabel("time [s]")
         ax.set_xlim(0.0, max(duration, 1e-3))

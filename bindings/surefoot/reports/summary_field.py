@@ -1,4 +1,4 @@
-"""What a number of a summary means: of a stand, of a log."""
+"""Description of the numbers in a summary."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ class Field:
     """One entry of a summary.
 
     Attributes:
-        name: Its key.
-        unit: "" for words, counts and ratios.
-        meaning: One sentence or less.
-        group: Heading that it stands under.
+        name: Key in the summary.
+        unit: Unit; "" for words, counts and ratios.
+        meaning: Meaning in one sentence or less.
+        group: Heading of its part of the table.
     """
 
     name: str

@@ -1,1 +1,1 @@
-"""A robot's description, configuration and gains: TOML and URDF files, checked and loaded."""
+"""Robot descriptions, configurations and gains, loaded from URDF and TOML files."""

@@ -1,4 +1,4 @@
-"""From a model and a checked TOML to a RobotConfig: limits, IMU mount, motors, gains."""
+"""Build a RobotConfig from a model and a checked TOML: limits, IMU mount, motors, gains."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _LEG_JOINTS = ("hip", "thigh", "calf")
 
 
 def build_config(model: Any, table: dict[str, Any]) -> RobotConfig:
-    """Build the configuration; the table has passed read_table(); raises Error."""
+    """Build the configuration from a pinocchio.Model and a table of read_table(); raises Error."""
     config = RobotConfig()
     robot, feet, motors = table["robot"], table["feet"], table["motors"]
     config.name = robot["name"]
@@ -34,7 +34,7 @@ def build_config(model: Any, table: dict[str, Any]) -> RobotConfig:
 
 
 def _check_root(config: RobotConfig, model: Any) -> None:
-    """Raise Error unless the base is free: joints 0 and 1 are the world's and the base's."""
+    """Raise Error unless joint 1, the root joint, is a free-flyer; joint 0 is the universe."""
     root = model.joints[1] if model.njoints > 1 else None
     if root is None or (root.nq, root.nv) != (7, 6):
         got = "no joint" if root is None else f"'{model.names[1]}' ({root.shortname()})"
@@ -55,7 +55,7 @@ def _set_imu(config: RobotConfig, model: Any, imu: dict[str, Any]) -> None:
         frame = model.frames[names.index(imu["frame"])]
         if frame.parentJoint != 1:
             raise Error(
-                f"robot '{config.name}': IMU frame '{imu['frame']}' hangs on joint "
+                f"robot '{config.name}': IMU frame '{imu['frame']}': got parent joint "
                 f"'{model.names[frame.parentJoint]}', expected the base"
             )
         import pinocchio
@@ -92,7 +92,7 @@ def _set_limits(
 
 
 def per_motor(values: list[float], field: str) -> np.ndarray:
-    """Spread (hip, thigh, calf) over the four legs; twelve values pass through."""
+    """Return twelve values: three (hip, thigh, calf) are repeated for each leg; raises Error."""
     if len(values) not in (3, 12):
         raise Error(f"{field}: got {len(values)} values, expected 3 (hip, thigh, calf) or 12")
     return np.array(values * (12 // len(values)), dtype=float)

@@ -1,4 +1,4 @@
-"""How long a command takes to act, from a log: what StandOptions.delay wants to be told."""
+"""Identification of the command delay from a log, for StandOptions.delay."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ import numpy.typing as npt
 from surefoot._core import Error
 
 _RESOLUTION = 0.25e-3  # [s] resolution of the search
-_DIFFERENCE_TIME = 0.01  # [s] over which changes are compared; a motor's lag blurs shorter ones
+_DIFFERENCE_TIME = 0.01  # [s] over which torque changes are taken; motor lag blurs shorter ones
 _MIN_TORQUE_CHANGE = 0.02  # [N.m] RMS change of torque between samples; less is noise
-_MIN_FIT = 0.8  # share of the reported torque's changes that the delayed commands explain
+_MIN_FIT = 0.8  # least share of the changes of tauEst that the delayed commands explain
 
 Array = npt.NDArray[np.float64]
 
@@ -20,29 +20,29 @@ Array = npt.NDArray[np.float64]
 def identify_delay(
     tau_sent: Any, tau_reported: Any, period: float, max_delay: float = 0.05
 ) -> float:
-    """Find the delay from the log of a small excitation.
+    """Identify the delay from measurement to action, from the log of a small excitation.
 
-    The reported torque is taken for the sent one, later and with a gain per joint:
-    tau_reported(t) = k tau_sent(t - delay) + noise. Changes are compared, not values, so that
-    friction and offsets do not matter. A motor's lag counts as delay: it acts as one.
+    The model is tau_reported(t) = k tau_sent(t - delay) + noise, with a gain k per joint. The fit
+    compares torque changes over 10 ms, so friction and offsets cancel. It searches delays from 0
+    to `max_delay` in steps of 0.25 ms. Motor lag acts as delay and is included.
 
-    To get such a log, stand, ask in every tick t for
-    BodyReference(height=0.01 * sin(20 * t), roll=0.03 * sin(31 * t)) with the gains
-    reference_acceleration at 10 and reference_turn_acceleration at 100, and log two seconds of it.
+    To record the log, let the robot stand and set in every tick, with t in seconds,
+    BodyReference(height=0.01 * sin(20 * t), roll=0.03 * sin(31 * t)). Set the gains
+    reference_acceleration to 10 and reference_turn_acceleration to 100. Log two seconds.
 
     Args:
         tau_sent: LowCmd motorCmd[i].tau of every tick, shape (n, 12) [N.m].
-        tau_reported: LowState motorState[i].tauEst that the tick's command was made from,
-            shape (n, 12) [N.m].
-        period: Between ticks [s].
-        max_delay: Delay to look for [s].
+        tau_reported: LowState motorState[i].tauEst from which the command of the same tick was
+            computed, shape (n, 12) [N.m].
+        period: Time between ticks [s].
+        max_delay: Longest delay to search [s].
 
     Returns:
-        Seconds from a measurement to the action of the command made from it, for
-        StandOptions(delay=...).
+        Time [s] from a measurement to the action of its command, for StandOptions(delay=...).
 
     Raises:
-        Error: Shapes that do not match, too short a log, too little motion, no agreement.
+        Error: The shapes differ, the log is too short, the motion is too small, or no delay
+            explains at least 80 % of the torque changes.
     """
     sent, reported = _validated(tau_sent, tau_reported, period, max_delay)
     delays = np.arange(0.0, max_delay + 0.5 * _RESOLUTION, _RESOLUTION)
@@ -51,9 +51,9 @@ def identify_delay(
     best = int(np.argmax(fits))
     if fits[best] < _MIN_FIT:
         raise Error(
-            f"identify_delay: the commands explain {100 * fits[best]:.0f} % of the reported "
-            f"torque's changes at best, expected at least {100 * _MIN_FIT:.0f} %; move the body "
-            "a little while logging, in pure torque mode"
+            f"identify_delay: the best delay explains {100 * fits[best]:.0f} % of the changes of "
+            f"tauEst, expected at least {100 * _MIN_FIT:.0f} %; move the body a little while "
+            "logging, in pure torque mode"
         )
     return float(delays[best])
 
@@ -65,27 +65,31 @@ def _validated(
     if sent.ndim != 2 or sent.shape != reported.shape:
         raise Error(
             f"identify_delay: got shapes {sent.shape} and {reported.shape}, "
-            "expected two equal ones, (ticks, joints)"
+            "expected two equal shapes (ticks, joints)"
         )
     if not (np.isfinite(sent).all() and np.isfinite(reported).all()):
-        raise Error("identify_delay: got a torque that is not finite")
+        raise Error("identify_delay: got a torque that is NaN or infinite, expected finite ones")
     if not 0.0 < period <= max_delay:
         raise Error(f"identify_delay: got period {period} s, expected above 0, up to {max_delay} s")
     if len(sent) < 4.0 * max_delay / period:
         raise Error(
-            f"identify_delay: got {len(sent)} ticks, expected at least {4.0 * max_delay / period:.0f}"
+            f"identify_delay: got {len(sent)} ticks, "
+            f"expected at least {4.0 * max_delay / period:.0f}"
         )
     motion = float(np.sqrt(np.mean(np.diff(sent, axis=0) ** 2)))
     if motion < _MIN_TORQUE_CHANGE:
         raise Error(
-            f"identify_delay: sent torques change by {motion:.2g} N.m a tick, expected at least "
+            f"identify_delay: sent torques change by {motion:.2g} N.m per tick, expected at least "
             f"{_MIN_TORQUE_CHANGE}; move the body a little while logging"
         )
     return sent, reported
 
 
 def _explained_share(sent: Array, reported: Array, ticks: float, span: int) -> float:
-    """Return the share of the reported changes that the commands, `ticks` later, explain."""
+    """Return the share of the changes of tauEst that the commands explain, delayed by `ticks`.
+
+    The commands are interpolated linearly; the gain of each joint is the least-squares gain.
+    """
     count = len(sent)
     start = int(np.ceil(ticks))
     sample_time = np.arange(start, count) - ticks

@@ -1,4 +1,4 @@
-"""Find a robot's files, by its name or from where one has them."""
+"""The files that describe a robot, found by the robot's name or by their paths."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from surefoot.robot.robot_toml import read_table, suggest
 
 @dataclass(frozen=True)
 class RobotDescription:
-    """The files and the parsed TOML that a robot is built from.
+    """Files and parsed TOML from which a robot is built.
 
     Attributes:
-        name: One word.
+        name: Name of the robot, one word.
         urdf: Path of the URDF.
         srdf: Path of the SRDF, or None.
-        mesh_root: Folder that ``package://example-robot-data/`` paths start from.
-        table: The TOML, checked: every key is known.
+        mesh_root: Folder that ``package://example-robot-data/`` stands for in the URDF.
+        table: The TOML as checked by read_table().
     """
 
     name: str
@@ -31,20 +31,29 @@ class RobotDescription:
 
 
 def available_robots() -> list[str]:
-    """List the robots that load_robot() knows by name."""
+    """Return the names of the robots that load_robot() can load by name."""
     return sorted(path.stem for path in _models_folder().glob("*.toml"))
 
 
 def describe_robot(
     name: str | None = None, *, urdf: str | Path | None = None, config: str | Path | None = None
 ) -> RobotDescription:
-    """Find a robot's files and check its TOML, without building the model; raises Error."""
+    """Find a robot's files and check its TOML, without building the model.
+
+    Args:
+        name: One of available_robots().
+        urdf: Or: the path of a URDF, together with `config`.
+        config: Path of the robot's TOML.
+
+    Raises:
+        Error: A name and files are given, or too few of them; a file is missing or invalid.
+    """
     if name is not None and (urdf is not None or config is not None):
         raise Error(f"robot: got name '{name}' and files, expected a name, or urdf= and config=")
     if name is not None:
         return _describe_by_name(name)
     if urdf is None or config is None:
-        raise Error("robot: give a name, or both urdf= and config=")
+        raise Error("robot: got too little, expected a name, or both urdf= and config=")
     table = read_table(config)
     path = Path(urdf)
     if not path.is_file():
@@ -74,13 +83,13 @@ def _models_folder() -> Path:
 
 
 def _robot_data_folder() -> Path:
-    """Find share/example-robot-data: the wheel carries data only, no loader."""
+    """Find share/example-robot-data among the package's files: its wheel has no Python module."""
     try:
         files = importlib.metadata.files("example-robot-data") or []
     except importlib.metadata.PackageNotFoundError:
         raise Error(
             "robot data not found: loading a robot by name needs the example-robot-data package; "
-            "run: pip install 'surefoot[sim]' (or bring a URDF, or a .robot file)"
+            "run: pip install 'surefoot[sim]' (or use a URDF, or a .robot file)"
         ) from None
     marker = "share/example-robot-data/robots/"
     for file in files:
@@ -88,4 +97,7 @@ def _robot_data_folder() -> Path:
         if marker in text:
             start = text.index(marker) + len(marker) - len("robots/")
             return Path(str(file.locate())[: len(str(file.locate())) - len(text) + start])
-    raise Error("the example-robot-data package holds no share/example-robot-data/robots folder")
+    raise Error(
+        "robot data: the example-robot-data package has no share/example-robot-data/robots; "
+        "install it again, version 6"
+    )

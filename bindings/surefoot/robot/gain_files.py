@@ -1,4 +1,4 @@
-"""Gains as a TOML file: read, checked, written back to the last digit."""
+"""Gains as TOML files, read with checks and written without loss of digits."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from surefoot.robot.robot_toml import read_toml
 
 
 def gain_values(gains: Gains) -> dict[str, float]:
-    """Return every gain by name: plain data, for files and pipes."""
+    """Return all gains by name, as plain data for files and pipes."""
     return {info.name: get_gain(gains, info.name) for info in gain_table()}
 
 
 def changed_gains(gains: Gains, own: Gains) -> dict[str, float]:
-    """Return those gains by name that differ from a robot's own."""
+    """Return the gains, by name, that differ from the robot's own gains."""
     values = gain_values(own)
     return {name: value for name, value in gain_values(gains).items() if value != values[name]}
 
 
 def gains_from_values(values: dict[str, float]) -> Gains:
-    """Return the library's gains with values by name on top; raises Error."""
+    """Return the library's default gains with the given values on top; raises Error."""
     gains = Gains()
     for name, value in values.items():
         set_gain(gains, name, value)
@@ -37,33 +37,34 @@ def load_gains(path: str | Path, start: Gains | None = None) -> Gains:
 
     Args:
         path: The file.
-        start: Gains that keep their value where the file is silent; library defaults if None.
+        start: Gains that the file changes; gains that it does not name keep their value. None: the
+            library's defaults.
 
     Raises:
-        Error: A key that is no gain, a value that is no number or out of range, another unit.
+        Error: Unknown gain, value not a number or out of range, or wrong unit.
     """
     table = read_toml(Path(path))
     gains = start.__copy__() if start is not None else Gains()
     rows = table["gains"] if set(table) == {"gains"} else table
     if not isinstance(rows, dict):
-        raise Error(f"{path}: 'gains' is {rows!r}, expected a table of names and numbers")
+        raise Error(f"{path}: gains: got {rows!r}, expected a table of names and numbers")
     apply_gains(gains, rows, str(path))
     return gains
 
 
 def save_gains(path: str | Path, gains: Gains, robot: str | None = None, comment: str = "") -> None:
-    """Write all gains as a TOML file that load_gains() reads back to the same gains.
+    """Write all gains to a TOML file; load_gains() reads exactly the same gains.
 
-    The file is written whole or not at all: beside its place first, then moved there.
+    The write is atomic.
 
     Args:
         path: The file.
-        gains: What to write.
-        robot: Whose gains they are, for the reader.
-        comment: Lines for the head of the file, where they come from for instance.
+        gains: Gains to write.
+        robot: Name of the robot, for the header.
+        comment: Further lines of the header, for example the origin of the gains.
 
     Raises:
-        Error: A gain out of range.
+        Error: A gain is out of range.
         OSError: The file could not be written.
     """
     gains.validate()
@@ -71,7 +72,7 @@ def save_gains(path: str | Path, gains: Gains, robot: str | None = None, comment
 
 
 def gains_text(gains: Gains, robot: str | None = None, comment: str = "") -> str:
-    """Return what save_gains() writes: every gain under its group, unit and meaning beside it."""
+    """Return the text that save_gains() writes: all gains by group, with unit and meaning."""
     header = [f"Gains of {robot}." if robot else "Gains.", *comment.splitlines()]
     lines = [f"# {line}".rstrip() for line in header] + ["", "[gains]"]
     group = ""
@@ -85,7 +86,16 @@ def gains_text(gains: Gains, robot: str | None = None, comment: str = "") -> str
 
 
 def apply_gains(gains: Gains, rows: dict[str, Any], source: str) -> None:
-    """Write rows of a TOML into gains; raises Error naming the source and the valid names."""
+    """Set gains from rows of a TOML file.
+
+    Args:
+        gains: Gains to change.
+        rows: Values by name.
+        source: Name of the file, for messages.
+
+    Raises:
+        Error: As load_gains(); the message names the source.
+    """
     for name, value in rows.items():
         try:
             set_gain(gains, name, _number(name, value))
@@ -108,5 +118,5 @@ def _number(name: str, value: Any) -> float:
     try:
         return float(value)
     except OverflowError:
-        # TOML's integers have no end; so long a one would bury what is expected.
+        # TOML integers have any length. The message omits the value, which may fill pages.
         raise Error(f"gain '{name}': got a number too large, expected at most 1.8e308") from None

@@ -1,4 +1,4 @@
-"""Robots by name, or from a URDF or a model and a TOML of your own."""
+"""Loading of robots: by name, or from a TOML with a URDF or a Pinocchio model."""
 
 from __future__ import annotations
 
@@ -40,14 +40,13 @@ def load_robot(
         name: One of available_robots(); needs the example-robot-data package (extra ``sim``).
         urdf: Or: the path of a URDF ...
         model: ... or: a pinocchio.Model whose root is a free-flyer ...
-        config: ... either with the path of a TOML that says what it does not (see models/).
+        config: ... each with the path of a TOML that adds what it lacks (see models/).
 
     Returns:
-        The robot; armature, limits and IMU mount are in it.
+        The robot, with armature, limits and IMU mount.
 
     Raises:
-        Error: Two sources at once, unknown name, missing file, joint or frame, a key that does
-            not exist.
+        Error: More than one source, unknown name, missing file, joint or frame, or unknown key.
     """
     sources = {"a name": name, "urdf=": urdf, "model=": model}
     given = [source for source, value in sources.items() if value is not None]
@@ -78,12 +77,12 @@ def load_pinocchio_model(description: RobotDescription) -> Any:
 
 
 def build_robot(description: RobotDescription) -> Robot:
-    """Build the Robot that a description describes; raises Error."""
+    """Build the Robot of a description; raises Error."""
     return _robot_from_model(load_pinocchio_model(description), description.table)
 
 
 def robot_identity(description: RobotDescription, robot: Robot) -> dict[str, str]:
-    """Return as plain data which robot it is, built by which Surefoot."""
+    """Return robot name, digest of its files, and version and build of Surefoot, as plain data."""
     hashed_values = [robot.serialized_model(), repr(description.table), robot.config.foot_radius]
     return {
         "robot": robot.name,
@@ -95,7 +94,7 @@ def robot_identity(description: RobotDescription, robot: Robot) -> dict[str, str
 
 @cache
 def package_digest() -> str:
-    """Return what tells the installed code from any other: of every file of the package."""
+    """Return a digest of all .py, .so and .toml files of the package, which identifies its code."""
     folder = Path(__file__).parents[1]
     files = [path for path in sorted(folder.rglob("*")) if path.suffix in (".py", ".so", ".toml")]
     digest = hashlib.sha256()

@@ -1,10 +1,10 @@
-"""The level of the SDK's power protection that each robot is run with."""
+"""Level of the SDK's power protection for each robot."""
 
 from __future__ import annotations
 
-POWER_LEVELS = {"b1": 10}  # of the power protection; 1 for all others
+POWER_LEVELS = {"b1": 10}  # 1 for all other robots
 
 
 def power_level(robot: str) -> int:
-    """Return the level of the power protection that a robot is run with."""
+    """Return the level of the power protection for a robot, 1 .. 10."""
     return POWER_LEVELS.get(robot, 1)

@@ -1,4 +1,4 @@
-"""A robot's TOML, read strictly."""
+"""Reader of a robot's TOML, which rejects unknown keys and wrong types."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def _is_string_list(size: int) -> _Check:
 
 _LIMIT_PAIR = (_is_number_list(2), "[lower, upper] in rad")
 _PER_MOTOR = (_is_number_list(3, 12), "3 numbers (hip, thigh, calf) or 12")
-# What each key must be, and how to say so. The names of gains are the core's to check.
+# Check of each key, and the expected value in words. The C++ core checks the names of gains.
 _SCHEMA: dict[str, dict[str, tuple[_Check, str]]] = {
     "robot": {
         "name": (_is_string, "a word"),
@@ -82,13 +82,13 @@ def read_toml(path: Path) -> dict[str, Any]:
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as problem:
         raise Error(f"cannot read '{path}': {problem.strerror}") from None
-    # What is no TOML, no UTF-8, or an integer of more digits than Python reads.
+    # Raised for invalid TOML, invalid UTF-8, and integers with more digits than Python parses.
     except ValueError as problem:
         raise Error(f"'{path}' is not valid TOML: {problem}") from None
 
 
 def read_table(path: str | Path) -> dict[str, Any]:
-    """Read a robot's TOML and check it: every key is known and of its type; raises Error."""
+    """Read a robot's TOML and check that every key is known and has its type; raises Error."""
     table = read_toml(Path(path))
     _check_table(table, str(path))
     return table
@@ -97,7 +97,7 @@ def read_table(path: str | Path) -> dict[str, Any]:
 def _check_table(table: dict[str, Any], source: str) -> None:
     for section, rows in table.items():
         if section in _SCHEMA and not isinstance(rows, dict):
-            raise Error(f"{source}: '{section}' is {rows!r}, expected a table [{section}]")
+            raise Error(f"{source}: {section}: got {rows!r}, expected a table [{section}]")
         if section not in _SCHEMA:
             raise Error(
                 f"{source}: unknown section [{section}]{suggest(section, _SCHEMA)}; "
@@ -117,10 +117,12 @@ def _check_table(table: dict[str, Any], source: str) -> None:
     for section, keys in _REQUIRED.items():
         for key in sorted(keys):
             if key not in table.get(section, {}):
-                raise Error(f"{source}: missing key '{section}.{key}'")
+                raise Error(
+                    f"{source}: missing key '{section}.{key}'; expected as in models/go1.toml"
+                )
 
 
 def suggest(wrong: str, valid: Iterable[str]) -> str:
-    """Return " (did you mean 'x'?)" where a valid name is close, else ""."""
+    """Return " (did you mean 'x'?)" with the nearest valid name, or "" if none is near."""
     close = get_close_matches(wrong, list(valid), n=1)
     return f" (did you mean '{close[0]}'?)" if close else ""

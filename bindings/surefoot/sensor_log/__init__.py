@@ -1,1 +1,1 @@
-"""Logs of a robot's sensors: columns, readers and writers of CSV and NPZ files."""
+"""Sensor logs of a robot: their columns, and readers and writers of CSV and NPZ files."""

@@ -1,4 +1,4 @@
-"""When each row of a log was sampled."""
+"""Sample time of each row of a log."""
 
 from __future__ import annotations
 
@@ -7,28 +7,28 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.geometry.batch_rotations import Array
 
-MAX_STEP = 0.1  # [s] the estimator is told no more
+MAX_STEP = 0.1  # [s] largest dt that the estimator receives
 _WRAP = 2**32
 
 
 def read_clock(source: str, columns: dict[str, Array]) -> tuple[str, Array]:
-    """Return which column is the clock, and the time of each row (n,) [s] from the first.
+    """Return the name of the clock column and the time of each row (n,) [s] since the first.
 
-    `tick`, the robot's own clock, comes before `time`, which is often the recorder's; where tick
-    stands still throughout, time serves. Rows whose clock is not finite have time NaN.
+    `tick`, the clock of the robot, is preferred to `time`, which is often the clock of the
+    recorder. If `tick` is constant, `time` is used. Rows with a non-finite clock have time NaN.
 
     Raises:
-        Error: A clock that goes backwards, stands still throughout, or is in another unit.
+        Error: The clock goes backwards, is constant, or is in another unit.
     """
     names = [name for name in ("tick", "time") if name in columns]
     advancing = [name for name in names if np.ptp(_finite(columns[name][:, 0])) > 0.0]
     if not advancing and len(columns[names[0]]) == 1:
-        advancing = names  # a single row cannot tell
+        advancing = names  # a single row shows no advance
     if not advancing:
         name, count = names[0], len(columns[names[0]])
         value = columns[name][0, 0]
         raise Error(
-            f"{source}: column '{name}': got {count} rows that all say {value:g}, "
+            f"{source}: column '{name}': got the same value {value:g} in {count} rows, "
             "expected a clock that advances"
         )
     name = advancing[0]
@@ -48,15 +48,15 @@ def _finite(values: Array) -> Array:
 
 
 def _tick_seconds(source: str, ticks: Array) -> Array:
-    """Return ticks [ms], which wrap, as seconds from the first."""
+    """Convert ticks [ms], which wrap at 2^32, to seconds since the first."""
     if np.any(ticks != np.round(ticks)) or ticks.min() < 0 or ticks.max() >= _WRAP:
         wrong = ticks[(ticks != np.round(ticks)) | (ticks < 0) | (ticks >= _WRAP)][0]
         raise Error(
-            f"{source}: column 'tick': got {wrong:g}, expected whole milliseconds from 0 up to "
-            "2^32 - 1; a clock in seconds is called 'time'"
+            f"{source}: column 'tick': got {wrong:g}, expected whole milliseconds from 0 to "
+            "2^32 - 1; name a clock in seconds 'time'"
         )
     steps = np.mod(np.diff(ticks.astype(np.int64)), _WRAP)
-    steps[steps >= _WRAP // 2] -= _WRAP  # half the range is the past
+    steps[steps >= _WRAP // 2] -= _WRAP  # half the range or more: a step back
     return np.concatenate([[0.0], 1e-3 * np.cumsum(steps)])
 
 

@@ -1,4 +1,4 @@
-"""Which part of a file holds which component of which column: nothing twice, nothing half."""
+"""Map of the columns' components to their places in a file, checked to be complete and unique."""
 
 from __future__ import annotations
 
@@ -20,13 +20,16 @@ Location = TypeVar("Location")
 
 
 class ColumnComponents(Generic[Location]):
-    """Collects where the components of columns are.
+    """Collects where a file holds each component of each column.
+
+    A reader calls find() on each name of the file, add() for each component found, and ordered()
+    at the end. A location is what the reader needs to get the values, such as a column index.
 
     Args:
-        source: The file, for errors.
+        source: Name of the file, for errors.
 
     Attributes:
-        ignored: Names in the file that mean nothing here, in its order.
+        ignored: Unknown names of the file, in the order of the file.
     """
 
     def __init__(self, source: str) -> None:
@@ -35,14 +38,14 @@ class ColumnComponents(Generic[Location]):
         self._locations: dict[tuple[str, int], tuple[str, Location]] = {}
 
     def find(self, text: str) -> tuple[Column, int | None] | None:
-        """Return what a name means as find_column() does; None notes it as ignored."""
+        """Return the result of find_column() for a name; add an unknown name to `ignored`."""
         found = find_column(text)
         if found is None:
             self.ignored.append(text)
         return found
 
     def add(self, text: str, column: Column, index: int, location: Location) -> None:
-        """Say that what the file calls `text` is a component of a column; raises Error if twice."""
+        """Record that the file holds a component under the name `text`; raises Error if twice."""
         name = column.component(index)
         if (column.name, index) in self._locations:
             first = self._locations[column.name, index][0]
@@ -52,10 +55,10 @@ class ColumnComponents(Generic[Location]):
         self._locations[column.name, index] = (text, location)
 
     def ordered(self) -> dict[str, list[Location]]:
-        """Return the places of every column's components in order.
+        """Return the locations of the components of each column, in component order.
 
         Raises:
-            Error: A column with some of its components, a needed one that is missing.
+            Error: A column lacks some of its components, or a required column is missing.
         """
         complete = {}
         for column in COLUMNS:
@@ -77,7 +80,7 @@ class ColumnComponents(Generic[Location]):
         if missing or not present & set(CLOCK_COLUMNS):
             name = missing[0] if missing else "tick"
             other = " (or 'time')" if name == "tick" else ""
-            # Unlike elsewhere the file's names are the wrong ones: the nearest of them is told.
+            # The misspelt name is in the file: suggest the nearest of the ignored names.
             close = get_close_matches(
                 name, [text.rstrip("_0123456789[].") for text in self.ignored]
             )
@@ -86,5 +89,6 @@ class ColumnComponents(Generic[Location]):
             got = ", ".join([*sorted(present), *(f"'{text}'" for text in self.ignored)])
             raise Error(
                 f"{self._source}: missing column '{name}'{other}{meant}: got {got or 'none'}, "
-                f"expected a clock, {', '.join(REQUIRED_COLUMNS)}; valid names (and widths): {valid_names()}"
+                f"expected a clock, {', '.join(REQUIRED_COLUMNS)}; "
+                f"valid names (and widths): {valid_names()}"
             )

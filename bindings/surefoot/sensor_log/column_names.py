@@ -1,8 +1,9 @@
-"""Which column a name in a log means: names are written liberally, and read so.
+"""Column and component that a name in a log refers to.
 
-A name is a column's, or one of its aliases, in any case, after the SDK's path to it if one likes,
-and with a component behind it: `accelerometer_0`, `imu.accelerometer[0]`, `acc.x`, `quat_w`,
-`q_FR_hip_joint`, `motorState[3].q`, `motorState_3_q`, `footForce_RL`, `truth_foot_forces_FR_z`.
+Logs spell their columns in many ways, and all common ones are accepted. A name consists of an
+optional path of the SDK, the column's name or an alias in any case, and an optional component:
+`accelerometer_0`, `imu.accelerometer[0]`, `acc.x`, `quat_w`, `q_FR_hip_joint`, `motorState[3].q`,
+`motorState_3_q`, `footForce_RL`, `truth_foot_forces_FR_z`.
 """
 
 from __future__ import annotations
@@ -21,9 +22,10 @@ _NAMES = sorted(
 
 
 def find_column(text: str) -> tuple[Column, int | None] | None:
-    """Return the column that a name means and the component, None for all; None if it means none.
+    """Return the column and component that a name refers to, or None if the name is unknown.
 
-    A column of width 1 has the component 0 and None alike.
+    The component is None if the name refers to the whole column. For a column of width 1 the
+    component may be 0 or None; both mean the same.
     """
     word = _PATH.sub("", text.strip().lower())
     motor = _MOTOR.match(word)
@@ -48,7 +50,7 @@ def _column_named(word: str) -> Column | None:
 
 
 def _component(column: Column, rest: str) -> int | None:
-    """Return the component that what follows a column's name means, or None."""
+    """Return the component that `rest`, the text after a column's name, refers to, or None."""
     if not (rest[0] in "_.[/ " or rest[0].isdigit()):
         return None
     words = [word for word in re.split(r"[_.\[\]/ ]+", rest) if word and word != "joint"]
@@ -62,7 +64,7 @@ def _component(column: Column, rest: str) -> int | None:
 
 
 def _label_part(part: str, column: Column, place: int) -> str | None:
-    """Return a part of a label as labels have it; joints and axes may be numbers: q_FR_0."""
+    """Return a part of a label with a joint or axis number replaced by its name, as in q_FR_0."""
     if not part.isdigit() or place == 0:
         return part
     parts = JOINTS if column.labels == MOTOR_NAMES else ("x", "y", "z")

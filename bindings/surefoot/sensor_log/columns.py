@@ -1,4 +1,4 @@
-"""The columns of a log: names, widths, units, and what else they may be called."""
+"""Columns of a log: names, widths, units and aliases."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ class Column:
     """One column of a log.
 
     Attributes:
-        name: As LowState calls it.
-        labels: Names of its components in order; their number is its width.
-        unit: SI; "" for counts and ratios.
+        name: Name of the LowState field.
+        labels: Names of the components in order; their number is the column's width.
+        unit: SI unit; "" for counts and ratios.
         meaning: One line.
-        aliases: What else it may be called, lower case.
-        required: Whether no estimate can be made without it.
+        aliases: Other accepted names, in lower case.
+        required: Whether the estimator needs the column.
     """
 
     name: str
@@ -32,16 +32,16 @@ class Column:
 
     @property
     def width(self) -> int:
-        """Numbers in a row."""
+        """Number of components per row."""
         return len(self.labels)
 
     @property
     def is_truth(self) -> bool:
-        """Whether it is for judging only and never reaches the estimator."""
+        """Whether the column is ground truth, which never reaches the estimator."""
         return self.name.startswith("truth_")
 
     def component(self, index: int) -> str:
-        """Return the name of one component as a CSV's header has it."""
+        """Return the name of one component in the header of a CSV."""
         return self.name if self.width == 1 else f"{self.name}_{index}"
 
 
@@ -49,8 +49,8 @@ _XYZ, _WXYZ, _ONE = ("x", "y", "z"), ("w", "x", "y", "z"), ("",)
 _FEET_XYZ = tuple(f"{leg}_{axis}" for leg in LEGS for axis in _XYZ)
 
 COLUMNS: tuple[Column, ...] = (
-    Column("tick", _ONE, "ms", "clock of the robot, wraps at 2^32; or time"),
-    Column("time", _ONE, "s", "clock, from any start; or tick", ("timestamp",)),
+    Column("tick", _ONE, "ms", "clock of the robot, wraps at 2^32; or give time"),
+    Column("time", _ONE, "s", "clock with any origin; or give tick", ("timestamp",)),
     Column("gyroscope", _XYZ, "rad/s", "imu.gyroscope, IMU axes", ("gyro",), required=True),
     Column(
         "accelerometer",
@@ -64,19 +64,19 @@ COLUMNS: tuple[Column, ...] = (
     Column("q", MOTOR_NAMES, "rad", "joint angles", required=True),
     Column("dq", MOTOR_NAMES, "rad/s", "joint velocities"),
     Column("tauEst", MOTOR_NAMES, "N.m", "joint torques", ("tau", "tau_est")),
-    Column("footForce", LEGS, "counts", "raw foot forces", ("foot_force",)),
-    Column("footForceEst", LEGS, "N", "foot forces", ("foot_force_est",)),
-    Column("mode", MOTOR_NAMES, "", "of the motors; taken for known and not used"),
-    Column("truth_p", _XYZ, "m", "base, world"),
-    Column("truth_quaternion", _WXYZ, "", "base to world, w x y z"),
-    Column("truth_v", _XYZ, "m/s", "base, world axes"),
-    Column("truth_foot_forces", _FEET_XYZ, "N", "ground on foot, world axes, x y z of each foot"),
-    Column("truth_contact", LEGS, "", "whether a foot bears any force, 0 or 1"),
+    Column("footForce", LEGS, "counts", "raw foot force", ("foot_force",)),
+    Column("footForceEst", LEGS, "N", "foot force", ("foot_force_est",)),
+    Column("mode", MOTOR_NAMES, "", "mode of the motors; accepted but not used"),
+    Column("truth_p", _XYZ, "m", "position of the base, world"),
+    Column("truth_quaternion", _WXYZ, "", "w x y z, base to world"),
+    Column("truth_v", _XYZ, "m/s", "velocity of the base, world axes"),
+    Column("truth_foot_forces", _FEET_XYZ, "N", "force of the ground on each foot, world axes"),
+    Column("truth_contact", LEGS, "", "whether a foot is loaded, 0 or 1"),
     Column("truth_com", _XYZ, "m", "centre of mass, world"),
 )
 COLUMN_BY_NAME = {column.name: column for column in COLUMNS}
-REPLAY_PREFIX = "replay_"  # begin of the names of arrays for surefoot replay, in the same file
-RUN_PREFIX = "run_"  # the same of those that surefoot run adds
+REPLAY_PREFIX = "replay_"  # prefix of the arrays for surefoot replay in the same file
+RUN_PREFIX = "run_"  # prefix of the arrays that surefoot run adds
 CLOCK_COLUMNS = ("tick", "time")
 SENSOR_COLUMNS = ("gyroscope", "accelerometer", "quaternion", "q", "dq", "tauEst")
 FOOT_COLUMNS = ("footForce", "footForceEst")
@@ -84,5 +84,5 @@ REQUIRED_COLUMNS = tuple(column.name for column in COLUMNS if column.required)
 
 
 def valid_names() -> str:
-    """Return what columns may be called, for errors: name (width)."""
+    """Return the valid column names for error texts, as "name (width), ..."."""
     return ", ".join(f"{column.name} ({column.width})" for column in COLUMNS)

@@ -1,4 +1,4 @@
-"""Read a log."""
+"""Read a log from a file."""
 
 from __future__ import annotations
 
@@ -18,14 +18,15 @@ _READERS = {".csv": read_csv, ".npz": read_npz}
 
 
 def read_log(path: str | Path) -> SensorLog:
-    """Read a log from a CSV or NPZ file; columns.COLUMNS says what it may hold.
+    """Read a log from a CSV or NPZ file.
 
-    Needed are a clock (tick or time), gyroscope, accelerometer and q. What is not known is left
-    out and named in `ignored`; rows with NaN stay in.
+    columns.COLUMNS lists the columns that a log may have. Required are a clock (tick or time),
+    gyroscope, accelerometer and q. Unknown columns are left out and listed in `ignored`. Rows
+    with NaN are kept.
 
     Raises:
-        Error: A file that cannot be read, or with missing, doubled or malformed columns, or with a
-            clock that does not advance.
+        Error: The file cannot be read, a column is missing, duplicate or malformed, or the clock
+            does not advance.
     """
     path = Path(path)
     reader = _READERS.get(path.suffix.lower())
@@ -36,26 +37,26 @@ def read_log(path: str | Path) -> SensorLog:
     except OSError as problem:
         raise Error(f"log: cannot read '{path}': {problem.strerror or problem}") from None
     except UnicodeDecodeError:
-        raise Error(f"{path}: got bytes that are no text, expected a CSV in UTF-8") from None
+        raise Error(f"{path}: got bytes that are not UTF-8, expected a CSV file in UTF-8") from None
     warnings = _drop_never_finite(str(path), columns)
     clock, time = read_clock(str(path), columns)
     if clock == "time" and "tick" in columns:
-        warnings.append("tick stands still throughout: time is the clock")
+        warnings.append("tick is constant: the clock is time")
     columns.pop("mode", None)
     return SensorLog(str(path), columns, time, clock, tuple(ignored), tuple(warnings))
 
 
 def _drop_never_finite(source: str, columns: dict[str, Array]) -> list[str]:
-    """Remove optional columns that are never finite, which would leave no usable row."""
+    """Remove optional columns that are finite in no row: they would make every row unusable."""
     warnings = []
     for name in list(columns):
         if np.isfinite(columns[name]).all(axis=1).any():
             continue
         if name in REQUIRED_COLUMNS or not set(columns) & {"tick", "time"} - {name}:
             raise Error(
-                f"{source}: column '{name}': got no row without NaN or infinity, expected numbers"
+                f"{source}: column '{name}': got NaN or infinity in every row, expected numbers"
             )
         if not COLUMN_BY_NAME[name].is_truth:
-            warnings.append(f"{name} is NaN or infinite in every row and counts as missing")
+            warnings.append(f"{name} is NaN or infinite in every row and is treated as missing")
         del columns[name]
     return warnings

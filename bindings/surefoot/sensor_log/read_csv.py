@@ -1,4 +1,4 @@
-"""CSV logs: a header of names, one number a cell."""
+"""Reader of CSV logs: a header of column names, then one number per cell."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ _DELIMITERS = ",;\t"
 
 
 def read_csv(path: Path) -> tuple[dict[str, Array], list[str]]:
-    """Return columns (n, width) by name, and the names of those that mean nothing here.
+    """Return the columns (n, width) by name, and the unknown names of the file.
 
     Cells are separated by commas, semicolons or tabs. An empty cell is NaN.
 
     Raises:
-        Error: An empty file, no header, a cell that is no number, a row of the wrong length.
+        Error: The file is empty or has no header, a cell is not a number, or a row has the wrong
+            length.
     """
     with path.open(encoding="utf-8-sig", newline="") as file:
         line = file.readline()
@@ -40,7 +41,7 @@ def read_csv(path: Path) -> tuple[dict[str, Array], list[str]]:
         column, index = found
         if index is None and column.width > 1:
             raise Error(
-                f"{path}: column '{name}': got 1 number a row, expected {column.width} columns: "
+                f"{path}: column '{name}': got 1 number per row, expected {column.width} columns: "
                 f"{column.component(0)} .. {column.component(column.width - 1)}"
             )
         components.add(name, column, index or 0, place)
@@ -48,14 +49,14 @@ def read_csv(path: Path) -> tuple[dict[str, Array], list[str]]:
     used = sorted(place for group in places.values() for place in group)
     table = _read_table(path, delimiter, header, used)
     if len(table) == 0:
-        raise Error(f"{path}: got a header and no rows, expected one row a report")
+        raise Error(f"{path}: got a header and no rows, expected one row per LowState")
     order = {place: k for k, place in enumerate(used)}
     columns = {name: table[:, [order[p] for p in group]] for name, group in places.items()}
     return columns, components.ignored
 
 
 def _read_table(path: Path, delimiter: str, header: Sequence[str], used: Sequence[int]) -> Array:
-    """Return the used columns (n, len(used))."""
+    """Return the used columns, shape (n, len(used))."""
     with path.open(encoding="utf-8-sig", newline="") as file:
         file.readline()
         if not file.readline().strip():
@@ -65,7 +66,9 @@ def _read_table(path: Path, delimiter: str, header: Sequence[str], used: Sequenc
             path, delimiter=delimiter, skiprows=1, usecols=used, ndmin=2, encoding="utf-8-sig"
         )
     except (ValueError, IndexError):
-        return _read_cells(path, delimiter, header, used)  # empty cells, quotes; or it says what
+        return _read_cells(
+            path, delimiter, header, used
+        )  # reads empty and quoted cells, or raises Error
 
 
 def _read_cells(path: Path, delimiter: str, header: Sequence[str], used: Sequence[int]) -> Array:

@@ -1,4 +1,4 @@
-"""NPZ logs: one array a column, or one a component."""
+"""Reader of NPZ logs: one array per column, or one per component."""
 
 from __future__ import annotations
 
@@ -14,21 +14,24 @@ from surefoot.sensor_log.columns import REPLAY_PREFIX, RUN_PREFIX, Column
 
 
 def read_npz(path: Path) -> tuple[dict[str, Array], list[str]]:
-    """Return columns (n, width) by name, and the names of those that mean nothing here.
+    """Return the columns (n, width) by name, and the unknown names of the file.
 
     Raises:
-        Error: No NPZ file, an array of the wrong shape or of no numbers, arrays of unequal length.
+        Error: The file is not a valid NPZ, an array has the wrong shape or holds no numbers, or
+            arrays have unequal lengths.
     """
     try:
         with np.load(path, allow_pickle=False) as file:
             return _read_arrays(path, file)
     except CORRUPT_NPZ as problem:
-        raise Error(f"{path}: got no NPZ file of numbers ({problem}), expected one") from None
+        raise Error(
+            f"{path}: got no valid NPZ file ({problem}), expected arrays of numbers"
+        ) from None
 
 
 def _read_arrays(path: Path, file: np.lib.npyio.NpzFile) -> tuple[dict[str, Array], list[str]]:
     if not file.files:
-        raise Error(f"{path}: got an empty file, expected arrays of named columns")
+        raise Error(f"{path}: got no arrays, expected one per column")
     components: ColumnComponents[Array] = ColumnComponents(str(path))
     lengths: dict[int, str] = {}
     for name in (name for name in file.files if not name.startswith((REPLAY_PREFIX, RUN_PREFIX))):
@@ -43,16 +46,16 @@ def _read_arrays(path: Path, file: np.lib.npyio.NpzFile) -> tuple[dict[str, Arra
     places = components.ordered()
     if len(lengths) > 1:
         got = ", ".join(f"{name} {length}" for length, name in lengths.items())
-        raise Error(f"{path}: got columns of unequal length ({got} rows), expected equal ones")
+        raise Error(f"{path}: got columns of unequal length ({got} rows), expected equal lengths")
     if 0 in lengths:
-        raise Error(f"{path}: got columns without rows, expected one row a report")
+        raise Error(f"{path}: got columns without rows, expected one row per LowState")
     return {name: np.stack(parts, axis=1) for name, parts in places.items()}, components.ignored
 
 
 def _column_array(
     path: Path, name: str, values: np.ndarray, column: Column, index: int | None
 ) -> Array:
-    """Return an array as (n, width), or (n, 1) if it is one component; raises Error."""
+    """Return an array in shape (n, width), or (n, 1) for one component; raises Error."""
     width = column.width if index is None else 1
     if values.dtype.kind not in "biuf":
         raise Error(f"{path}: column '{name}': got {values.dtype} values, expected numbers")

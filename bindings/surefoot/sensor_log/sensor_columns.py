@@ -1,4 +1,4 @@
-"""The sensors of LowStates as a log's columns."""
+"""Conversion of LowStates to the columns of a log."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 
 
 def sensor_columns(reports: npt.NDArray[np.uint8]) -> dict[str, np.ndarray]:
-    """Return what the sensors say in LowStates, to the last bit.
+    """Return the sensor values of LowStates as log columns, without loss of precision.
 
     Args:
-        reports: (n, 937) their bytes.
+        reports: (n, 937) bytes of the LowStates.
 
     Returns:
-        Arrays (n, width) by the name of the log's column: its clock is tick.
+        Arrays (n, width) by column name. The clock is `tick`.
     """
     states = np.ascontiguousarray(reports).view(LOW_STATE)[:, 0]
     motors = states["motorState"][:, :MOTOR_COUNT]

@@ -1,4 +1,4 @@
-"""A log of what a robot's sensors said, and what was true where somebody knew."""
+"""Log of a robot's sensors, with ground truth where it is known."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ class SensorLog:
     """Columns of a log, in the units and orders of columns.COLUMNS.
 
     Attributes:
-        source: Where it is from, for messages.
-        columns: (n, width) by name, those that the log has; truth_ ones never reach an estimator.
-        time: (n,) since the first row [s]; NaN where the clock says nothing.
-        clock: Name of the column that time is from.
-        ignored: Names in the file that mean nothing here.
-        warnings: What was strange about it.
+        source: Name of the file or process that it comes from, for messages.
+        columns: Arrays (n, width) by name. Columns named truth_... never reach the estimator.
+        time: (n,) time since the first row [s]; NaN where the clock is not finite.
+        clock: Name of the column that `time` is computed from.
+        ignored: Unknown names of the file.
+        warnings: Findings that make the log doubtful.
     """
 
     source: str
@@ -32,17 +32,17 @@ class SensorLog:
 
     @property
     def rows(self) -> int:
-        """Rows of the file."""
+        """Number of rows."""
         return len(self.time)
 
     @property
     def period(self) -> float:
-        """Median step of the clock that is no repetition [s]."""
+        """Median positive step of the clock [s]; 0.002 if there is none."""
         steps = np.diff(self.time[np.isfinite(self.time)])
         return float(np.median(steps[steps > 0.0])) if np.any(steps > 0.0) else 0.002
 
     def sensor(self, name: str) -> Array:
-        """Return a column (n, width), zeros if the log has none of that name."""
+        """Return a column (n, width); zeros if the log does not have it."""
         if name in self.columns:
             return self.columns[name]
         return np.zeros((self.rows, COLUMN_BY_NAME[name].width))

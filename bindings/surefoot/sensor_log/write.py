@@ -1,4 +1,4 @@
-"""Write a log as read_log() reads it."""
+"""Write a log to a file that read_log() reads."""
 
 from __future__ import annotations
 
@@ -15,18 +15,19 @@ from surefoot.sensor_log.sensor_log import SensorLog
 def write_log(
     path: str | Path, log: SensorLog, extras: Mapping[str, np.ndarray] | None = None
 ) -> None:
-    """Write a log, as CSV or NPZ by the file's name.
+    """Write a log as CSV or NPZ, depending on the suffix of the file.
 
-    Sensors are written as LowState carries them (float32, int16, tick as uint32), so that what is
-    read again is the same to the last bit for an estimator.
+    Sensor values are written in the types of LowState (float32, int16, tick as uint32), so an
+    estimator receives bit-identical values when the file is read back.
 
     Args:
         path: The file.
-        log: What the sensors said.
-        extras: Arrays that an NPZ has besides, named replay_... (replay/recording_file.py) or run_...
+        log: The log.
+        extras: Further arrays for an NPZ file, named replay_... (replay/recording_file.py) or
+            run_...; a CSV file omits them.
 
     Raises:
-        Error: Another suffix.
+        Error: The suffix is neither .csv nor .npz.
         OSError: The file cannot be written.
     """
     path = check_table_name(path, "log")
@@ -41,10 +42,12 @@ def write_log(
 
 
 def _as_low_state_type(name: str, values: np.ndarray, width: int) -> np.ndarray:
-    """Return values in the type that LowState has for them, where it holds them."""
+    """Convert values to the type of the LowState field, if that type can represent them."""
     integer_type = {"tick": np.uint32, "footForce": np.int16, "footForceEst": np.int16}.get(name)
     if integer_type is not None and np.isfinite(values).all():
-        values = values.astype(np.int64).astype(integer_type)  # by int64: modulo, never undefined
+        values = values.astype(np.int64).astype(
+            integer_type
+        )  # via int64: out-of-range values wrap, defined behaviour
     elif integer_type is None and name != "time" and not name.startswith("truth_"):
         values = values.astype(np.float32)
     return values[:, 0] if width == 1 else values

@@ -1,4 +1,4 @@
-"""The plant: a quadruped in MuJoCo behind the low-level interface."""
+"""The plant: a quadruped simulated in MuJoCo, with the low-level interface LowCmd and LowState."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["Flaws", "Lift", "Plant", "PlantSettings", "Push", "Renderer", "Truth
 
 
 def __getattr__(name: str) -> Any:
-    # The renderer opens a graphics library; runs without pictures must not need one.
+    # The renderer loads a graphics library. Runs without pictures must work without it.
     if name == "Renderer":
         from surefoot.sim.render import Renderer
 

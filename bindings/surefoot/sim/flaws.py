@@ -1,4 +1,4 @@
-"""Flaws of one robot, drawn from the seed or given: IMU biases, torque errors, its trunk."""
+"""Flaws of one robot, given or drawn from the seed: IMU biases, torque errors, trunk mass."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ Bias = tuple[float, float, float] | float | None
 
 @dataclass(frozen=True)
 class Flaws:
-    """How one robot differs from its drawings; the first four are there with real sensors only.
+    """Differences of one robot from its model. The first four need real sensors.
 
-    A bias is three numbers, in IMU axes; or one, the standard deviation of a normal draw per axis;
-    or None for the IMU's usual uniform draw.
+    A bias is one of: three numbers, in IMU axes; one number, the standard deviation of a normal
+    draw per axis; None, the default uniform draw of the IMU.
 
     Attributes:
-        gyro_bias: Of the gyroscope [rad/s].
-        accelerometer_bias: Of the accelerometer [m/s^2].
-        torque_error: Each motor's torque is off from what its driver believes by a lasting
-            fraction, drawn uniform in +- this.
-        torque_scale: Factor on every motor's torque besides: one torque constant for all.
+        gyro_bias: Gyroscope bias [rad/s].
+        accelerometer_bias: Accelerometer bias [m/s^2].
+        torque_error: Bound on the constant relative torque error of each motor, drawn uniformly
+            from +- this value.
+        torque_scale: Further factor on the torque of all motors, as from a wrong torque constant.
         trunk_mass_scale: Factor on the trunk's mass and inertia.
-        trunk_com_shift: Of the trunk's centre of mass, base frame [m].
+        trunk_com_shift: Shift of the trunk's centre of mass, base frame [m].
     """
 
     gyro_bias: Bias = None
@@ -48,12 +48,12 @@ class Flaws:
 
 
 def draw_bias(bias: Bias, half_width: float, rng: np.random.Generator) -> Array:
-    """Return a bias (3,) in IMU axes; every kind takes as many numbers out of the stream.
+    """Return a bias (3,) in IMU axes. Every kind of bias draws three numbers from `rng`.
 
     Args:
-        bias: As Flaws has it.
-        half_width: Half the width of the uniform draw that None stands for.
-        rng: Draws it.
+        bias: A bias as described in Flaws.
+        half_width: Half the width of the uniform draw used for None.
+        rng: Source of random numbers.
     """
     uniform = rng.uniform(-1.0, 1.0, 3)
     if bias is None:

@@ -1,4 +1,4 @@
-"""How hard a standing robot can be pushed before no torque saves it: the pendulum's bound."""
+"""LIP push limit: the largest impulse that a linear inverted pendulum survives from rest."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ GRAVITY = 9.81  # [m/s^2]
 
 
 def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
-    """Return how far a ray runs inside the convex hull of a few points in the plane.
+    """Return the length of a ray inside the convex hull of a few points in the plane.
 
     Args:
-        points: (n, 2) corners, in any order [m].
+        points: (n, 2) points, in any order [m].
         origin: (2,) start of the ray [m].
         direction: (2,) unit vector.
 
@@ -32,7 +32,7 @@ def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
             if i == j:
                 continue
             normal = np.array([b[1] - a[1], a[0] - b[0]])
-            # An edge of the hull, walked counter-clockwise, leaves no point on its right.
+            # a -> b is an edge of the hull, counter-clockwise, if no point is on its right.
             if np.any((points - a) @ normal > 1e-12):
                 continue
             gap, speed = float((a - origin) @ normal), float(direction @ normal)
@@ -44,16 +44,17 @@ def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
 
 
 def max_lip_impulse(mass: float, height: float, distance: float, duration: float) -> float:
-    """Return the greatest impulse a robot survives with its feet where they are [N.s].
+    """Return the LIP push limit, without steps [N.s].
 
-    J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h): a constant force for the time T brings
-    the capture point of a linear inverted pendulum to the edge with the pressure kept there.
+    J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h). A constant force J / T during T moves the
+    capture point of the pendulum exactly to the support edge, with the centre of pressure kept at
+    that edge.
 
     Args:
-        mass: m [kg].
-        height: Of the centre of mass above the ground, h [m].
-        distance: From the centre of mass to the edge of support, d [m].
-        duration: T [s].
+        mass: Mass m [kg].
+        height: Height h of the centre of mass above the ground [m].
+        distance: Distance d from the centre of mass to the support edge [m].
+        duration: Duration T of the push [s].
     """
     w = math.sqrt(GRAVITY / height)
     return mass * w * distance * (w * duration) / -math.expm1(-w * duration)
@@ -67,18 +68,18 @@ def lip_push_limit(
     degrees: float,
     duration: float,
 ) -> float:
-    """Return max_lip_impulse() of the robot as it stands, towards an angle from forward.
+    """Return the LIP push limit of the robot in its present pose, for one direction [N.s].
 
-    The true mass with its payload; feet and centre of mass are seen from above, and the height
-    is that above the ground below.
+    Uses the true mass with payload, the support polygon of all four feet in the horizontal plane,
+    and the height of the centre of mass above the ground below it.
 
     Args:
         model: MuJoCo's model.
-        data: MuJoCo's state, its kinematics up to date.
-        handles: Indices into both.
+        data: MuJoCo's state, with kinematics up to date.
+        handles: Indices into model and data.
         robot: The robot, for its foot radius.
         degrees: Direction from forward towards left [deg].
-        duration: Of the push [s].
+        duration: Duration of the push [s].
     """
     normal = handles.ground_normal
     ray = heading_vector(data.xmat[handles.root].reshape(3, 3), degrees)

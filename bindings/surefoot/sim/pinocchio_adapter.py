@@ -1,4 +1,4 @@
-"""The one place where MuJoCo's coordinates become Pinocchio's, and back.
+"""Conversion between the coordinates of MuJoCo and Pinocchio. No other module converts them.
 
 | quantity       | Pinocchio                       | MuJoCo                          |
 |----------------|---------------------------------|---------------------------------|
@@ -19,7 +19,7 @@ from surefoot.geometry.rotations import Array, matrix_from_wxyz
 
 
 class PinocchioAdapter:
-    """Converts positions and velocities between one robot's two models; joints go by name.
+    """Converts positions and velocities between a robot's two models. Joints are matched by name.
 
     Args:
         mj_model: MuJoCo model whose only free joint is the robot's base.
@@ -34,7 +34,7 @@ class PinocchioAdapter:
                     f"joint '{name}': got {joint.nq} coordinates, expected 1 (a bounded joint)"
                 )
         self.nq, self.nv = int(pin_model.nq), int(pin_model.nv)
-        # Entry k of each pair of index arrays is one joint.
+        # Entry k of the four index arrays belongs to the same joint.
         self._q_pin = np.array([joint.idx_q for _, joint in joints])
         self._v_pin = np.array([joint.idx_v for _, joint in joints])
         self._q_mj = np.array([mj_model.joint(name).qposadr[0] for name, _ in joints])
@@ -78,9 +78,9 @@ class PinocchioAdapter:
         return T
 
     def velocity_map_drift(self, q: Array, v: Array) -> Array:
-        """Return dT/dt v (nv,), the part of qacc = T dv + dT/dt v that no dv explains.
+        """Return dT/dt v (nv,), the velocity term of qacc = T dv + dT/dt v.
 
-        Only the base's linear rows turn: d(R)/dt v_lin = R (w x v_lin).
+        Only the linear rows of the base are not zero: dR/dt v_lin = R (w x v_lin).
         """
         drift = np.zeros(self.nv)
         drift[0:3] = self.velocity_map(q)[0:3, 0:3] @ np.cross(v[3:6], v[0:3])

@@ -1,4 +1,4 @@
-"""A quadruped in MuJoCo behind the low-level interface: LowCmd in, LowState out."""
+"""The plant: a quadruped simulated in MuJoCo. Input: LowCmd; output: LowState."""
 
 from __future__ import annotations
 
@@ -39,28 +39,31 @@ from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 from surefoot.sim.settings import PlantSettings, Push, direction_degrees
 from surefoot.sim.truth import Truth, measure_truth
 
-_MOTOR_STREAM = 3  # of random numbers; the sensors have 0 .. 2
+_MOTOR_STREAM = 3  # stream of random numbers; the sensors use streams 0 .. 2
 
 
 class Plant:
-    """One robot on its ground, standing as reset() leaves it.
+    """A simulated robot on its ground, with sensors, motors and delays of a real one.
+
+    The constructor calls reset(): the robot stands in its standing pose. step() then advances one
+    control period.
 
     Args:
         robot: A name of surefoot.available_robots(), or a RobotDescription.
         settings: Sensors, ground, payload, flaws, rates, seed.
-        pushes: Pushes to come; add_push() adds more.
-        tick0: LowState.tick of the first reading [ms], modulo 2^32.
+        pushes: Scheduled pushes; add_push() adds more.
+        tick0: LowState.tick of the first sample [ms], modulo 2^32.
 
     Raises:
-        Error: An unknown robot, a missing file, joint or foot.
+        Error: An unknown robot, or a missing file, joint or foot.
 
     Attributes:
-        robot: The surefoot.Robot that a controller of this plant should be given.
-        description: Its files.
+        robot: The surefoot.Robot to give to a controller of this plant.
+        description: The files of the robot.
         settings: The settings, with foot_force resolved.
         model: The MuJoCo model.
         data: The MuJoCo state; read it, do not write it.
-        handles: Where things are in model and data.
+        handles: Indices of the robot's parts in model and data.
     """
 
     def __init__(
@@ -97,22 +100,22 @@ class Plant:
 
     @property
     def truth(self) -> Truth:
-        """The true state of this instant."""
+        """The true state at this instant."""
         torque = self.motors.torque
         return measure_truth(self.model, self.data, self.handles, self._adapter, self.time, torque)
 
     @property
     def first_truth(self) -> Truth:
-        """The true state of the instant that reset()'s LowState tells of.
+        """The true state at the instant of the LowState that reset() returned.
 
-        With real sensors that is one period before the robot is handed over. Its time counts from
-        before reset() and means nothing.
+        With real sensors that instant is one control period before the run starts. The field `time`
+        has no meaning, because it was counted before the clock restarted.
         """
         return self._first_truth
 
     @property
     def motors(self) -> Motors:
-        """The motors: law in force, torques; read them, do not write them."""
+        """The motors with their current law and torques; read them, do not write them."""
         return self._physics_loop.motors
 
     @property
@@ -122,36 +125,40 @@ class Plant:
 
     @property
     def push_force(self) -> tuple[Array, Array]:
-        """Force of the pushes (3,) [N] in the last physics step, and its point (3,), world."""
+        """Push force (3,) [N] in the last physics step, and its point (3,) [m], world axes."""
         return self._physics_loop.push_force
 
     def add_push(self, push: Push) -> None:
-        """Add a push; after reset() it comes again at its time."""
+        """Schedule a push, in this run and in every run after a reset()."""
         self._pushes.append(push)
         self._physics_loop.add_push(push)
 
     def reseed(self, seed: int, pushes: Iterable[Push] = ()) -> None:
-        """Be another run on the same ground from the next reset() on; lifts are gone.
+        """Set seed and pushes from the next reset() on, and remove all lifts.
 
-        Building a plant takes as long as a run of seconds; this takes nothing.
+        Use this for further runs on the same ground: it takes no time, while building a new plant
+        takes as long as a run of seconds.
 
         Args:
-            seed: Of every random number.
-            pushes: Instead of those that were there.
+            seed: Seed of all random numbers.
+            pushes: Pushes that replace the present ones.
         """
         self.settings = replace(self.settings, seed=seed)
         self._pushes, self._lifts = list(pushes), []
 
     def add_lift(self, lift: Lift) -> None:
-        """Add a lift by a hand; after reset() it comes again at its time."""
+        """Schedule an external lift, in this run and in every run after a reset()."""
         self._lifts.append(lift)
         self._physics_loop.add_lift(lift)
 
     def reset(self) -> LowState:
-        """Stand the robot up, let it settle in position mode and return the first LowState.
+        """Place the robot in its standing pose, let it settle, and return the first LowState.
 
-        The position command stays in force until the first LowCmd takes effect. The same seed
-        gives the same run again.
+        The motors hold the pose in position mode until the first LowCmd takes effect. The same seed
+        gives the same run.
+
+        Raises:
+            Error: The robot fell while it settled.
         """
         settings = self.settings
         rng = np.random.default_rng([settings.seed, _MOTOR_STREAM]) if settings.real else None
@@ -166,22 +173,26 @@ class Plant:
         if self.truth.fell:
             raise Error(
                 f"robot '{self.robot.name}' fell while its motors held the standing pose, before "
-                f"anything was controlled: slope {settings.slope_deg:g} deg, friction "
-                f"{settings.friction:g}, payload {settings.payload_kg:g} kg; ask for less"
+                f"the first LowCmd: slope {settings.slope_deg:g} deg, friction "
+                f"{settings.friction:g}, payload {settings.payload_kg:g} kg; use easier settings"
             )
         return self._start_run()
 
     def reset_lying(self, rng: np.random.Generator) -> LowState:
-        """Drop the robot with its legs anyhow, motors braking, and return the first LowState.
+        """Drop the robot with random joint angles and return the first LowState of the lying robot.
 
-        It is dropped again until it rests within 20 degrees of level, legs clear of each other (see
-        sim/physics/lying_pose.py). The motors brake until the first LowCmd takes effect.
+        The drop is repeated until the robot rests within 20 degrees of level, with its legs clear
+        of each other (see sim/physics/lying_pose.py). The motors brake until the first LowCmd takes
+        effect.
+
+        Args:
+            rng: Source of the joint angles and attitudes.
 
         Raises:
-            Error: It never came to rest so in DROPS times.
+            Error: The robot did not come to rest like this in MAX_DROPS drops.
         """
         self.reset()
-        self._physics_loop.restart_time()  # pushes are for who lies
+        self._physics_loop.restart_time()  # no push may act before the robot lies
         self.motors.law = damping_law()
         for _ in range(MAX_DROPS):
             drop_robot(self.model, self.data, self.handles, self.robot, rng)
@@ -194,24 +205,27 @@ class Plant:
             if is_settled(self.model, self.data, self.handles):
                 return self._start_run()
         raise Error(
-            f"robot '{self.robot.name}': dropped {MAX_DROPS} times, it never came to rest level"
+            f"robot '{self.robot.name}': dropped {MAX_DROPS} times, it never came to rest level "
+            "with its legs clear of each other; try another seed"
         )
 
     def reset_lying_at(self, qpos: Array) -> LowState:
-        """Lay the robot where it came to rest before, motors braking, and return a LowState.
+        """Place the robot in a known lying pose, at rest, and return the first LowState.
+
+        The motors brake until the first LowCmd takes effect.
 
         Args:
-            qpos: MuJoCo's, as data.qpos was after reset_lying().
+            qpos: MuJoCo's qpos, as data.qpos was after reset_lying().
         """
         self.reset()
         self.motors.law = damping_law()
         self.data.qpos[:] = qpos
         self.data.qvel[:] = 0.0
-        mujoco.mj_forward(self.model, self.data)  # accelerations, too: the IMU begins with them
+        mujoco.mj_forward(self.model, self.data)  # the first IMU sample needs accelerations too
         return self._start_run()
 
     def _start_run(self) -> LowState:
-        """Start sensors and schedules from where the robot is."""
+        """Start sensors, clock and schedules in the present pose."""
         settings = self.settings
         self._physics_loop.sensors.start()
         first = self._next_state = self.read()
@@ -230,10 +244,10 @@ class Plant:
         """Advance one control period.
 
         Args:
-            cmd: In force from now on; with real sensors, from one period later.
+            cmd: The command. It takes effect at once; with real sensors, one period later.
 
         Returns:
-            The state after this period; with real sensors, the state before it.
+            The LowState after this period; with real sensors, the one before this period.
         """
         settings = self.settings
         delay = round(settings.extra_delay / settings.physics_dt)
@@ -245,13 +259,14 @@ class Plant:
         return previous if settings.real else self._next_state
 
     def read_command(self, cmd: LowCmd) -> MotorCommands:
-        """Return the twelve motors of a LowCmd as this robot's drivers get them."""
+        """Return the twelve motor commands of a LowCmd as this robot's drivers receive them."""
         return self._wire_format.read(cmd)
 
     def apply_law(self, law: MotorLaw) -> None:
-        """Put a law in force from the next physics step on, with no delay.
+        """Set the motor law from the next physics step on, without delay.
 
-        apply_law(), advance() and read() are step() in three, for a wire with delays of its own.
+        apply_law(), advance() and read() are the three parts of step(), for a link that has delays
+        of its own.
         """
         self.motors.law = law
 
@@ -260,23 +275,24 @@ class Plant:
         self._physics_loop.advance(self.settings.steps_per_tick)
 
     def read(self) -> LowState:
-        """Return the LowState of this instant; every reading moves its tick on by one period."""
+        """Return the LowState at this instant. Each call advances its tick by one period."""
         state: LowState = self._physics_loop.sensors.read(self.motors)
         return state
 
     def apply_joint_torque(self, torque: Array | None) -> None:
-        """Let hands turn the joints with torques (12,) [N.m] from now on; None lets go."""
+        """Apply external torques (12,) [N.m] to the joints from now on; None removes them."""
         self._physics_loop.apply_joint_torque(np.zeros(12) if torque is None else torque)
 
     def lip_push_limit(self, direction: str | float, duration: float = 0.1) -> float:
-        """Return the push that the linear inverted pendulum survives from here [N.s].
+        """Return the LIP push limit in the present pose [N.s].
 
-        J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h): true mass m, height h of the centre
-        of mass above the ground below it, distance d from there to the edge of the four feet.
+        J = m w d (w T) / (1 - exp(-w T)), w = sqrt(g / h), with the true mass m, the height h of
+        the centre of mass above the ground, and the horizontal distance d from the centre of mass
+        to the support edge of all four feet.
 
         Args:
-            direction: "forward", "lateral" or degrees from forward towards left.
-            duration: Of the push, T [s].
+            direction: "forward", "lateral", or degrees from forward towards left.
+            duration: Duration T of the push [s].
         """
         degrees = direction_degrees(direction)
         return lip_push_limit(self.model, self.data, self.handles, self.robot, degrees, duration)

@@ -1,4 +1,4 @@
-"""Pictures of a plant: the robot on its ground, pushes as red arrows, foot forces as green."""
+"""Pictures of a plant: robot and ground, pushes as red arrows, foot forces as green arrows."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ FORCE_GREEN = (0.15, 0.62, 0.32, 0.9)
 
 
 class Renderer:
-    """Draws a plant through a camera that follows the robot.
+    """Renders a plant with a camera that follows the robot.
 
-    Needs a graphics context; on a machine without a screen set MUJOCO_GL=egl first.
+    Needs a graphics context. On a machine without a screen, set MUJOCO_GL=egl first.
 
     Args:
-        plant: The plant, which is only read.
-        width: Of the picture [pixels].
-        height: Of the picture [pixels].
-        visuals: Draw the visual meshes; False draws what collides.
-        azimuth: Direction the camera looks in [deg], from world x towards world y.
-        elevation: Of the camera's line of sight [deg]; negative looks down.
+        plant: The plant; the renderer only reads it.
+        width: Width of the picture [pixels].
+        height: Height of the picture [pixels].
+        visuals: True: draw the visual meshes; False: draw the collision geometry.
+        azimuth: Viewing direction of the camera [deg], from world x towards world y.
+        elevation: Elevation of the viewing direction [deg]; negative: downwards.
     """
 
     def __init__(
@@ -40,12 +40,12 @@ class Renderer:
         elevation: float = -14.0,
     ) -> None:
         self._plant = plant
-        # A model of its own: meshes would only slow the physics down.
+        # A separate model, because visual meshes would slow the physics down.
         self._model = build_model(plant.robot, plant.description, plant.settings, visuals)
         self._model.vis.global_.offwidth = max(width, 640)
         self._model.vis.global_.offheight = max(height, 480)
         self._data = mujoco.MjData(self._model)
-        # Everything drawn scales with the robot.
+        # All drawn sizes scale with the robot.
         self._size = float(plant.model.body_subtreemass[plant.handles.root]) ** (1 / 3) / 8.0  # [m]
         _set_visual_options(self._model, self._size)
         self._renderer = mujoco.Renderer(self._model, height, width)
@@ -57,7 +57,7 @@ class Renderer:
         self._option.flags[mujoco.mjtVisFlag.mjVIS_STATIC] = True
 
     def frame(self) -> npt.NDArray[np.uint8]:
-        """Return a picture of this instant, (height, width, 3)."""
+        """Return a picture at this instant, shape (height, width, 3)."""
         plant = self._plant
         self._data.qpos[:] = plant.data.qpos
         mujoco.mj_kinematics(self._model, self._data)
@@ -85,8 +85,8 @@ class Renderer:
             )
         force, point = plant.push_force
         if np.any(force):
-            # The arrow points at where the force acts; its length says how strong it is.
-            tip = point - 0.3 * self._size * force / np.linalg.norm(force)  # out of the trunk
+            # The arrow points to where the force acts; its length is proportional to the force.
+            tip = point - 0.3 * self._size * force / np.linalg.norm(force)  # outside the trunk
             self._arrow(tip - metres_per_newton * force, tip, 1.0, PUSH_RED)
 
     def _arrow(
@@ -105,7 +105,7 @@ class Renderer:
 
 
 def _set_visual_options(model: mujoco.MjModel, size: float) -> None:
-    model.stat.extent = 6.0 * size  # what shadow and clipping planes are measured in
+    model.stat.extent = 6.0 * size  # unit of length of the shadow and the clipping planes
     model.vis.headlight.ambient[:] = 0.35
     model.vis.headlight.diffuse[:] = 0.35
     model.vis.headlight.specular[:] = 0.1

@@ -1,4 +1,4 @@
-"""What a plant can be asked to be: settings and pushes, checked when they are made."""
+"""Settings of a plant, and pushes. Both check their values when they are constructed."""
 
 from __future__ import annotations
 
@@ -9,44 +9,44 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.flaws import Flaws
 
-COARSE_DT = 0.001  # [s], twice the usual physics step: limits come out the same (docs/assess.md)
+COARSE_DT = 0.001  # [s] twice the default physics step: push limits agree (docs/assess.md)
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
-MIN_SINK, MAX_SINK = 1e-4, 0.1  # [m] of soft ground; rigid ground gives way by 20 um
+MIN_SINK, MAX_SINK = 1e-4, 0.1  # [m] of soft ground; feet sink 20 um into rigid ground
 
 
 @dataclass(frozen=True)
 class PlantSettings:
-    """The robot's surroundings, its flaws and its clock.
+    """Settings of a plant: sensors, ground, payload, flaws, rates, seed.
 
     Attributes:
         sensors: "real" (noise, bias, attitude filter, one period of delay each way, quantised
-            wire, motor lag) or "ideal" (exact and at once).
+            wire format, motor lag) or "ideal" (exact, without delay).
         foot_force: "est" (newtons and raw counts), "raw" (raw counts alone), "dead" (zeros);
-            None takes what the robot's TOML says of the real robot.
+            None: "est" if the robot's TOML sets simulation.foot_force_est, else "dead".
         friction: Coefficient between foot and ground.
-        soft_ground_sink: How far a foot sinks under a quarter of the robot's own weight [m]; 0 is
-            rigid ground, from 0.1 mm up a spring and a damper (see sim/model/soft_ground.py).
-        slope_deg: Steepness of the ground [deg]; gravity stays on world z.
+        soft_ground_sink: Depth to which a foot sinks under a quarter of the robot's own weight [m].
+            0: rigid ground; from 0.1 mm up: a spring and a damper (sim/model/soft_ground.py).
+        slope_deg: Slope of the ground [deg]; gravity stays along world z.
         slope_heading_deg: Direction of steepest ascent, from forward towards left [deg].
         payload_kg: Mass welded to the trunk, unknown to the controller [kg].
-        payload_position: Its centre in the base frame [m].
-        control_rate: LowCmd and LowState per second [Hz].
-        physics_dt: Physics step [s]; a control period is a whole number of them.
+        payload_position: Centre of the payload in the base frame [m].
+        control_rate: Rate of LowCmd and LowState [Hz].
+        physics_dt: Physics step [s]; the control period must be a whole number of steps.
         joint_friction_scale: Factor on joint friction and joint damping.
         armature_scale: Factor on the reflected rotor inertia.
-        backlash_deg: Play of every gear at its joint, from end to end [deg]; the encoder is on
-            the rotor's side of it (see sim/model/backlash.py).
-        motor_lag: Time constant of the motor torque [s]; None is 2 ms if real, 0 if ideal.
+        backlash_deg: Backlash of every gear, measured at its joint from end to end [deg]. The
+            encoder is on the rotor's side (sim/model/backlash.py).
+        motor_lag: Time constant of the motor torque [s]; None: 2 ms if real, 0 if ideal.
         extra_delay: Further delay of commands [s], rounded to physics steps.
-        flaws: IMU biases, torque errors, trunk mass (see sim/flaws.py).
-        platform_heading_deg: The ground is a platform that can be tilted, up towards this heading
-            [deg] (see sim/model/moving_ground.py); None is ground at rest.
-        block_foot: Foot, of FR FL RR RL, that stands on a block which can be raised (see
-            there); None is no block.
-        hung: The base is fixed in the air, level, and the legs are free (see sim/physics/hanging.py).
-        seed: Of every random number; the same seed gives the same run.
+        flaws: IMU biases, torque errors, trunk mass (sim/flaws.py).
+        platform_heading_deg: Heading [deg] towards which the ground, a platform, can tilt up
+            (sim/model/moving_ground.py); None: fixed ground.
+        block_foot: Foot, of FR FL RR RL, that stands on a block which can rise
+            (sim/model/moving_ground.py); None: no block.
+        hung: Fix the base in the air, level, with free legs (sim/physics/hanging.py).
+        seed: Seed of all random numbers; the same seed gives the same run.
     """
 
     sensors: str = "real"
@@ -105,17 +105,17 @@ class PlantSettings:
 
     @property
     def steps_per_tick(self) -> int:
-        """Physics steps in a control period."""
+        """Number of physics steps in a control period."""
         return round(1.0 / (self.control_rate * self.physics_dt))
 
     @property
     def real(self) -> bool:
-        """Whether sensors, wire and motors have the flaws of real ones."""
+        """Whether sensors, wire format and motors have the errors of real ones."""
         return self.sensors == "real"
 
     @property
     def lag(self) -> float:
-        """Time constant of the motor torque, the default resolved [s]."""
+        """Time constant of the motor torque [s], with the default resolved."""
         if self.motor_lag is not None:
             return self.motor_lag
         return 0.002 if self.real else 0.0
@@ -139,8 +139,8 @@ class PlantSettings:
         others = self.hung or self.slope_deg != 0.0 or self.soft_ground_sink > 0.0
         if moving.count(None) < (2 if others else 1):
             raise Error(
-                "ground that moves: got it with another, a slope, soft ground or a hung robot, "
-                "expected a platform or a block alone"
+                "moving ground: got it together with a second one, a slope, soft ground or a hung "
+                "robot, expected platform_heading_deg or block_foot alone"
             )
 
     def _check_physics_dt(self) -> None:
@@ -155,17 +155,17 @@ class PlantSettings:
 
 @dataclass(frozen=True)
 class Push:
-    """A horizontal force on the robot, constant in the world, rectangular in time.
+    """A push: a horizontal force with constant world direction and a rectangular profile in time.
 
-    It acts through the true centre of mass, wherever that moves, or at a height above it.
+    The force acts at the true centre of mass, which it follows, or at a height above it.
 
     Attributes:
-        direction: "forward", "lateral" (left), or degrees from forward towards left; seen from
+        direction: "forward", "lateral" (left), or degrees from forward towards left, relative to
             the robot's heading when the push begins.
-        impulse: [N.s]; the force is impulse / duration.
-        duration: [s].
-        time: When it begins, since reset [s].
-        height: Of the line of action above the centre of mass [m].
+        impulse: Impulse [N.s]; the force is impulse / duration.
+        duration: Duration [s].
+        time: Start time since reset [s].
+        height: Height of the line of action above the centre of mass [m].
     """
 
     direction: str | float
@@ -188,7 +188,7 @@ class Push:
 
 
 def direction_degrees(direction: str | float) -> float:
-    """Return a push direction in degrees from forward towards left; raises Error."""
+    """Return a push direction in degrees from forward towards left; raise Error if invalid."""
     if isinstance(direction, str):
         check_one_of("direction", direction, tuple(_DIRECTIONS), " or a number of degrees")
         return _DIRECTIONS[direction]

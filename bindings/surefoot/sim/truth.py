@@ -1,4 +1,4 @@
-"""The plant's true state, for judging a controller; none of it reaches the controller."""
+"""The plant's true state, for the assessment of a controller. The controller does not get it."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ FALLEN_TILT_COS = 0.5  # 60 deg
 
 @dataclass(frozen=True)
 class Truth:
-    """What is, not what the sensors say. World z is up; feet run FR FL RR RL.
+    """True state without sensor errors. World z is up; feet are in the order FR FL RR RL.
 
     Attributes:
-        time: Since reset [s].
-        q: (nq,) Pinocchio's: position, quaternion x y z w, joints in the model's order.
-        v: (nv,) Pinocchio's: base twist in base axes, joint velocities.
+        time: Time since reset [s].
+        q: (nq,) Pinocchio's q: position, quaternion x y z w, joints in the model's order.
+        v: (nv,) Pinocchio's v: base twist in base axes, joint velocities.
         p_world_feet: (3, 4) centres of the foot spheres [m].
-        foot_forces: (3, 4) ground on foot, world axes, over the last physics step [N].
-        contact: (4,) whether a foot bears any force.
-        com: (3,) the whole robot's centre of mass, payload included [m].
-        com_velocity: (3,) [m/s].
+        foot_forces: (3, 4) ground on foot, world axes, in the last physics step [N].
+        contact: (4,) whether each foot carries any force.
+        com: (3,) centre of mass of the whole robot, payload included [m].
+        com_velocity: (3,) velocity of the centre of mass [m/s].
         tau: (12,) true motor torque, SDK order [N.m].
         dq: (12,) true joint velocity, on the link's side of the gear, SDK order [rad/s].
         fell: Something other than a foot touches the ground, or the tilt exceeds 60 deg.
@@ -54,7 +54,7 @@ def measure_truth(
     time: float,
     tau: Array,
 ) -> Truth:
-    """Copy the true state out of MuJoCo, whose kinematics must be up to date."""
+    """Copy the true state from MuJoCo, whose kinematics must be up to date."""
     mujoco.mj_subtreeVel(model, data)
     qpos, qvel = data.qpos.copy(), data.qvel.copy()
     forces = data.sensordata[handles.foot_forces]
@@ -74,11 +74,11 @@ def measure_truth(
 
 
 def has_fallen(data: mujoco.MjData, handles: Handles) -> bool:
-    """Whether a trunk or leg touches the ground, or the base tilts by more than 60 deg."""
-    # A state that is not a number counts as fallen.
+    """Return whether trunk or legs touch the ground, or the base tilts by more than 60 deg."""
+    # The negated comparison counts NaN as fallen.
     if not data.xmat[handles.root, 8] >= FALLEN_TILT_COS:
         return True
-    # Plain Python: a handful of contacts is too few for numpy.
+    # Plain Python is faster than numpy for so few contacts.
     ground, feet = handles.ground_geoms, handles.foot_geoms.tolist()
     for geom1, geom2 in data.contact.geom.tolist():
         if (geom1 in ground and geom2 not in feet) or (geom2 in ground and geom1 not in feet):

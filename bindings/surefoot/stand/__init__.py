@@ -1,4 +1,4 @@
-"""The stand: a robot under its controller in simulation, logged, measured and reported."""
+"""Simulated stand: run a robot under its controller, log it, measure it and report it."""
 
 from surefoot.reports.summary_field import Field
 from surefoot.stand.metrics import summarise

@@ -1,4 +1,4 @@
-"""Under which conditions a run was made, as the summary says them."""
+"""Conditions of a run, as the summary reports them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from surefoot.stand.stand_log import StandLog
 
 
 def describe_conditions(log: StandLog) -> dict[str, Any]:
-    """Return the summary's fields of the group Conditions."""
+    """Return the summary fields of the group Conditions."""
     settings, plant = log.settings, log.settings.plant
     return {
         "version": importlib.metadata.version("surefoot"),

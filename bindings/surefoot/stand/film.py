@@ -1,4 +1,4 @@
-"""A film of a run, in real time."""
+"""Film of a run in real time."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from surefoot.sim import Plant, Renderer
 from surefoot.stand.simulation_loop import Progress, make_plant
 from surefoot.stand.stand_log import StandLog
 
-WIDTH, HEIGHT = 480, 360
-FRAME_PERIOD = 0.08  # between pictures
-PUSH_FRAME_PERIOD = 0.03  # between pictures while a push acts; it itself is short
-MAX_FRAMES = 250  # longer runs get fewer a second
-END_PAUSE_MS = 800  # before the film begins again
-CAPTION_TIME = 0.8  # [s] a push is named; long enough to be read
+WIDTH, HEIGHT = 480, 360  # [px]
+FRAME_PERIOD = 0.08  # [s] between frames
+PUSH_FRAME_PERIOD = 0.03  # [s] between frames while a push acts
+MAX_FRAMES = 250  # longer runs get fewer frames per second
+END_PAUSE_MS = 800  # [ms] pause before the film repeats
+CAPTION_TIME = 0.8  # [s] for which the caption of a push stays after the push
 _INK, _RED = (40, 46, 54), (190, 30, 30)
 
 
 def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> None:
-    """Draw a run as an animated WebP.
+    """Write a run as an animated WebP.
 
-    The plant plays the run again from its recorded commands: the same seed and the same commands
-    give the same motion, and drawing does not disturb the timing of the run itself.
+    The plant replays the run from its recorded commands: the same seed and the same commands give
+    the same motion. Rendering therefore does not disturb the timing of the run itself.
 
     Args:
-        log: The run.
-        path: The file.
-        progress: Told after every picture.
+        log: Log of the run.
+        path: Path of the film.
+        progress: Called after every frame.
     """
     ticks = frame_ticks(log)
     pictures = []
@@ -44,7 +44,7 @@ def write_film(log: StandLog, path: Path, progress: Progress | None = None) -> N
 
 
 def save_film(pictures: list[Image.Image], durations: np.ndarray, path: Path) -> None:
-    """Write pictures, each shown for so long [ms], as an animated WebP that begins again."""
+    """Write pictures as an endless animated WebP; `durations` has the time of each [ms]."""
     durations[-1] += END_PAUSE_MS
     first, *rest = pictures
     first.save(
@@ -59,7 +59,7 @@ def save_film(pictures: list[Image.Image], durations: np.ndarray, path: Path) ->
 
 
 def frame_ticks(log: StandLog) -> list[int]:
-    """Return the ticks that are drawn: evenly spaced, and closer while a push acts."""
+    """Return the ticks to render: evenly spaced, and closer while a push acts."""
     coarse = max(FRAME_PERIOD, log.duration / MAX_FRAMES)
     fine = [
         np.arange(push.time + PUSH_FRAME_PERIOD / 2, push.time + push.duration, PUSH_FRAME_PERIOD)[
@@ -73,7 +73,7 @@ def frame_ticks(log: StandLog) -> list[int]:
 
 
 def replay_run(log: StandLog) -> Iterator[tuple[int, Plant]]:
-    """Play a run again: yields the tick and the plant as it was at that instant."""
+    """Replay a run from its commands; yield each tick with the plant before that tick's step."""
     plant = make_plant(log.settings)
     plant.reset()
     for k, command in enumerate(log.commands):

@@ -1,4 +1,4 @@
-"""Base and feet of a whole run at once: headings, and poses seen from the feet."""
+"""Base and foot geometry over a whole run: headings, and base poses relative to the feet."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from surefoot._core import Robot
 from surefoot.geometry.batch_rotations import matrices_from_xyzw, rpy_from_matrices
 from surefoot.stand.stand_log import Array
 
-_FORE_AFT_SIGNS = np.array([1.0, 1.0, -1.0, -1.0])  # FR FL against RR RL
+_FORE_AFT_SIGNS = np.array([1.0, 1.0, -1.0, -1.0])  # fore feet FR FL minus hind feet RR RL
 
 
 @dataclass(frozen=True)
 class FootFramePose:
-    """The base as seen from its feet.
+    """Poses of the base relative to its feet.
 
-    The frame sits at the mean of the four feet, x along their heading, z up as the world's
-    (pose_from_feet) or out of the plane of the feet (pose_in_support).
+    The frame has its origin at the mean of the four feet and x along their heading. Its z is world
+    z (pose_from_feet) or the normal of the plane of the feet (pose_in_support).
 
     Attributes:
-        position: (n, 3) of the base [m].
-        rotation: (n, 3, 3) maps base axes to the frame.
+        position: (n, 3) position of the base [m].
+        rotation: (n, 3, 3) rotation from base axes to the frame.
     """
 
     position: Array
@@ -30,17 +30,17 @@ class FootFramePose:
 
     @property
     def rpy(self) -> Array:
-        """(n, 3) roll, pitch, yaw [rad] (ZYX)."""
+        """(n, 3) roll, pitch, yaw [rad]; R = Rz(yaw) Ry(pitch) Rx(roll)."""
         return rpy_from_matrices(self.rotation)
 
     @property
     def rows_mm_deg(self) -> Array:
-        """(n, 6) x, y, z [mm], roll, pitch, yaw [deg] without leaps."""
+        """(n, 6) x, y, z [mm], roll, pitch, yaw [deg]; angles are unwrapped over time."""
         return np.hstack([1000.0 * self.position, np.degrees(np.unwrap(self.rpy, axis=0))])
 
 
 def matrices_from_rpy(rpy: Array) -> Array:
-    """Return the (n, 3, 3) matrices Rz(yaw) Ry(pitch) Rx(roll) of angles (n, 3) [rad]."""
+    """Return the matrices (n, 3, 3) Rz(yaw) Ry(pitch) Rx(roll) of angles (n, 3) [rad]."""
     half = 0.5 * rpy
     (cr, cp, cy), (sr, sp, sy) = np.cos(half).T, np.sin(half).T
     quaternions = [
@@ -53,22 +53,22 @@ def matrices_from_rpy(rpy: Array) -> Array:
 
 
 def up_in_base(q: Array) -> Array:
-    """Return world z in base axes, (n, 3), for Pinocchio's q (n, nq)."""
+    """Return world z in base axes (n, 3) for Pinocchio configurations q (n, nq)."""
     return matrices_from_xyzw(q[:, 3:7])[:, 2, :]
 
 
 def feet_heading(feet: Array) -> Array:
-    """Return the heading (n,) [rad] of feet (n, 3, 4): from hind to fore feet."""
+    """Return the heading (n,) [rad] of feet (n, 3, 4): the direction from hind to fore feet."""
     forward = feet @ _FORE_AFT_SIGNS
     return np.asarray(np.arctan2(forward[:, 1], forward[:, 0]))
 
 
 def pose_from_feet(q: Array, feet: Array) -> FootFramePose:
-    """Return the base's pose relative to the feet.
+    """Return the pose of the base relative to the feet, with z vertical.
 
     Args:
-        q: (n, nq) Pinocchio's.
-        feet: (n, 3, 4) in the same world [m].
+        q: (n, nq) Pinocchio configurations.
+        feet: (n, 3, 4) foot positions in the same world frame [m].
     """
     heading = feet_heading(feet)
     c, s, o = np.cos(heading), np.sin(heading), np.zeros_like(heading)
@@ -81,13 +81,14 @@ def pose_from_feet(q: Array, feet: Array) -> FootFramePose:
 
 
 def pose_in_support(q: Array, feet: Array) -> FootFramePose:
-    """Return the base's pose in the frame that the controller's references are in.
+    """Return the pose of the base in the support frame, in which BodyReference is given.
 
-    Its z is normal to both diagonals of the feet, its x the heading of the feet in their plane.
+    The z axis is normal to both diagonals of the feet. The x axis is the heading of the feet in
+    their plane.
 
     Args:
-        q: (n, nq) Pinocchio's.
-        feet: (n, 3, 4) in the same world [m].
+        q: (n, nq) Pinocchio configurations.
+        feet: (n, 3, 4) foot positions in the same world frame [m].
     """
     diagonals = feet[:, :, 1] - feet[:, :, 2], feet[:, :, 3] - feet[:, :, 0]
     z = np.cross(*diagonals)
@@ -104,8 +105,8 @@ def pose_in_support(q: Array, feet: Array) -> FootFramePose:
 
 
 def foot_positions(robot: Robot, q: Array) -> Array:
-    """Return where a model's feet are, (n, 3, 4) [m], for Pinocchio's q (n, nq)."""
-    import pinocchio  # only reports need it
+    """Compute the foot positions (n, 3, 4) [m] of Pinocchio configurations q (n, nq)."""
+    import pinocchio  # imported here because only reports need it
 
     model = pinocchio.Model()
     model.loadFromString(robot.serialized_model())
@@ -119,7 +120,7 @@ def foot_positions(robot: Robot, q: Array) -> Array:
 
 
 def angle_between(a: Array, b: Array) -> Array:
-    """Return the angles (n,) [rad] between vectors (n, 3); exact for small ones too."""
+    """Return the angles (n,) [rad] between vectors (n, 3); accurate for small angles too."""
     cross = np.linalg.norm(np.cross(a, b), axis=-1)
     return np.asarray(np.arctan2(cross, np.sum(a * b, axis=-1)))
 
@@ -130,11 +131,11 @@ def rotation_angle(rotation: Array) -> Array:
     axis = np.stack(
         [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]], axis=1
     )
-    # Sine and cosine of the angle, both doubled.
+    # `axis` has the norm 2 sin(angle), and the trace minus 1 is 2 cos(angle).
     doubled_cosine = np.trace(R, axis1=1, axis2=2) - 1.0
     return np.asarray(np.arctan2(np.linalg.norm(axis, axis=1), doubled_cosine))
 
 
 def wrap_angle(angle: Array) -> Array:
-    """Return angles [rad] brought into -pi .. pi."""
+    """Wrap angles [rad] to -pi .. pi."""
     return (angle + np.pi) % (2.0 * np.pi) - np.pi

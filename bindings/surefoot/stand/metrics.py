@@ -1,4 +1,4 @@
-"""A run in numbers; fields.py says what each one means."""
+"""Metrics of a run; summary_fields.py explains each of them."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from surefoot.stand.settling import settle_time, settled_ticks
 from surefoot.stand.spectrum import high_frequency_rms
 from surefoot.stand.stand_log import StandLog
 
-STILLNESS_WINDOW = 2.0  # [s] at the end of the run over which stillness is measured
+STILLNESS_WINDOW = 2.0  # [s] window at the end of the run for the stillness metrics
 
 
 def summarise(log: StandLog) -> dict[str, Any]:
-    """Return every field of fields.FIELDS as plain JSON types; what has no value is None."""
+    """Compute all summary_fields.FIELDS as JSON values; None where there is no value."""
     parts = (
         describe_conditions(log),
         _outcome(log),
@@ -47,7 +47,7 @@ def _pose_errors(log: StandLog) -> dict[str, Any]:
     pose, requested = pose_from_feet(log.q_true, log.feet), requested_pose(log)
     up = up_in_base(log.q_true)
     tilt = np.degrees(angle_between(up, np.broadcast_to(up[0], up.shape)))
-    # World z in base axes is the last row of a rotation to axes whose z is the world's.
+    # World z in base axes is the last row of a rotation to a frame whose z is world z.
     tilt_error = angle_between(up[-1:], requested.rotation[-1:, 2, :])
     yaw = np.degrees(wrap_angle(pose.rpy[-1, 2] - requested.rpy[-1, 2]))
     travel = np.linalg.norm(log.feet - log.feet[0], axis=1)

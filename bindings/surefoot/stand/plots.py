@@ -1,14 +1,24 @@
-"""Pictures of a log's numbers, over time and as a histogram."""
+"""Plots of a stand: base pose, torques, contacts, power, and tick time."""
 
 from __future__ import annotations
 
 from itertools import chain
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from surefoot.reports.plots import BLUE, GREEN, GREY, ORANGE, RED, Plot, subplot_grid, widen_y_axis
-from surefoot.stand.axes import finish_figure, shade_pushes
+from surefoot.reports.plots import (
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    RED,
+    Plot,
+    finish_time_axis,
+    subplot_grid,
+    widen_y_axis,
+)
 from surefoot.stand.foot_frame import foot_positions, pose_from_feet
 from surefoot.stand.requested_pose import requested_pose
 from surefoot.stand.stand_log import StandLog
@@ -17,8 +27,19 @@ LEG_TITLES = ("front right", "front left", "rear right", "rear left")
 JOINTS = ("hip", "thigh", "calf")
 
 
+def shade_pushes(ax: Axes, log: StandLog) -> None:
+    """Shade the duration of every push."""
+    for push in log.pushes:
+        ax.axvspan(push.time, push.time + push.duration, color=RED, alpha=0.25, lw=0)
+
+
+def finish_figure(figure: Figure, axes: list[list[Axes]], log: StandLog) -> None:
+    """Label the time axis and draw one legend above all plots."""
+    finish_time_axis(figure, axes, log.duration)
+
+
 def draw_pose(log: StandLog) -> Figure:
-    """Draw the base relative to its feet, change since the start, true and estimated."""
+    """Plot the base pose relative to the feet as change from the start, true and estimated."""
     true = pose_from_feet(log.q_true, log.feet).rows_mm_deg
     estimated = pose_from_feet(
         log.q_estimated, foot_positions(log.robot, log.q_estimated)
@@ -31,7 +52,7 @@ def draw_pose(log: StandLog) -> Figure:
         ax = axes[k % 3][k // 3]
         shade_pushes(ax, log)
         if log.settings.references:
-            ax.plot(log.time, requested[:, k], color=GREY, ls=":", label="asked for")
+            ax.plot(log.time, requested[:, k], color=GREY, ls=":", label="requested")
         ax.plot(log.time, true[:, k], color=BLUE, label="true")
         ax.plot(log.time, estimated[:, k], color=ORANGE, lw=0.9, ls="--", label="estimated")
         widen_y_axis(ax, 1.0 if k < 3 else 0.2)
@@ -41,7 +62,7 @@ def draw_pose(log: StandLog) -> Figure:
 
 
 def draw_torques(log: StandLog) -> Figure:
-    """Draw each leg's true torques with the limits of its motors."""
+    """Plot the true torques of each leg with the limits of its motors."""
     figure, axes = subplot_grid(2, 2, 4.6)
     for leg, ax in enumerate(chain.from_iterable(axes)):
         shade_pushes(ax, log)
@@ -58,14 +79,14 @@ def draw_torques(log: StandLog) -> Figure:
 
 
 def draw_contacts(log: StandLog) -> Figure:
-    """Draw each foot's true vertical force and the estimated probability of contact."""
+    """Plot the true vertical force and the estimated contact confidence of each foot."""
     figure, axes = subplot_grid(2, 2, 4.6)
     max_force = 1.15 * max(1.0, float(log.forces[:, 2].max()))
     for leg, ax in enumerate(chain.from_iterable(axes)):
         shade_pushes(ax, log)
         ax.fill_between(log.time, log.forces[:, 2, leg], color=GREEN, alpha=0.25, lw=0)
         ax.plot(log.time, log.forces[:, 2, leg], color=GREEN, label="true vertical force [N]")
-        ax.plot([], [], color=ORANGE, label="estimated probability of contact (right)")
+        ax.plot([], [], color=ORANGE, label="contact confidence (right axis)")
         ax.set_ylim(0.0, max_force)
         ax.set_title(LEG_TITLES[leg])
         ax.set_ylabel("force [N]")
@@ -80,7 +101,7 @@ def draw_contacts(log: StandLog) -> Figure:
 
 
 def draw_power(log: StandLog) -> Figure:
-    """Draw the motors' power."""
+    """Plot the total power of the motors."""
     figure, axes = subplot_grid(1, 1, 2.4)
     ax = axes[0][0]
     shade_pushes(ax, log)
@@ -93,7 +114,7 @@ def draw_power(log: StandLog) -> Figure:
 
 
 def draw_ticks(log: StandLog) -> Figure:
-    """Draw how long the controller took, in logarithmic bins, with its percentiles."""
+    """Plot a histogram of tick times in logarithmic bins, with percentiles."""
     figure, axes = subplot_grid(1, 1, 2.6)
     ax = axes[0][0]
     low, high = float(log.tick_us.min()), float(log.tick_us.max())
@@ -114,28 +135,30 @@ PLOTS: tuple[Plot[StandLog], ...] = (
     Plot(
         "pose.png",
         "Base pose relative to the feet",
-        "Change since the start, in a frame at the mean of the feet and along their heading. The "
-        "estimate is relative to the feet as the estimator sees them. Pushes are shaded red.",
+        "Change from the start, in a frame at the mean of the feet and along their heading. The "
+        "estimate is relative to the estimated feet. Pushes are shaded red.",
         draw_pose,
     ),
     Plot(
         "torques.png",
         "Joint torques and their limits",
-        "True torque of every motor; dashed, the greatest that each can give at low speed.",
+        "True torque of every motor; dashed: torque limit at low speed.",
         draw_torques,
     ),
     Plot(
         "contacts.png",
         "Contact",
-        "What each foot bears, and how sure the estimator is that it bears anything.",
+        "Load of each foot, and the estimator's contact confidence.",
         draw_contacts,
     ),
-    Plot("power.png", "Power", "Of all motors together, braking counted as work.", draw_power),
+    Plot(
+        "power.png", "Power", "Sum over all motors; braking counts as positive power.", draw_power
+    ),
     Plot(
         "ticks.png",
-        "Time of a tick",
-        "Wall time of the controller's update as called from Python on this machine. Where other "
-        "programs share the processor, the tail is theirs.",
+        "Tick time",
+        "Wall time of the controller's update() as called from Python on this machine. Other "
+        "processes on the same CPU cause the longest times.",
         draw_ticks,
     ),
 )

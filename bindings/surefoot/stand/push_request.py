@@ -1,4 +1,4 @@
-"""Pushes as people write them: lateral:8.0:0.1@2.0, or lateral:50%:0.1:-0.05@2.0."""
+"""Pushes in text form: lateral:8.0:0.1@2.0, or lateral:50%:0.1:-0.05@2.0."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ _NAMED_DIRECTIONS = ("lateral", "forward")
 
 @dataclass(frozen=True)
 class PushRequest:
-    """A push as asked for; a share of the pendulum's limit has a size only on a plant.
+    """A requested push; only a plant can convert a percentage of the LIP push limit to N.s.
 
     Attributes:
         direction: "lateral" (left), "forward", or degrees from forward towards left.
-        impulse: [N.s], or percent of the limit.
-        percent: Whether impulse is percent of the limit.
-        duration: [s].
-        time: When it begins [s].
-        height: Of its line of action above the centre of mass [m].
+        impulse: Impulse [N.s], or percentage of the LIP push limit.
+        percent: True if `impulse` is a percentage.
+        duration: Duration [s].
+        time: Start time [s].
+        height: Height of the line of action above the centre of mass [m].
     """
 
     direction: str | float
@@ -35,13 +35,13 @@ class PushRequest:
     height: float = 0.0
 
     def __str__(self) -> str:
-        """Write the push in the form that parse_push() reads."""
+        """Return the push in the form that parse_push() reads."""
         unit = "%" if self.percent else ""
         height = f":{self.height}" if self.height else ""
         return f"{self.direction}:{self.impulse}{unit}:{self.duration}{height}@{self.time}"
 
     def resolve(self, plant: Plant) -> Push:
-        """Return the push in newton seconds for a plant as it stands now; raises Error."""
+        """Return the push in N.s for the current state of a plant; raises Error."""
         impulse = self.impulse
         if self.percent:
             impulse *= plant.lip_push_limit(self.direction, self.duration) / 100.0
@@ -49,15 +49,15 @@ class PushRequest:
 
 
 def parse_push(text: str) -> PushRequest:
-    """Read DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME.
+    """Parse DIRECTION:IMPULSE:LENGTH[:HEIGHT]@TIME.
 
     Args:
-        text: Direction lateral, forward or degrees from forward towards left; impulse in N.s, or
-            with a % sign in percent of the linear inverted pendulum's limit; length and time [s];
-            height of its line of action above the centre of mass [m], 0 if left out.
+        text: Direction: lateral, forward, or degrees from forward towards left. Impulse: N.s, or
+            percent of the LIP push limit with a % sign. Length (duration) and time: s. Height of
+            the line of action above the centre of mass: m, default 0.
 
     Raises:
-        Error: Another form, a number that is none, a length, height or time that cannot be.
+        Error: The form is another one, a number is invalid, or a value is out of range.
     """
     match = re.fullmatch(r"([^:@]+):([^:@%]+)(%?):([^:@]+)(?::([^:@]+))?@([^:@]+)", text.strip())
     if match is None:
@@ -73,7 +73,7 @@ def parse_push(text: str) -> PushRequest:
         _parse_number(time, "time", text),
         0.0 if height is None else _parse_number(height, "height", text),
     )
-    # The plant checks the ranges in its own terms; percent stands in for an impulse here.
+    # Push checks the ranges; a percentage takes the place of the impulse in this check.
     Push(request.direction, request.impulse, request.duration, request.time, request.height)
     return request
 

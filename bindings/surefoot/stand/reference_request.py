@@ -1,4 +1,4 @@
-"""References as people write them: roll=10@4.0, or roll=10,height=-0.02@4.0."""
+"""Body references in text form: roll=10@4.0, or roll=10,height=-0.02@4.0."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from surefoot.robot.setting_checks import check_number
 REFERENCE_FORMAT = "NAME=VALUE[,NAME=VALUE ...]@TIME"
 REFERENCE_EXAMPLE = "roll=10,height=-0.02@4.0"
 AXES = {"x": "m", "y": "m", "height": "m", "roll": "deg", "pitch": "deg", "yaw": "deg"}
-"""What can be asked for and its unit; the names and the order are BodyReference's."""
+"""Axes of a request and their units, with the names and the order of BodyReference."""
 
-_MAX_OFFSET = {"m": 10.0, "deg": 180.0}
-_TIME_ROUNDING = 1e-9  # [s] of rounding in the time of a tick
+_MAX_OFFSET = {"m": 10.0, "deg": 180.0}  # by unit
+_TIME_ROUNDING = 1e-9  # [s] tolerance for the rounding of tick times
 
 
 @dataclass(frozen=True)
 class ReferenceRequest:
-    """Some axes of the body's pose, as asked for; the others stay where they were asked to be.
+    """Requested offsets of some axes of the body pose; the other axes keep their last request.
 
     Attributes:
-        offsets: From the pose that the robot stands in, by axis: m and deg.
-        time: When it is asked for [s].
+        offsets: Offset from the latched pose by axis [m] or [deg].
+        time: Time of the request [s].
     """
 
     offsets: dict[str, float]
@@ -43,20 +43,20 @@ class ReferenceRequest:
         check_number("reference: time [s]", self.time, 0.0, 1e9)
 
     def __str__(self) -> str:
-        """Write the request in the form that parse_reference() reads."""
+        """Return the request in the form that parse_reference() reads."""
         words = ",".join(f"{axis}={value}" for axis, value in self.offsets.items())
         return f"{words}@{self.time}"
 
 
 def parse_reference(text: str) -> ReferenceRequest:
-    """Read NAME=VALUE[,NAME=VALUE ...]@TIME.
+    """Parse NAME=VALUE[,NAME=VALUE ...]@TIME.
 
     Args:
-        text: Names x, y, height with a value in m, roll, pitch, yaw in deg: offsets from the pose
-            that the robot stands in; time [s].
+        text: Names x, y, height with values in m; roll, pitch, yaw in deg. Values are offsets from
+            the latched pose. Time in s.
 
     Raises:
-        Error: Another form, an unknown axis or one named twice, a number that is none.
+        Error: The form is another one, an axis is unknown or named twice, or a number is invalid.
     """
     words, at, time = text.strip().partition("@")
     pairs = [word.partition("=") for word in words.split(",")]
@@ -75,9 +75,9 @@ def parse_reference(text: str) -> ReferenceRequest:
 def reference_schedule(
     requests: Sequence[ReferenceRequest],
 ) -> list[tuple[float, dict[str, float]]]:
-    """Return when each request comes [s] and all that is then asked for: every axis, m and deg.
+    """Return the time [s] of each request and the full request from then on, by axis [m] or [deg].
 
-    A later request of one axis keeps what earlier ones asked of the others.
+    A later request of one axis keeps the earlier requests of the other axes.
     """
     requested = dict.fromkeys(AXES, 0.0)
     steps = []
@@ -88,12 +88,12 @@ def reference_schedule(
 
 
 def first_tick(time: float, rate: float) -> int:
-    """Return the first tick at or after a time [s] of a run with a rate [Hz]."""
+    """Return the first tick at or after a time [s] in a run with a control rate [Hz]."""
     return math.ceil((time - _TIME_ROUNDING) * rate)
 
 
 def body_references(requests: Sequence[ReferenceRequest], rate: float) -> dict[int, BodyReference]:
-    """Return what to ask of the controller, by the tick before which to ask for it."""
+    """Return the body references by the tick before which the controller receives them."""
     return {
         first_tick(time, rate): BodyReference(
             **{axis: to_si(axis, v) for axis, v in requested.items()}
@@ -103,7 +103,7 @@ def body_references(requests: Sequence[ReferenceRequest], rate: float) -> dict[i
 
 
 def to_si(axis: str, value: float) -> float:
-    """Return an axis' value in m or rad."""
+    """Return the value of an axis in m or rad."""
     return math.radians(value) if AXES[axis] == "deg" else value
 
 

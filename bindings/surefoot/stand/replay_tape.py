@@ -1,4 +1,4 @@
-"""A run as a tape that surefoot replay plays."""
+"""Recording of a run for surefoot replay."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from surefoot.stand.stand_log import StandLog
 
 
 def stand_recording(log: StandLog, sensors: SensorRecorder) -> Recording:
-    """Return what went into the controller of a run, and its commands.
+    """Return the recording of a run: the controller's inputs and its commands.
 
     Args:
-        log: Of the run.
-        sensors: That was given to the same run.
+        log: Log of the run.
+        sensors: Recorder that was passed to the same run.
     """
     settings = log.settings
     calls = tuple(

@@ -1,4 +1,4 @@
-"""The report: a folder with a film, plots, the numbers, and a page that shows them."""
+"""Report of a stand: a folder with a film, plots, summary.json, and a page that shows them."""
 
 from __future__ import annotations
 
@@ -25,16 +25,17 @@ def write_report(
     command: Sequence[str],
     progress: Progress | None = None,
 ) -> Path:
-    """Write a report and return the page to open.
+    """Write the report and return the path of its page.
 
-    Writes index.html, film.webp, the plots and summary.json.
+    Writes index.html, film.webp, the plots and summary.json. If the film fails, the page has the
+    reason instead.
 
     Args:
-        log: The run.
-        summary: What summarise() made of it.
-        folder: Made if it is not there.
-        command: The words that started the run, shown on the page.
-        progress: Told how the film is coming on.
+        log: Log of the run.
+        summary: Result of summarise() for this run.
+        folder: Target folder; created if missing.
+        command: Words of the command line that started the run, shown on the page.
+        progress: Called after every frame of the film.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(summary, indent=2, allow_nan=False)
@@ -48,11 +49,11 @@ def write_report(
 
 
 def _try_film(log: StandLog, path: Path, progress: Progress | None) -> str | None:
-    """Make the film; return why not, if it cannot be made."""
+    """Write the film; return the reason if it fails, else None."""
     try:
         write_film(log, path, progress)
     except Exception as problem:
-        # Graphics stacks fail in as many ways as there are drivers; the rest of the report stands.
+        # Graphics drivers raise errors of many types; the rest of the report must not fail.
         path.unlink(missing_ok=True)
         return f"No film: {type(problem).__name__}: {problem}"
     return None

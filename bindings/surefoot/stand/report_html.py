@@ -1,4 +1,4 @@
-"""The report's page: one HTML file, no script, pictures beside it."""
+"""HTML page of a stand's report: one file without scripts, with the pictures beside it."""
 
 from __future__ import annotations
 
@@ -23,17 +23,19 @@ def render_page(
     """Return the page as HTML.
 
     Args:
-        summary: What summarise() returned.
-        command: What started the run.
-        film: Name of the film beside the page; None if there is none.
-        film_error: Why not.
+        summary: Result of summarise().
+        command: Command line that started the run.
+        film: File name of the film beside the page; None if there is none.
+        film_error: Reason why there is no film.
     """
     title = outcome_sentence(summary)
     pushes = "".join(f"<p>Push: {escape(push_line(push))}</p>" for push in summary["pushes"])
-    requested = "".join(f"<p>Asked: {escape(reference_line(r))}</p>" for r in summary["references"])
+    requested = "".join(
+        f"<p>Requested: {escape(reference_line(r))}</p>" for r in summary["references"]
+    )
     if requested:
         requested += f"<p>Reached: {escape(reached_line(summary))}</p>"
-    # Pushes stand in full at the top of the page.
+    # The top of the page has the full lines of the pushes, so the table has a short form.
     push_texts = [f"{push['direction']} {push['impulse_ns']:.2f} N.s" for push in summary["pushes"]]
     body = f"""<h1>{_status_mark(summary)}{escape(title)}</h1>
 <p class="soft">{escape(conditions_line(summary))}</p>
@@ -56,7 +58,7 @@ def _status_mark(s: dict[str, Any]) -> str:
 def _film(film: str | None, film_error: str | None) -> str:
     if film is None:
         return f'<div class="card">{escape(film_error or "No film.")}</div>'
-    text = "Film of the run; green arrows are foot forces, red ones pushes"
+    text = "Film of the run; green arrows: foot forces; red arrows: pushes"
     return f'<div><img src="{escape(film)}" alt="{text}" title="{text}"></div>'
 
 
@@ -66,9 +68,9 @@ def _tiles(s: dict[str, Any]) -> str:
     tiles = (
         ("settled after the last event", "-" if settle is None else f"{settle:.2f} s"),
         ("greatest tilt", f"{s['max_tilt_deg']:.2f}&deg;"),
-        ("height off at the end", f"{s['height_error_mm']:.2f} mm"),
-        ("farthest foot", f"{s['max_foot_travel_mm']:.1f} mm"),
-        ("peak torque, of its limit", f"{100 * s['peak_torque_ratio']:.0f} %"),
+        ("height error at the end", f"{s['height_error_mm']:.2f} mm"),
+        ("largest foot displacement", f"{s['max_foot_travel_mm']:.1f} mm"),
+        ("peak torque / limit", f"{100 * s['peak_torque_ratio']:.0f} %"),
         ("peak power", f"{s['peak_power_w']:.0f} W"),
         ("velocity error, RMS", f"{1000 * s['estimator_velocity_rmse']:.1f} mm/s"),
         ("tick, median and p99", f"{s['tick_us']['p50']:.0f} / {s['tick_us']['p99']:.0f} &micro;s"),

@@ -1,4 +1,4 @@
-"""The pose that the base was asked to have at every tick, and how the true one compares."""
+"""Requested base pose at every tick, and the error of the true pose."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from surefoot.stand.foot_frame import (
 from surefoot.stand.reference_request import AXES, first_tick, reference_schedule, to_si
 from surefoot.stand.stand_log import Array, StandLog
 
-LIMIT_WINDOW = 0.1  # [s] at the end of the run in which a limit counts as still there
+LIMIT_WINDOW = 0.1  # [s] window at the end of the run in which a reach limit is reported
 
 
 def requested_offsets(log: StandLog) -> Array:
-    """Return (n, 6) what was asked for at every tick: x, y, height [m], roll, pitch, yaw [rad]."""
+    """Return the requested offsets (n, 6): x, y, height [m], roll, pitch, yaw [rad]."""
     offsets = np.zeros((len(log.time), len(AXES)))
     for time, requested in reference_schedule(log.settings.references):
         offsets[first_tick(time, log.rate) :] = [to_si(axis, requested[axis]) for axis in AXES]
@@ -29,10 +29,10 @@ def requested_offsets(log: StandLog) -> Array:
 
 
 def requested_pose(log: StandLog) -> FootFramePose:
-    """Return the pose asked for at every tick, seen from the feet as pose_from_feet() sees it.
+    """Return the requested pose at every tick, in the frame of pose_from_feet().
 
-    Without references it is the first pose. Offsets are along the plane of the feet and out of
-    it, which is not the world's vertical on a slope.
+    Without references it is the first pose. Offsets are along the plane of the feet and along its
+    normal, which is not vertical on a slope.
     """
     n = len(log.time)
     first = pose_from_feet(log.q_true[:1], log.feet[:1])
@@ -48,7 +48,7 @@ def requested_pose(log: StandLog) -> FootFramePose:
 
 
 def reference_summary(log: StandLog) -> dict[str, Any]:
-    """Return what a summary says of references: how far the body went, what held it back."""
+    """Return the summary fields of references: error, displacement reached, and reach limit."""
     fields: dict[str, Any] = {
         "reference_error_mm": None,
         "reference_error_deg": None,
@@ -74,9 +74,9 @@ def reference_summary(log: StandLog) -> dict[str, Any]:
 
 
 def reach_limit(log: StandLog) -> str:
-    """Return what kept the body from where it was asked to be: none, joint NAME, support ...
+    """Return the limit that stopped the body reference: none, joint NAME, support, foot height ...
 
-    A body at its limit tries again and again, and between two attempts nothing holds it back.
+    Between two attempts of a body at its limit no limit is active, so the last LIMIT_WINDOW counts.
     """
     last = slice(-max(1, round(LIMIT_WINDOW * log.rate)), None)
     limited_ticks = np.flatnonzero(log.reach[last] != ReachLimit.NONE.value)

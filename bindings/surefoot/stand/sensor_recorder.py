@@ -1,4 +1,4 @@
-"""What the controller of a run was told, as a log that surefoot estimate replays."""
+"""Recorder of a controller's sensor input, as a log for surefoot estimate."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from surefoot.sim import Truth
 
 
 class SensorRecorder:
-    """Keeps every LowState and, apart from it, the truth of the instant that it tells of.
+    """Recorder of every LowState that a controller receives, with the truth of the same instant.
 
-    With real sensors a LowState is one period old when the controller gets it. Row k is the k-th
-    LowState that the controller got; the truth in it is that of when its sensors were sampled, not
-    of when the controller was called.
+    With real sensors a LowState is one control period old when the controller receives it. Row k
+    has the k-th LowState and the truth at the instant when its sensors were sampled, not at the
+    call of the controller.
     """
 
     def __init__(self) -> None:
@@ -27,17 +27,17 @@ class SensorRecorder:
         self._truths: list[Truth] = []
 
     def record(self, state: LowState, truth: Truth) -> None:
-        """Add a row."""
+        """Append a row."""
         self._states.append(state.to_bytes())
         self._truths.append(truth)
 
     @property
     def reports(self) -> npt.NDArray[np.uint8]:
-        """(n, 937) bytes of the LowStates so far."""
+        """(n, 937) bytes of the LowStates recorded so far."""
         return np.frombuffer(b"".join(self._states), dtype=np.uint8).reshape(-1, LOW_STATE.itemsize)
 
     def log(self, source: str = "surefoot stand") -> SensorLog:
-        """Return the rows so far, sensors to the last bit and truth_ columns; raises Error."""
+        """Return the rows so far: unrounded sensor columns and truth_ columns; raises Error."""
         columns = sensor_columns(self.reports)
         columns.update(self._truth_columns())
         clock, time = read_clock(source, columns)

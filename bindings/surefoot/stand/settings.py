@@ -1,4 +1,4 @@
-"""What a stand is asked to be."""
+"""Settings of a stand."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from surefoot.sim import PlantSettings
 from surefoot.stand.push_request import PushRequest
 from surefoot.stand.reference_request import ReferenceRequest
 
-MAX_DURATION = 600.0  # [s]; a log of 500 Hz then takes about a gigabyte
+MAX_DURATION = 600.0  # [s]; limits the memory: a log at 500 Hz then takes about 1 GB
 
 
 @dataclass(frozen=True)
 class StandSettings:
-    """Robot, plant, pushes, references and controller of one run; the same give the same run.
+    """Settings of one run: robot, plant, pushes, references, controller. Equal settings, equal run.
 
     Attributes:
-        robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
-        duration: Of the run, unless the robot falls [s].
-        plant: Sensors, ground, payload, control rate and seed. The rate must make the control
-            period a whole number of milliseconds, for that is what LowState.tick counts.
-        pushes: In any order.
-        references: Where the body is asked to be; those of the same time in this order.
-        gains: Of the controller; None for the robot's own.
+        robot: A name of surefoot.available_robots(), or a description from describe_robot().
+        duration: Duration of the run [s]; a fall ends it earlier.
+        plant: Sensors, ground, payload, control rate and seed. The control period must be a whole
+            number of milliseconds, the unit of LowState.tick.
+        pushes: Requested pushes, in any order.
+        references: Requested body poses; requests of the same time apply in this order.
+        gains: Gains of the controller; None for the robot's own gains.
         motor_damping: Motor-side damping in every command [N.m.s/rad]; 0 is pure torque mode.
-        form: Of the controller's program.
-        predicted_delay: Delay that the controller predicts across, from a measurement to its command's
-            action [s]; the plant's own delay is PlantSettings.extra_delay.
+        form: Form of the controller's QP.
+        predicted_delay: Delay from a measurement to the action of its command over which the
+            controller predicts the state [s]; PlantSettings.extra_delay delays the plant.
     """
 
     robot: str | RobotDescription = "go1"
@@ -67,12 +67,12 @@ class StandSettings:
 
     @property
     def options(self) -> StandOptions:
-        """Of the StandController."""
+        """Options of the StandController."""
         return StandOptions(self.motor_damping, self.predicted_delay, self.form)
 
     @property
     def ticks(self) -> int:
-        """Control periods in the run."""
+        """Number of control periods in the run."""
         return max(1, round(self.duration * self.plant.control_rate))
 
 

@@ -1,4 +1,4 @@
-"""When a robot stands again as it stood before."""
+"""Settling: when a robot stands again in its desired pose."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from surefoot.stand.foot_frame import pose_from_feet, rotation_angle
 from surefoot.stand.requested_pose import requested_pose
 from surefoot.stand.stand_log import StandLog
 
-SETTLED_DISTANCE = 0.010  # [m]
-SETTLED_ANGLE = math.radians(2.0)
-SETTLED_SPEED = 0.05  # [m/s]
+SETTLED_DISTANCE = 0.010  # [m] tolerance of the base position
+SETTLED_ANGLE = math.radians(2.0)  # [rad] tolerance of the base attitude
+SETTLED_SPEED = 0.05  # [m/s] tolerance of the base speed
 
 
 def settled_ticks(log: StandLog) -> np.ndarray:
-    """Return (n,) whether the robot stands where, as and as still as it began or was asked to.
+    """Return a mask (n,) of ticks at which the robot stands still in its desired pose.
 
-    Place and attitude are relative to the true feet: a robot whose feet were shoved stands well
-    if it stands over them.
+    The desired pose is the first pose, or the requested one. Errors are relative to the true feet,
+    so a robot whose feet were displaced is settled if its body is above them.
     """
     pose = pose_from_feet(log.q_true, log.feet)
     requested = requested_pose(log)
@@ -32,9 +32,10 @@ def settled_ticks(log: StandLog) -> np.ndarray:
 
 
 def settle_time(log: StandLog) -> float | None:
-    """Return the time from the last event until the robot is settled for good [s].
+    """Return the time from the last event until the robot stays settled [s], or None.
 
-    The last event is the end of the last push or the last reference, whichever is later.
+    The last event is the end of the last push or the last reference, whichever is later. None: no
+    event, a fall, or not settled at the end.
     """
     ends = [push.time + push.duration for push in log.pushes]
     ends += [request.time for request in log.settings.references]

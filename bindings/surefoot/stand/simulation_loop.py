@@ -1,4 +1,4 @@
-"""The loop: LowState to the controller, LowCmd to the plant, everything to the log."""
+"""Simulation loop of a stand: LowState to the controller, LowCmd to the plant, both to the log."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MOTOR_COUNT = 12
 SERVO = 0x0A
 
 Progress = Callable[[str, int, int], None]
-"""Called with what is being done, how much of it is done, and how much there is."""
+"""Called with the name of the activity, the number of steps done, and their total."""
 
 
 def run_stand(
@@ -30,15 +30,15 @@ def run_stand(
 ) -> StandLog:
     """Run a stand to its end, or until the robot falls.
 
-    The controller sees LowState and its robot's model, nothing else: the truth goes to the log.
+    The controller receives LowState and the model of its robot only. The truth goes to the log.
 
     Args:
-        settings: What to run.
-        progress: Told how far it is.
-        sensors: Is given every LowState as the controller gets it, with the truth of its instant.
+        settings: Settings of the run.
+        progress: Called after every tick.
+        sensors: Records every LowState for the controller, with the truth of its instant.
 
     Raises:
-        Error: An unknown robot, gains or options out of range, before anything runs.
+        Error: The robot is unknown, or gains or options are out of range; nothing has run then.
     """
     plant = make_plant(settings)
     gains = settings.gains or plant.robot.config.gains
@@ -58,7 +58,7 @@ def run_stand(
         elapsed = perf_counter_ns() - start
         recorder.record(truth, controller, command, elapsed / 1000.0)
         state = plant.step(command)
-        # Real sensors' reports are one period old: this one tells of the instant before the step.
+        # A sample of real sensors is one period old: it shows the state before this step.
         previous, truth = truth, plant.truth
         sample_truth = previous if plant.settings.real else truth
         if progress is not None:
@@ -69,16 +69,16 @@ def run_stand(
 
 
 def make_plant(settings: StandSettings) -> Plant:
-    """Build the plant of a run, pushes and all; raises Error."""
+    """Build the plant of a run, pushes included; raises Error."""
     plant = Plant(settings.robot, settings.plant)
-    # All are sized before any acts: the limit is that of the robot at rest.
+    # Resolve all pushes before any acts: the LIP push limit is that of the robot at rest.
     for push in [request.resolve(plant) for request in settings.pushes]:
         plant.add_push(push)
     return plant
 
 
 def is_torque_mode(command: LowCmd) -> bool:
-    """Whether all twelve motors are in pure torque mode: no stiffness, no damping."""
+    """Return True if all twelve motors are in torque mode: no stiffness, no damping."""
     motors = (command.motorCmd[i] for i in range(MOTOR_COUNT))
     return all(
         motor.mode == SERVO
@@ -91,7 +91,7 @@ def is_torque_mode(command: LowCmd) -> bool:
 
 
 def _log_header(settings: StandSettings, plant: Plant) -> dict[str, Any]:
-    """Return what the log says of the run before it starts."""
+    """Return the fields of the log that are known before the run."""
     pushes = tuple(request.resolve(plant) for request in settings.pushes)
     return {
         "settings": settings,
@@ -109,10 +109,10 @@ def _lip_share(plant: Plant, push: Push) -> float:
 
 
 class _LogRecorder:
-    """Arrays that fill up row by row.
+    """Arrays of the log, filled row by row.
 
     Args:
-        ticks: Rows to make room for.
+        ticks: Number of rows to allocate.
         nq: Size of q.
         nv: Size of v.
     """
@@ -137,7 +137,7 @@ class _LogRecorder:
     def record(
         self, truth: Truth, controller: StandController, command: LowCmd, tick_us: float
     ) -> None:
-        """Add a row."""
+        """Append a row."""
         rows, k = self._rows, self._count
         estimate, reach = controller.state, controller.reach
         rows["time"][k], rows["tick_us"][k] = truth.time, tick_us
@@ -157,5 +157,5 @@ class _LogRecorder:
         self._count += 1
 
     def arrays(self) -> dict[str, Any]:
-        """Return the rows recorded so far."""
+        """Return the rows recorded so far, by name."""
         return {name: rows[: self._count] for name, rows in self._rows.items()}

@@ -1,4 +1,4 @@
-"""How much a signal holds above a frequency."""
+"""High-frequency content of signals."""
 
 from __future__ import annotations
 
@@ -8,17 +8,18 @@ import numpy as np
 
 from surefoot.stand.stand_log import Array
 
-HIGH_FREQUENCY = 30.0  # [Hz]
+HIGH_FREQUENCY = 30.0  # [Hz] content from here on counts
 
 
 def high_frequency_rms(signal: Array, rate: float) -> Array:
-    """Return the RMS (m,) of what signals (n, m) hold above 30 Hz, NaN if nothing can be told.
+    """Return the RMS (m,) of the content of signals (n, m) from 30 Hz on.
 
-    The power in a Hann-windowed spectrum, so that slow changes do not leak into it.
+    Sums the power of a Hann-windowed spectrum. The window keeps slow changes from leaking into high
+    frequencies. NaN: fewer than 16 samples, or a rate of 60 Hz or less.
 
     Args:
-        signal: (n, m) sampled at `rate`.
-        rate: [Hz].
+        signal: (n, m) samples at `rate`.
+        rate: Sample rate [Hz].
     """
     n = len(signal)
     frequency = np.fft.rfftfreq(n, 1.0 / rate)
@@ -26,7 +27,7 @@ def high_frequency_rms(signal: Array, rate: float) -> Array:
         return np.full(signal.shape[1], math.nan)
     window = np.hanning(n + 1)[:-1]
     spectrum = np.fft.rfft((signal - signal.mean(axis=0)) * window[:, None], axis=0)
-    # Parseval: each frequency stands for itself and its mirror image, but the last of an even n.
+    # Parseval: a one-sided bin counts twice, except the first, and the last of an even n.
     bin_weight = np.full(len(frequency), 2.0)
     bin_weight[0] = 1.0
     if n % 2 == 0:

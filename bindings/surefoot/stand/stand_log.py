@@ -1,4 +1,4 @@
-"""What is kept of a run, tick by tick."""
+"""Log of a run, tick by tick."""
 
 from __future__ import annotations
 
@@ -17,37 +17,36 @@ IntArray = npt.NDArray[np.int64]
 
 @dataclass(frozen=True)
 class StandLog:
-    """One run. Row k of every array is the instant when the controller is called the k-th time.
+    """Log of one run. Row k of every array is the instant of the controller's k-th call.
 
-    True quantities are MuJoCo's at that instant. Estimates are what the controller believes after
-    that call; with real sensors they rest on a report that is one period old, as on the robot.
-    Feet run FR FL RR RL, motors in SDK order, world z is up.
+    True quantities are MuJoCo's at that instant. Estimates are the estimator's after that call;
+    with real sensors they come from a sample that is one control period old, as on the robot. Feet
+    are FR FL RR RL, motors in SDK order, world z is up.
 
     Attributes:
-        settings: What was asked for.
+        settings: Settings of the run.
         robot: The controller's model of the robot.
-        foot_force: Which force field lived: "est", "raw" or "dead".
-        pushes: Those applied, impulses in N.s.
-        push_shares: Each impulse as a fraction of the limit in its direction and duration.
-        lip_limit: Impulse of 0.1 s that the linear inverted pendulum survives at the start [N.s];
-            keys "lateral", "forward".
-        fell: Whether the robot fell; then the log ends with the last tick before it.
-        time: (n,) [s].
-        q_true: (n, nq) Pinocchio's: position, quaternion x y z w, joints.
-        v_true: (n, nv) base twist in base axes, joint velocities.
-        feet: (n, 3, 4) true centres of the foot spheres, world [m].
-        forces: (n, 3, 4) ground on foot, world axes [N].
-        com: (n, 3) true centre of mass, payload included, world [m].
-        tau: (n, 12) true motor torque [N.m].
-        dq: (n, 12) true joint velocity [rad/s].
-        q_estimated: (n, nq) as q_true, in the estimator's own world.
+        foot_force: Foot force fields that have data: "est", "raw" or "dead" (none).
+        pushes: Applied pushes, with impulses in N.s.
+        push_shares: Each impulse over the LIP push limit in its direction and duration.
+        lip_limit: LIP push limit for 0.1 s in the initial pose [N.s]; keys "lateral", "forward".
+        fell: True if the robot fell; the log then ends with the last tick before the fall.
+        time: (n,) time [s].
+        q_true: (n, nq) Pinocchio configuration: position [m], quaternion x y z w, joints [rad].
+        v_true: (n, nv) base twist in base axes [m/s, rad/s], joint velocities [rad/s].
+        feet: (n, 3, 4) true centres of the foot spheres in the world frame [m].
+        forces: (n, 3, 4) force of the ground on each foot in world axes [N].
+        com: (n, 3) true centre of mass in the world frame, payload included [m].
+        tau: (n, 12) true motor torques [N.m].
+        dq: (n, 12) true joint velocities [rad/s].
+        q_estimated: (n, nq) as q_true, in the estimator's world frame.
         v_estimated: (n, nv) as v_true.
-        contact: (n, 4) estimated probability that a foot bears load.
+        contact: (n, 4) contact confidence of each foot in StandController.state, 0 .. 1.
         status: (n,) surefoot.Status of the tick.
-        rung: (n,) surefoot.FallbackLevel of the tick: where its command came from.
-        torque_mode: (n,) whether all twelve motors were commanded in pure torque mode.
-        iterations: (n,) of the quadratic program's solver.
-        reach: (n,) surefoot.ReachLimit: what kept the body from where it was asked to be.
+        rung: (n,) surefoot.FallbackLevel of the tick's command.
+        torque_mode: (n,) True if all twelve motors were commanded in torque mode.
+        iterations: (n,) iterations of the QP solver.
+        reach: (n,) surefoot.ReachLimit that stops the body reference before its target.
         reach_motor: (n,) SDK motor of that limit, or -1.
         tick_us: (n,) wall time of StandController.update() as called from Python [us].
         commands: (n, 734) bytes of the LowCmds.

@@ -1,4 +1,4 @@
-"""A run in a few lines of text."""
+"""Summary of a run as a few lines of text."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from surefoot.stand.reference_request import AXES
 
 
 def outcome_sentence(s: dict[str, Any]) -> str:
-    """Return in one sentence how a run went, from its summary."""
+    """Return the outcome of a run in one sentence, from its summary."""
     if s["fell"]:
         return f"{s['robot']} fell after {s['fall_time_s']:g} s"
     end = "and settled" if s["settled"] else "but did not settle"
@@ -17,7 +17,7 @@ def outcome_sentence(s: dict[str, Any]) -> str:
 
 
 def conditions_line(s: dict[str, Any]) -> str:
-    """Return the run's surroundings as one line."""
+    """Return the conditions of a run as one line."""
     parts = [
         f"{s['rate']:g} Hz",
         f"{s['sensors']} sensors",
@@ -39,7 +39,7 @@ def conditions_line(s: dict[str, Any]) -> str:
 
 
 def _plant_deviations(s: dict[str, Any]) -> list[str]:
-    """Return in words what sets motors and ground apart from the usual ones."""
+    """Return the deviations of motors and ground from their nominal settings."""
     usual_lag = 1000.0 * PlantSettings(sensors=s["sensors"]).lag
     flaws = (
         (s["soft_ground_sink"] > 0.0, f"ground soft by {1000.0 * s['soft_ground_sink']:g} mm"),
@@ -53,11 +53,11 @@ def _plant_deviations(s: dict[str, Any]) -> list[str]:
 
 
 def push_line(push: dict[str, Any]) -> str:
-    """Return a push of a summary in words."""
+    """Return a push of a summary as text."""
     direction = push["direction"]
     name = direction if isinstance(direction, str) else f"at {direction:g} deg"
     share = push["lip_share"]
-    of_limit = "" if share is None else f", {100 * share:.0f} % of the pendulum's limit"
+    of_limit = "" if share is None else f", {100 * share:.0f} % of the LIP push limit"
     height = f", {push['height_m']:+g} m above the centre of mass" if push["height_m"] else ""
     return (
         f"{name} {push['impulse_ns']:.2f} N.s in {push['duration_s']:g} s "
@@ -66,7 +66,7 @@ def push_line(push: dict[str, Any]) -> str:
 
 
 def reference_line(reference: dict[str, Any]) -> str:
-    """Return a reference of a summary in words."""
+    """Return a reference of a summary as text."""
     offsets = []
     for axis, unit in AXES.items():
         if f"{axis}_{unit}" in reference:
@@ -75,9 +75,9 @@ def reference_line(reference: dict[str, Any]) -> str:
 
 
 def summary_text(s: dict[str, Any]) -> str:
-    """Return a summary for people to read."""
+    """Return a summary as text."""
     lines = [("run", conditions_line(s)), *(("push", push_line(push)) for push in s["pushes"])]
-    lines += [("asked", reference_line(reference)) for reference in s["references"]]
+    lines += [("requested", reference_line(reference)) for reference in s["references"]]
     if s["settle_time_s"] is not None:
         events = ("push" if s["pushes"] else "", "reference" if s["references"] else "")
         event = " or ".join(name for name in events if name)
@@ -89,12 +89,12 @@ def summary_text(s: dict[str, Any]) -> str:
 
 
 def reached_line(s: dict[str, Any]) -> str:
-    """Return in words how near the body came to where it was asked to be."""
+    """Return the final error to the requested pose, and the reach limit if there was one."""
     error_text = (
-        f"{s['reference_error_mm']:.2f} mm and {s['reference_error_deg']:.2f} deg from there"
+        f"{s['reference_error_mm']:.2f} mm and {s['reference_error_deg']:.2f} deg from the request"
     )
     limit = s["reference_limit"]
-    return error_text if limit == "none" else f"{error_text}, held back by: {limit}"
+    return error_text if limit == "none" else f"{error_text}, stopped by: {limit}"
 
 
 def _motion_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
@@ -102,8 +102,8 @@ def _motion_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
     return [
         (
             "pose",
-            f"off by {s['height_error_mm']:.2f} mm, {s['tilt_error_deg']:.2f} deg tilt, "
-            f"{s['yaw_error_deg']:.2f} deg yaw; at most {s['max_tilt_deg']:.1f} deg tilt, "
+            f"error {s['height_error_mm']:.2f} mm, {s['tilt_error_deg']:.2f} deg tilt, "
+            f"{s['yaw_error_deg']:.2f} deg yaw; largest: {s['max_tilt_deg']:.1f} deg tilt, "
             f"feet {s['max_foot_travel_mm']:.1f} mm",
         ),
         (
@@ -129,7 +129,7 @@ def _loop_lines(s: dict[str, Any]) -> list[tuple[str, str]]:
     first = f" (first: {s['first_failure']})" if s["qp_failures"] else ""
     mode = "torque mode only" if s["torque_mode_only"] else "NOT torque mode only"
     saturated = f", {s['saturated_ticks']} saturated" if s["saturated_ticks"] else ""
-    cold = f", {s['cold_solves']} solved anew" if s["cold_solves"] else ""
+    cold = f", {s['cold_solves']} cold solves" if s["cold_solves"] else ""
     return [
         ("loop", f"{s['ticks']} ticks, {s['qp_failures']} failed{first}{cold}{saturated}, {mode}"),
         (

@@ -1,1 +1,1 @@
-"""The machine and the terminal: worker processes, host description, keyboard."""
+"""Worker processes, description of the machine, and terminal."""

@@ -1,4 +1,4 @@
-"""The machine that a bench ran on, as far as it says of itself."""
+"""Description of the machine, for benchmark results."""
 
 from __future__ import annotations
 

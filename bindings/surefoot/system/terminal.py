@@ -1,4 +1,4 @@
-"""The terminal that a command is run from: lines to it, keys from it, or neither."""
+"""Terminal of a command: prints lines, and tells whether a keyboard is available."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TextIO
 
 
 class LinePrinter:
-    """Prints lines at once; a reader that goes away must not end what moves a robot."""
+    """Printer of lines, flushed at once. A closed pipe or terminal does not end the process."""
 
     def __init__(self, out: TextIO) -> None:
         self._out = out
 
     def __call__(self, line: str) -> None:
-        """Print a line, or nothing if nobody reads any more."""
+        """Print a line; discard it if the pipe or terminal has closed."""
         try:
             print(line, file=self._out, flush=True)
         except OSError:  # the pipe is broken, or the terminal is closed
@@ -22,11 +22,11 @@ class LinePrinter:
 
 
 def has_keyboard() -> bool:
-    """Return whether stdin is a terminal whose keys are for this process."""
+    """Return whether stdin is a terminal and this process runs in its foreground."""
     if sys.stdin is None or sys.stdin.closed or not sys.stdin.isatty():
         return False
     try:
-        # A background process that reads its terminal is stopped by the system.
+        # The system stops a background process that reads from its terminal.
         return os.tcgetpgrp(sys.stdin.fileno()) == os.getpgrp()
-    except OSError:  # a terminal, but not the one that controls this process
+    except OSError:  # not the controlling terminal of this process
         return False

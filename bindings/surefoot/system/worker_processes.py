@@ -1,4 +1,4 @@
-"""Processes that help: fresh interpreters of one thread each that end with the one they help."""
+"""Worker processes: new interpreters with one thread each, which end with their parent."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ _THREAD_COUNT_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_T
 
 
 def spawn_context() -> SpawnContext:
-    """Return what starts fresh interpreters: a fork would copy MuJoCo's and Optuna's threads half.
+    """Return the multiprocessing context that spawns new interpreters.
 
-    They compute with one thread each, for two that share a core do less than one; numpy reads that
-    when it is loaded, which is before any code of ours in a fresh interpreter.
+    A fork would copy the locks, but not the threads, of MuJoCo and Optuna. Also limits the workers
+    to one numerical thread each, by environment variables: workers with more threads would compete
+    for the cores. The variables are set here because numpy reads them on import.
     """
     for name in _THREAD_COUNT_VARIABLES:
         os.environ.setdefault(name, "1")
@@ -26,13 +27,13 @@ def spawn_context() -> SpawnContext:
 
 
 def spawn_pool(jobs: int) -> ProcessPoolExecutor:
-    """Return a pool of `jobs` such processes; jobs are whatever can be pickled."""
+    """Return a pool of `jobs` spawned processes; submitted functions must be picklable."""
     return ProcessPoolExecutor(jobs, spawn_context(), die_with_parent)
 
 
 @contextmanager
 def killable_pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
-    """A pool that does not outlive what is done with it: on Ctrl-C or an error it ends at once."""
+    """Yield a spawn_pool(); kill its processes on Ctrl-C or any other exception."""
     existing = set(multiprocessing.active_children())
     pool = spawn_pool(jobs)
     try:
@@ -46,7 +47,7 @@ def killable_pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
 
 
 def die_with_parent() -> None:
-    """Have this process end where the one that started it is killed, and not by Ctrl-C before."""
+    """End this process when its parent ends, even if the parent is killed; ignore Ctrl-C."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     assert parent is not None

@@ -1,1 +1,1 @@
-"""Tuning: a live page, a search on every core, a design from frequencies and damping."""
+"""Gain tuning: live page, search by simulation, design from frequency and damping."""

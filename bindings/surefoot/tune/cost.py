@@ -1,8 +1,8 @@
-"""One number for how well a robot stood: what it weighs, and in which units.
+"""Cost of a run: one number for how well a robot stood.
 
-A term of 1 is what an engineer who stands beside the robot begins to mind. Objectives are weighted
-sums of terms, FALL at most; a fall costs FALL more, and up to as much again the sooner it comes, so
-that no robot that stands costs more than one that falls.
+Each term is scaled so that 1 is a deviation that an engineer beside the robot begins to notice. An
+objective is a weighted sum of terms, limited to FALL_COST. A fall adds between FALL_COST and twice
+that, more for an earlier fall. So every run with a fall costs more than any run without.
 """
 
 from __future__ import annotations
@@ -19,34 +19,34 @@ from surefoot.stand.spectrum import high_frequency_rms
 from surefoot.tune.trace import Trace
 
 FALL_COST = 100.0
-STILL_TIME = 0.4  # [s] before the first push and at the end in which the robot is to be still
+STILL_TIME = 0.4  # [s] before the first push, and at the end, in which the robot should be still
 
 OBJECTIVES: dict[str, dict[str, float]] = {
     "balance": {"sway": 1.0, "tilt": 1.0, "settle": 1.0, "feet": 0.5, "buzz": 0.5, "still": 0.5},
     "quiet": {"sway": 0.2, "tilt": 0.2, "settle": 0.2, "feet": 0.2, "buzz": 2.0, "still": 2.0},
     "power": {"sway": 0.3, "tilt": 0.3, "settle": 0.3, "feet": 0.2, "buzz": 0.3, "power": 2.0},
 }
-"""Weight of every term in every objective."""
+"""Weights of the terms of each objective."""
 
 TERMS = {
-    "sway": "RMS way of the base from where it stood, relative to the feet / 10 mm",
-    "tilt": "RMS angle of the base from how it stood / 1 deg",
-    "settle": "mean time from a push's end until the robot stands again / 0.5 s",
-    "feet": "greatest way of a foot from where it stood / 10 mm",
+    "sway": "RMS displacement of the base from its first position, relative to the feet / 10 mm",
+    "tilt": "RMS angle of the base from its first orientation / 1 deg",
+    "settle": "mean time from the end of a push until the robot has settled / 0.5 s",
+    "feet": "greatest displacement of a foot from its first position / 10 mm",
     "buzz": "RMS torque above 30 Hz of the worst motor while still / 1 % of its limit",
     "still": "RMS joint velocity while still / 0.01 rad/s",
-    "power": "mean of sum |tau dq| / what lifting the robot by 10 mm/s takes",
+    "power": "mean of sum |tau dq| / power that lifts the robot at 10 mm/s",
 }
-"""What each term is, and what is 1."""
+"""Definition of each term, divided by the value that gives 1."""
 
 
 @dataclass(frozen=True)
 class Cost:
-    """How badly a robot stood; lower is better.
+    """Cost of a run; lower is better.
 
     Attributes:
-        value: The weighted sum, and what a fall adds.
-        terms: Every term of TERMS, and "fall": 0, or FALL and up to as much again.
+        value: Weighted sum of the terms, plus terms["fall"].
+        terms: All terms of TERMS, and "fall": 0, or FALL_COST to 2 FALL_COST after a fall.
     """
 
     value: float
@@ -54,15 +54,16 @@ class Cost:
 
 
 def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = None) -> Cost:
-    """Judge a trace.
+    """Compute the cost of a trace.
 
     Args:
-        trace: Rows since the robot last stood still.
+        trace: Rows from a still pose on; the first row is the reference pose.
         objective: One of OBJECTIVES.
-        expected_rows: Rows that the run was to have; a run that a fall cut short is dearer by what is missing.
+        expected_rows: Planned number of rows; None: the rows of the trace. A fall costs more, the
+            fewer of these rows exist.
 
     Raises:
-        Error: An unknown objective, or no row.
+        Error: The objective is unknown, or the trace has no rows.
     """
     weights = objective_weights(objective)
     if len(trace) == 0:
@@ -70,7 +71,7 @@ def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = N
     terms = _cost_terms(trace)
     whole = max(expected_rows or len(trace), 1)
     terms["fall"] = FALL_COST * (2.0 - min(len(trace) / whole, 1.0)) if trace.fell else 0.0
-    # A state that is not a number is a fall, and its terms are none.
+    # A diverged simulation makes terms NaN or infinite: count each as FALL_COST.
     terms = {
         name: float(np.nan_to_num(term, nan=FALL_COST, posinf=FALL_COST))
         for name, term in terms.items()
@@ -80,7 +81,7 @@ def cost(trace: Trace, objective: str = "balance", expected_rows: int | None = N
 
 
 def objective_weights(objective: str) -> dict[str, float]:
-    """Return an objective's weights; raises Error with the valid names."""
+    """Return the weights of an objective; raises Error with the valid names."""
     if objective not in OBJECTIVES:
         raise Error(f"objective: got '{objective}', expected one of {', '.join(OBJECTIVES)}")
     return OBJECTIVES[objective]
@@ -106,7 +107,7 @@ def _cost_terms(trace: Trace) -> dict[str, float]:
 
 
 def _still_rows(trace: Trace) -> list[slice]:
-    """Return the rows before the first push, and the last ones, in which nothing moves."""
+    """Return the rows of STILL_TIME before the first push and at the end, else all rows."""
     count, rows = round(STILL_TIME * trace.rate), len(trace)
     pushed = np.flatnonzero(trace.column("push") > 0.0)
     first = int(pushed[0]) if len(pushed) else rows
@@ -115,7 +116,10 @@ def _still_rows(trace: Trace) -> list[slice]:
 
 
 def _settling_time(trace: Trace, displacement: Array, angle: Array) -> float:
-    """Return the mean time from a push's end until the robot stands, or the next push, [s]."""
+    """Return the mean time [s] from the end of a push until the robot has settled.
+
+    At most the time until the next push counts.
+    """
     push = trace.column("push") > 0.0
     push_ends = np.flatnonzero(push[:-1] & ~push[1:]) + 1
     if len(push_ends) == 0:

@@ -1,4 +1,4 @@
-"""What a cost is computed from: a few rows of truth, cheap enough for every tick."""
+"""Trace of a plant's true state, from which a cost is computed."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ MOTOR_COUNT = 12
 
 
 class Trace:
-    """Rows of a plant's true state, one a control period.
+    """Ring buffer of a plant's true state, one row per control period.
 
     Args:
         plant: The plant.
-        ticks: Rows to make room for; what comes after them pushes out the oldest.
+        ticks: Capacity in rows; further rows replace the oldest ones.
 
     Attributes:
-        fell: Whether the robot has fallen since the last clear().
+        fell: True if the robot has fallen since the last clear().
     """
 
     def __init__(self, plant: Plant, ticks: int) -> None:
@@ -37,15 +37,15 @@ class Trace:
         self.fell = False
 
     def __len__(self) -> int:
-        """Rows that are there."""
+        """Return the number of rows."""
         return min(self._count, self._capacity)
 
     def clear(self) -> None:
-        """Forget every row."""
+        """Delete all rows."""
         self._count, self.fell = 0, False
 
     def record(self) -> None:
-        """Add a row: the plant as it is now."""
+        """Add a row with the present state of the plant."""
         rows, k, plant = self._rows, self._count % self._capacity, self._plant
         data, handles = plant.data, plant.handles
         rows["time"][k] = plant.time
@@ -66,21 +66,21 @@ class Trace:
 
     @property
     def weight(self) -> float:
-        """True weight [N], payload included."""
+        """True weight with payload [N]."""
         return float(self._plant.model.body_subtreemass[self._plant.handles.root] * 9.81)
 
     @property
     def tau_max(self) -> Array:
-        """(12,) [N.m]."""
+        """Torque limits (12,) [N.m]."""
         return np.array(self._plant.robot.config.tau_max)
 
     def column(self, name: str) -> Array:
-        """Return what was recorded, oldest first.
+        """Return one recorded quantity, oldest row first.
 
         Args:
             name: "time" (n,) [s]; "base" (n, 7) position [m] and quaternion w x y z; "velocity"
                 (n, 3) [m/s], "feet" (n, 4, 3) [m], world axes; "tau" (n, 12) [N.m]; "dq" (n, 12)
-                [rad/s]; "push" (n,) greatest component of the force of pushes [N].
+                [rad/s]; "push" (n,) greatest component of the push force [N].
         """
         rows = self._rows[name]
         if self._count <= self._capacity:

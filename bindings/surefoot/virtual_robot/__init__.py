@@ -1,4 +1,4 @@
-"""A robot in MuJoCo that speaks the robot's side of the SDK's UDP frames."""
+"""Virtual robot: a plant in MuJoCo behind the robot's end of the SDK's UDP frames."""
 
 from surefoot.virtual_robot.joint_shaking import Shake, parse_shake
 from surefoot.virtual_robot.remote import RemoteEvent, read_remote_script

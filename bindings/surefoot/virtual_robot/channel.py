@@ -1,4 +1,4 @@
-"""One way of a link: datagrams that get lost and come late."""
+"""One direction of a link, with loss and delay of datagrams."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from surefoot.virtual_robot.udp_port import Datagram
 
 
 class Channel:
-    """Loses datagrams and delays the others; none overtakes another, as on a cable.
+    """Link direction that loses some datagrams and delays the others; order is kept.
 
     Args:
-        drop: Share that gets lost [%].
-        delay: Of every other [s].
-        jitter: Further delay, uniform from 0 to this [s].
-        rng: Draws losses and jitter.
+        drop: Share of lost datagrams [%].
+        delay: Delay of all other datagrams [s].
+        jitter: Additional random delay, uniform in [0, jitter] [s].
+        rng: Random generator of losses and jitter.
 
     Attributes:
-        lost: Datagrams that got lost.
+        lost: Number of lost datagrams.
     """
 
     def __init__(self, drop: float, delay: float, jitter: float, rng: np.random.Generator) -> None:
@@ -30,7 +30,7 @@ class Channel:
         self.lost = 0
 
     def put(self, datagram: Datagram, time: float) -> None:
-        """Send a datagram off at a time [s]."""
+        """Send a datagram at a time [s]."""
         if self._drop > 0.0 and self._rng.random() < self._drop:
             self.lost += 1
             return
@@ -41,9 +41,9 @@ class Channel:
         self._in_flight.append((self._last_arrival, datagram))
 
     def take(self, time: float) -> list[Datagram]:
-        """Return what has arrived by a time [s], oldest first."""
+        """Remove and return the datagrams that arrived by a time [s], oldest first."""
         arrived = []
-        # Times are sums of periods: what is due now may be a rounding error away.
+        # Times are sums of periods, so allow for rounding errors.
         while self._in_flight and self._in_flight[0][0] <= time + 1e-9:
             arrived.append(self._in_flight.popleft()[1])
         return arrived

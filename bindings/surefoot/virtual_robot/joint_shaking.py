@@ -1,4 +1,4 @@
-"""Hands that shake a joint of a hung robot: how power protection is tried out."""
+"""External sine torques on joints of a hung robot, to test the power protection."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ _JOINTS = ("hip", "thigh", "calf")
 
 @dataclass(frozen=True)
 class Shake:
-    """A torque on a joint from outside: torque sin(2 pi frequency t).
+    """External torque on a joint: torque * sin(2 pi frequency (t - time)).
 
     Attributes:
-        motor: SDK motor whose joint is shaken, 0 .. 11.
+        motor: SDK motor of the joint, 0 .. 11.
         torque: Amplitude [N.m].
-        frequency: [Hz].
-        time: When it begins [s].
-        duration: [s].
+        frequency: Frequency [Hz].
+        time: Start [s].
+        duration: Duration [s].
     """
 
     motor: int
@@ -44,7 +44,7 @@ class Shake:
 
 
 def parse_shake(text: str) -> Shake:
-    """Read JOINT:TORQUE:HZ@TIME[:DURATION]; JOINT is FR_2, FR_calf or 2; raises Error."""
+    """Parse JOINT:TORQUE:HZ@TIME[:DURATION]; JOINT is FR_2, FR_calf or 2; raises Error."""
     try:
         joint_part, time_part = text.split("@")
         joint, torque, frequency = joint_part.split(":")
@@ -57,7 +57,7 @@ def parse_shake(text: str) -> Shake:
 
 
 def find_motor(name: str) -> int:
-    """Return the SDK motor 0 .. 11 of FR_2, FR_calf or 2; raises Error."""
+    """Return the SDK motor, 0 .. 11, for a name such as FR_2, FR_calf or 2; raises Error."""
     if re.fullmatch(r"\d{1,2}", name) and int(name) < MOTOR_COUNT:
         return int(name)
     leg, _, joint = name.partition("_")
@@ -69,14 +69,14 @@ def find_motor(name: str) -> int:
 
 
 class JointShaker:
-    """All shakes of a run together."""
+    """Sum of all shakes of a run."""
 
     def __init__(self, shakes: Sequence[Shake]) -> None:
         self._shakes = tuple(shakes)
         self._end = max((shake.time + shake.duration for shake in shakes), default=-math.inf)
 
     def torque(self, time: float) -> Array | None:
-        """Return the torques (12,) [N.m] at a time [s], or None if there are none to come."""
+        """Return the torques (12,) [N.m] at a time [s], or None after the end of all shakes."""
         if time >= self._end:
             return None
         torque = np.zeros(MOTOR_COUNT)

@@ -1,4 +1,4 @@
-"""The terminal's keyboard as a wireless remote."""
+"""Keyboard of the terminal as a wireless remote."""
 
 from __future__ import annotations
 
@@ -15,8 +15,10 @@ KEYS_HELP = (
     "keys: w a s d left stick, i j k l right stick, space centres both; A B X Y (capitals), "
     "arrows, Enter START, Tab SELECT, 1 L1, 2 L2, 9 R1, 0 R2, F F1, G F2"
 )
-BUTTON_HOLD_TIME = 0.5  # [s] a terminal tells of keys that go down, never of keys that come up
-STICK_STEP = 0.25  # of a stick
+BUTTON_HOLD_TIME = (
+    0.5  # [s] after which a button is released: a terminal does not report key releases
+)
+STICK_STEP = 0.25  # change of a stick, -1 .. 1, per key press
 _STICK_KEYS = {
     **{
         "a": ("lx", -STICK_STEP),
@@ -40,9 +42,9 @@ _BUTTON_KEYS = {
 
 
 class Keyboard:
-    """Reads keys without waiting for them; a context that leaves the terminal as it found it.
+    """Context manager that reads keys without blocking and restores the terminal at its end.
 
-    Without a terminal on stdin, or in the background of one, it does nothing.
+    Does nothing if stdin is no terminal, or if the process runs in the background of its terminal.
     """
 
     def __init__(self, remote: Remote) -> None:
@@ -52,7 +54,7 @@ class Keyboard:
 
     @property
     def is_available(self) -> bool:
-        """Whether there are keys to press."""
+        """True if keys can be read."""
         return self._terminal_state is not None
 
     def __enter__(self) -> Keyboard:
@@ -72,7 +74,7 @@ class Keyboard:
             termios.tcsetattr(sys.stdin, termios.TCSADRAIN, self._terminal_state)
 
     def poll(self, time: float) -> None:
-        """Read the keys pressed by now [s] and let go of buttons held long enough."""
+        """Apply the keys pressed by `time` [s], and release buttons after BUTTON_HOLD_TIME."""
         if self.is_available and select.select([sys.stdin], [], [], 0.0)[0]:
             self.type_text(os.read(sys.stdin.fileno(), 64).decode(errors="ignore"), time)
         for button in [
@@ -82,7 +84,7 @@ class Keyboard:
             self._remote.apply(RemoteEvent(time, "release", button))
 
     def type_text(self, text: str, time: float) -> None:
-        """Press the keys of a text at a time [s]."""
+        """Apply the keys in a text at a time [s]."""
         while text:
             key = text[:3] if text.startswith("\x1b[") else text[0]
             text = text[len(key) :]

@@ -1,27 +1,27 @@
-"""Wall-clock time: absolute deadlines, and what is lost when they are missed."""
+"""Pacing of simulated time by the wall clock, with absolute deadlines."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
 
-MAX_CATCH_UP = 0.01  # [s] that is caught up; more would be a burst of reports
+MAX_CATCH_UP = 0.01  # [s] longest delay that is caught up; more would cause a burst of samples
 
 
 class RealTimePacer:
-    """Paces cycles of simulated time by a clock.
+    """Pacer of simulated cycles by a clock.
 
-    A cycle that comes late is caught up by the next ones, up to 10 ms. What goes beyond is lost:
-    simulated time then runs behind the clock, and `real_time_factor` says by how much.
+    The next cycles catch up a delay of up to 10 ms. A longer delay is not caught up: all deadlines
+    move, and simulated time falls behind the clock. `real_time_factor` is their ratio.
 
     Args:
-        period: Of a cycle [s].
-        read_clock: The clock [s].
-        sleep: Waits [s].
+        period: Period of a cycle [s].
+        read_clock: Function that returns the clock [s].
+        sleep: Function that waits [s].
 
     Attributes:
-        slipped: Time lost [s].
-        cycles: Waited for.
+        slipped: Sum of the delays that were not caught up [s].
+        cycles: Number of cycles so far.
     """
 
     def __init__(
@@ -37,12 +37,12 @@ class RealTimePacer:
 
     @property
     def elapsed(self) -> float:
-        """Time by the clock since the start [s]."""
+        """Clock time since the start [s]."""
         return self._read_clock() - self._start
 
     @property
     def real_time_factor(self) -> float:
-        """Simulated time over the clock's, since the start; 1 is real time."""
+        """Ratio of simulated to clock time since the start; 1 is real time."""
         return self.cycles * self._period / max(self.elapsed, 1e-9) if self.cycles else 1.0
 
     def wait(self) -> None:

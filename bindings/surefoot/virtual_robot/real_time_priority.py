@@ -1,23 +1,23 @@
-"""What keeps other programs and Python itself from holding the robot up."""
+"""Real-time scheduling, so that other processes and Python do not delay the virtual robot."""
 
 from __future__ import annotations
 
 import gc
 import os
 
-_PRIORITY = 70  # below the controller's, above everything ordinary
+_PRIORITY = 70  # below the controller's, above all ordinary processes
 
 
 class RealTimePriority:
-    """Real-time scheduling where the system permits it, and no garbage collection, for a while.
+    """Context manager: SCHED_FIFO where the system permits it, and no garbage collection.
 
-    A cycle leaves no cycles of references behind, so nothing piles up.
+    A simulation cycle makes no reference cycles, so memory does not grow without the collector.
 
     Attributes:
-        granted: What was permitted, in words.
+        granted: Scheduling that the system granted, in words.
     """
 
-    granted = "not asked"
+    granted = "not requested"
 
     def __enter__(self) -> RealTimePriority:
         gc.collect()

@@ -1,4 +1,4 @@
-"""The wireless remote: its state, and a script that plays on it."""
+"""State of the wireless remote, and scripts that operate it."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _BUTTONS = {name.upper(): button for name, button in Button.__members__.items()}
 
 @dataclass(frozen=True)
 class RemoteEvent:
-    """Something done to the remote.
+    """Operation of the remote.
 
     Attributes:
-        time: When [s].
+        time: Time [s].
         action: "press", "release", or a stick: "lx", "ly", "rx", "ry", "L2" (the trigger).
-        button: What is pressed or released.
-        value: Where the stick goes, -1 .. 1.
+        button: Button that is pressed or released.
+        value: New position of the stick, -1 .. 1.
     """
 
     time: float
@@ -31,10 +31,13 @@ class RemoteEvent:
 
 
 def read_remote_script(path: str | Path) -> tuple[RemoteEvent, ...]:
-    """Read lines "TIME press A", "TIME release A", "TIME lx 0.5"; # begins a comment.
+    """Read a script with lines "TIME press A", "TIME release A", "TIME lx 0.5"; # is a comment.
+
+    Returns:
+        Events in order of time.
 
     Raises:
-        Error: A file that cannot be read, or a line that says something else, by its number.
+        Error: The file cannot be read, or a line is invalid; the message has its number.
     """
     try:
         lines = Path(path).read_text(encoding="utf-8").splitlines()
@@ -54,7 +57,7 @@ def read_remote_script(path: str | Path) -> tuple[RemoteEvent, ...]:
 
 
 def parse_event(words: Sequence[str]) -> RemoteEvent:
-    """Read the words of one line; raises Error."""
+    """Parse the words of one line; raises Error."""
     if len(words) != 3:
         raise Error(f"got {len(words)} words, expected TIME press|release BUTTON or TIME STICK X")
     time, action, argument = _number("time", words[0], 0.0, 1e9), words[1], words[2]
@@ -79,13 +82,13 @@ def _number(name: str, word: str, low: float, high: float) -> float:
 
 
 class Remote:
-    """The remote as it is now.
+    """Present state of the remote.
 
     Args:
-        events: What a script will do to it, in order of time.
+        events: Events of a script, in order of time.
 
     Attributes:
-        bytes: The 40 bytes of LowState.wirelessRemote, or None while nothing was ever touched.
+        bytes: The 40 bytes of LowState.wirelessRemote; None before the first event.
     """
 
     def __init__(self, events: Sequence[RemoteEvent] = ()) -> None:
@@ -94,13 +97,13 @@ class Remote:
         self.bytes: bytes | None = None
 
     def advance(self, time: float) -> None:
-        """Do what the script says up to a time [s]."""
+        """Apply the events of the script up to a time [s]."""
         while self._next_event < len(self._events) and self._events[self._next_event].time <= time:
             self.apply(self._events[self._next_event])
             self._next_event += 1
 
     def apply(self, event: RemoteEvent) -> None:
-        """Do something to the remote."""
+        """Apply an event to the state."""
         state = self._state
         if event.button is None:
             setattr(state, event.action, event.value)
@@ -111,5 +114,5 @@ class Remote:
         self.bytes = state.to_bytes()
 
     def stick(self, name: str) -> float:
-        """Return where a stick is, -1 .. 1."""
+        """Return the position of a stick, -1 .. 1."""
         return float(getattr(self._state, name))

@@ -1,4 +1,4 @@
-"""The virtual robot: what happens in each of its cycles."""
+"""The virtual robot and its cycle: receive a command, simulate one period, send a sample."""
 
 from __future__ import annotations
 
@@ -21,34 +21,35 @@ from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import DatagramPort
 from surefoot.virtual_robot.watchdog import Watchdog
 
-_FALL_CHECK_PERIOD = 0.02  # [s] between looks whether it fell
-_LYING_RNG_STREAM = 12  # of random numbers; the plant has 0 .. 3, the link 10 and 11
+_FALL_CHECK_PERIOD = 0.02  # [s] between two checks whether the robot fell
+_LYING_RNG_STREAM = 12  # random stream of the lying pose; the plant has 0 .. 3, the link 10, 11
 
 
 class VirtualRobot:
-    """A robot in MuJoCo behind a port. It knows simulated time only; cycle() moves it on.
+    """Simulated robot that receives LowCmds and sends LowStates through a port.
 
-    Until the first valid command the motors hold the standing pose in position mode; those of a
-    robot that lies brake.
+    It uses simulated time only; each cycle() advances it by one period. Until the first valid
+    command, the motors hold the standing pose in position mode; the motors of a lying robot damp.
 
     Args:
-        settings: What it is asked to be.
-        port: Where datagrams come from and go to.
-        on_message: Called with a line about what just happened; None is not interested.
+        settings: Settings of the robot and its link.
+        port: Port that receives and sends datagrams.
+        on_message: Called with a line about each event; None: no messages.
 
     Raises:
-        Error: An unknown robot, a missing file; frames that nobody named.
+        Error: Unknown robot, missing file, or no generation of frames for this robot.
 
     Attributes:
         settings: The settings.
-        plant: The simulated robot; read it, do not write it.
-        link: Its end of the wire, with its counts.
-        watchdog: When commands were missing.
+        plant: The simulated robot; read-only for callers.
+        link: Robot's end of the link, with its counts.
+        watchdog: Detects missing commands.
         remote: The wireless remote.
-        state: The latest report.
-        command: The latest valid command as the motors got it; None before the first.
-        power: Sum of |tauEst dq| in the latest report [W].
-        fell_at: When it fell [s], or None; for one that began lying, when it rolled over.
+        state: Latest LowState.
+        command: Latest valid command as the motors received it; None before the first.
+        power: Sum of |tauEst dq| in the latest LowState [W].
+        fell_at: Time of the fall [s], or None. For a robot that started lying: the time when its
+            tilt exceeded the fall threshold.
     """
 
     def __init__(
@@ -97,7 +98,7 @@ class VirtualRobot:
         return math.acos(max(-1.0, min(1.0, cos_tilt)))
 
     def cycle(self) -> None:
-        """Listen, move for one period, report."""
+        """Receive a command, simulate one period and send a sample."""
         self._receive_command()
         self.plant.apply_joint_torque(self._shaker.torque(self.time))
         self.plant.advance()
@@ -115,7 +116,7 @@ class VirtualRobot:
             if not self.watchdog.received_any:
                 self._on_message(f"{time:.3f} s: first valid command")
             if self.watchdog.feed(time):
-                self._on_message(f"{time:.3f} s: commands are back, motors obey")
+                self._on_message(f"{time:.3f} s: commands are back, motors follow them")
         elif self.watchdog.expires(time):
             self.plant.apply_law(damping_law())
             milliseconds = 1000.0 * self.settings.timeout
@@ -130,7 +131,7 @@ class VirtualRobot:
             return
         try:
             frame = protocol.encode_low_state(self.state, self._generation, self._extras)
-        except Error:  # physics that has lost its numbers has nothing to say
+        except Error:  # the simulation diverged: a value is NaN or infinite
             self.link.unsent += 1
             return
         self.link.send(frame, time)
@@ -147,13 +148,13 @@ class VirtualRobot:
             self._on_message(f"{self.time:.3f} s: the robot fell")
 
     def _has_fallen(self) -> bool:
-        if self.settings.lying:  # it touches the ground as it gets up and as it sits down
+        if self.settings.lying:  # its body touches the ground while it rises and sits down
             return math.cos(self.tilt) < FALLEN_TILT_COS
         return has_fallen(self.plant.data, self.plant.handles)
 
 
 def _battery_extras() -> FrameExtras:
-    """Return the sensors that a B1's battery has beyond the LowState's own."""
+    """Return the battery readings of a B1 that LowState has no fields for."""
     extras = FrameExtras()
     extras.BQ_NTC[:], extras.MCU_NTC[:] = 30, 32
     extras.cell_vol[:4] = 3850

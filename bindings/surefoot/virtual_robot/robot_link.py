@@ -1,4 +1,4 @@
-"""The robot's end of the wire: frames in, frames out, and to whom."""
+"""Robot's end of the link: receives and sends frames, and chooses the peer."""
 
 from __future__ import annotations
 
@@ -13,31 +13,36 @@ from surefoot.virtual_robot.channel import Channel
 from surefoot.virtual_robot.settings import VirtualRobotSettings
 from surefoot.virtual_robot.udp_port import Address, DatagramPort
 
-MAX_DATAGRAMS_PER_CYCLE = 32  # datagrams read: a peer that floods must not stall the physics
-_MIN_PEER_HOLD_TIME = 0.1  # [s] for which who commanded last is answered, and nobody else
-_RNG_STREAM = 10  # of random numbers; the plant has 0 .. 3
+MAX_DATAGRAMS_PER_CYCLE = (
+    32  # limit of datagrams read, so that a flood does not stall the simulation
+)
+_MIN_PEER_HOLD_TIME = 0.1  # [s] after a valid command, in which only its sender is answered
+_RNG_STREAM = 10  # first of two random streams; the plant has 0 .. 3
 
 
 class RobotLink:
-    """Receives commands and counts what is none; sends to whom commands it.
+    """Link that decodes commands, counts rejected datagrams, and sends samples to one peer.
 
-    Where nobody does, whoever spoke last in frames of any generation, or blank, is answered, so
-    that a program can tell what robot this is. While somebody does, nobody else is.
+    The peer is the sender of the last valid command. If no valid command arrived for the hold time
+    (the larger of settings.timeout and 0.1 s), the peer is the sender of the last datagram that has
+    the length of any generation's LowCmd or is blank. So a program can find out the generation of
+    this robot.
 
     Args:
-        port: Where datagrams come from and go to.
-        settings: Generation, loss, delay, seed.
+        port: Port that receives and sends datagrams.
+        settings: Generation, loss, delay and seed.
 
     Attributes:
-        peer: Whom reports go to; None before anyone spoke.
-        received: Datagrams that arrived.
-        commands: Valid commands among them.
-        overtaken: Commands that a newer one of the same cycle made void: no motor saw them.
-        repeated: Commands that are byte for byte the one before. Many in a moving program mean that
-            it sends on what it no longer computes.
-        rejected: Number of the others by reason.
-        sent: Datagrams sent, those that get lost on the way among them.
-        unsent: Datagrams that could not be sent.
+        peer: Address that samples are sent to; None before the first peer.
+        received: Number of datagrams that arrived.
+        commands: Number of valid commands among them.
+        overtaken: Number of commands replaced by a newer one in the same cycle; the motors did not
+            receive them.
+        repeated: Number of commands equal to the one before in every byte. If the robot should
+            move, many of them mean that the sender repeats a command without computing a new one.
+        rejected: Number of rejected datagrams, by reason.
+        sent: Number of datagrams sent, including those that the channel loses.
+        unsent: Number of datagrams that could not be sent.
     """
 
     def __init__(self, port: DatagramPort, settings: VirtualRobotSettings) -> None:
@@ -57,7 +62,7 @@ class RobotLink:
 
     @property
     def lost(self) -> tuple[int, int]:
-        """Datagrams that got lost on their way in and out."""
+        """Numbers of lost datagrams: incoming, outgoing."""
         return self._incoming.lost, self._outgoing.lost
 
     def receive(self, time: float) -> ReceivedLowCmd | None:
@@ -77,7 +82,7 @@ class RobotLink:
         return newest
 
     def send(self, frame: bytes, time: float) -> None:
-        """Send a frame to the peer at a time [s]; also what is due by now of earlier ones."""
+        """Send a frame to the peer at a time [s], and earlier frames whose delay is over."""
         if self.peer is not None:
             self.sent += 1
             self._outgoing.put((frame, self.peer), time)
@@ -85,7 +90,7 @@ class RobotLink:
             self.unsent += not self._port.send(*datagram)
 
     def _is_query(self, data: bytes) -> bool:
-        """Return whether a datagram is that of a program which does not know the robot yet."""
+        """Return whether a datagram may come from a program that looks for the generation."""
         return len(data) in self._lengths or is_blank(data)
 
     def _decode(self, data: bytes) -> ReceivedLowCmd | None:
@@ -102,22 +107,22 @@ class RobotLink:
 
 
 def is_blank(data: bytes) -> bool:
-    """Return whether a datagram is all zero, as the SDK sends before a program's first command."""
+    """Return whether a datagram is all zero: the SDK sends such ones before the first command."""
     return 0 < len(data) == data.count(0)
 
 
 def rejection_reason(data: bytes, generation: str) -> str:
-    """Return in two words why a datagram is no LowCmd of a generation.
+    """Return in two words why a datagram is not a LowCmd of a generation.
 
-    protocol.decode_low_cmd() says it in a sentence with the numbers of the case; these can be
-    counted. go1-v3.8 and b1-v3.8 have LowCmds of one length, which nothing tells apart.
+    The reasons can be counted; protocol.decode_low_cmd() raises a full message. LowCmd frames of
+    go1-v3.8 and b1-v3.8 have the same length and cannot be distinguished.
     """
     if is_blank(data):
         return "blank"
     if len(data) != protocol.frame_sizes(generation)[0]:
         lengths = {protocol.frame_sizes(name)[0] for name in protocol.GENERATIONS}
         return "wrong generation" if len(data) in lengths else "wrong length"
-    if generation.endswith("-v3.8"):  # the others' headers have neither of the two
+    if generation.endswith("-v3.8"):  # frames of other generations have no such header
         if data[:2] != b"\xfe\xef":
             return "wrong head"
         if data[2] != 0xFF:

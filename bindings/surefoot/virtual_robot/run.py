@@ -1,4 +1,4 @@
-"""A virtual robot in real time, from its start to its record."""
+"""Run of a virtual robot in real time."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from surefoot.virtual_robot.status_line import StatusLine
 from surefoot.virtual_robot.udp_port import UdpPort
 from surefoot.virtual_robot.viewer import Viewer, check_display
 
-_STATUS_PERIOD = 1.0  # [s] by the clock
-_UI_PERIOD = 0.02  # [s] simulated, between looks at keyboard and window
+_STATUS_PERIOD = 1.0  # [s] of clock time between status lines
+_UI_PERIOD = 0.02  # [s] of simulated time between updates of keyboard and window
 
 
 @dataclass(frozen=True)
 class RunOptions:
-    """Where and how long a virtual robot runs.
+    """Address and duration of a run of a virtual robot.
 
     Attributes:
         host: Address to listen on.
-        port: Port to listen on; 0 lets the system choose.
-        duration: Simulated time after which it ends by itself [s].
-        view: Show it in a window; closing the window ends the run.
+        port: UDP port to listen on; 0 lets the system choose.
+        duration: Simulated time after which the run ends [s].
+        view: Show the robot in a window; closing the window ends the run.
     """
 
     host: str = "127.0.0.1"
@@ -48,22 +48,25 @@ class RunOptions:
 def run_robot(
     settings: VirtualRobotSettings, options: RunOptions, on_message: Callable[[str], None]
 ) -> dict[str, Any]:
-    """Run a virtual robot until its time is over, SIGINT or SIGTERM; return its record.
+    """Run a virtual robot until its duration is over, SIGINT or SIGTERM.
 
     Args:
-        settings: What it is asked to be.
-        options: Where and how long.
-        on_message: Called with lines for people: where it listens, one a second, what happens.
+        settings: Settings of the robot and its link.
+        options: Address, duration and window.
+        on_message: Called with each line for the user: address, status once a second, and events.
+
+    Returns:
+        Record of the run, ready for JSON; see summarise().
 
     Raises:
-        Error: What cannot be, from robot to display.
-        OSError: The port cannot be had.
+        Error: A setting is invalid, or there is no display.
+        OSError: The port is taken or not permitted.
     """
-    generation = settings.generation  # raises before anything takes time
+    generation = settings.generation  # raises before any slow step
     if options.view:
         check_display()
     with ExitStack() as stack:
-        # The port first: it is what fails most, and robots take a second to build.
+        # Open the port first: it fails most often, and building the robot takes a second.
         port = UdpPort(options.host, options.port)
         stack.callback(port.close)
         robot = VirtualRobot(settings, port, on_message)
@@ -84,7 +87,7 @@ def run_robot(
 
 
 class _RunLoop:
-    """The loop."""
+    """Loop of cycles in real time, with messages, keyboard and window."""
 
     def __init__(self, robot: VirtualRobot, keyboard: Keyboard, viewer: Viewer | None) -> None:
         self._robot, self._keyboard, self._viewer = robot, keyboard, viewer
@@ -105,7 +108,7 @@ class _RunLoop:
             if clock.slipped > slipped:
                 delay_ms = 1000.0 * (clock.slipped - slipped)
                 on_message(
-                    f"{robot.time:.3f} s: this machine held the robot up for {delay_ms:.0f} ms"
+                    f"{robot.time:.3f} s: this machine delayed the robot by {delay_ms:.0f} ms"
                 )
             if clock.cycles % ui_cycles == 0 and not self._update_ui():
                 break
@@ -116,7 +119,7 @@ class _RunLoop:
         return summarise(robot, self._recorder, clock.real_time_factor, clock.slipped)
 
     def _update_ui(self) -> bool:
-        """Look at keyboard and window; return whether the window is not closed."""
+        """Poll the keyboard and update the window; return False if the window was closed."""
         self._keyboard.poll(self._robot.time)
         if self._viewer is None:
             return True
@@ -125,7 +128,7 @@ class _RunLoop:
 
 
 class _StopSignals:
-    """Ctrl-C and SIGTERM ask the loop to end instead of ending the process."""
+    """Context manager in which SIGINT and SIGTERM set `requested` instead of ending the process."""
 
     def __init__(self) -> None:
         self.requested = False

@@ -1,4 +1,4 @@
-"""What is kept of a run, and how it is told as JSON."""
+"""Log and summary of a run of a virtual robot, for JSON."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from surefoot.messages.low_state_layout import MOTOR_COUNT
 from surefoot.sim.hardware.wire_format import MotorCommands
 from surefoot.virtual_robot.robot import VirtualRobot
 
-MAX_LOG_TIME = 600.0  # [s]; of longer runs the end is kept
+MAX_LOG_TIME = 600.0  # [s]; longer runs keep the last part
 _DIGITS = 6
 _COMMAND_FIELDS = ("mode", "q", "dq", "tau", "kp", "kd")
 
 
 class RunRecorder:
-    """Keeps a log of a virtual robot, row by row, and the greatest power.
+    """Log of a virtual robot, and its greatest power.
 
     Args:
-        robot: The robot, which is only read.
+        robot: The robot; it is not changed.
 
     Attributes:
-        peak_power: Greatest sum of |tauEst dq| in any report [W].
+        peak_power: Greatest sum of |tauEst dq| in any LowState [W].
     """
 
     def __init__(self, robot: VirtualRobot) -> None:
@@ -34,7 +34,7 @@ class RunRecorder:
         rate = settings.log_rate
         self._log_interval = max(1, round(settings.rate / rate)) if rate > 0.0 else 0
         self._rate = settings.rate / self._log_interval if self._log_interval else 0.0
-        # q, dq, tau of 12 motors, time, height, tilt; commands are shared, not copied.
+        # Row: q, dq, tau of 12 motors, time, height, tilt. Commands are not copied.
         self._rows: deque[tuple[Array, MotorCommands | None, bool]] = deque(
             maxlen=max(1, round(MAX_LOG_TIME * self._rate))
         )
@@ -42,7 +42,7 @@ class RunRecorder:
         self.peak_power = 0.0
 
     def observe(self) -> None:
-        """Look at the robot after one of its cycles."""
+        """Record the robot after a cycle."""
         robot = self._robot
         self.peak_power = max(self.peak_power, robot.power)
         self._cycles += 1
@@ -56,7 +56,7 @@ class RunRecorder:
         self._rows.append((row, robot.command, robot.watchdog.damping))
 
     def log(self) -> dict[str, Any]:
-        """Return the log: lists with one entry per row; commands are null before the first."""
+        """Return the log as lists with one entry per row; null before the first command."""
         table = np.array([row for row, _, _ in self._rows]).reshape(-1, 3 * MOTOR_COUNT + 3)
         log: dict[str, Any] = {
             "rate": self._rate,
@@ -81,13 +81,13 @@ class RunRecorder:
 def summarise(
     robot: VirtualRobot, recorder: RunRecorder, real_time_factor: float, slipped: float
 ) -> dict[str, Any]:
-    """Return what a robot received and did, ready for JSON.
+    """Return settings, counts, damping intervals, fall, power and log of a run, for JSON.
 
     Args:
         robot: The robot.
-        recorder: What was kept of it.
-        real_time_factor: Simulated time over the clock's.
-        slipped: Time lost against the clock [s].
+        recorder: Recorder of the run.
+        real_time_factor: Ratio of simulated to clock time.
+        slipped: Time by which simulated time fell behind the clock [s].
     """
     settings, link = robot.settings, robot.link
     intervals = robot.watchdog.intervals
@@ -119,7 +119,7 @@ def summarise(
 
 
 def _json_numbers(values: Array) -> Any:
-    # JSON has no NaN; 0 would lie, null does not.
+    # JSON has no NaN or infinity: write null.
     rounded = np.round(values, _DIGITS).astype(object)
     rounded[~np.isfinite(values)] = None
     return rounded.tolist()

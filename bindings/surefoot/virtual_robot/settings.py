@@ -1,4 +1,4 @@
-"""What a virtual robot can be asked to be, checked when it is asked."""
+"""Settings of a virtual robot, checked on construction."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from surefoot.virtual_robot.remote import RemoteEvent
 
 @dataclass(frozen=True)
 class VirtualRobotSettings:
-    """The robot, its link and what happens to it. Times are simulated, since the start [s].
+    """Settings of the robot, its link and its inputs. Times are simulated time since the start [s].
 
     Attributes:
         robot: A name of surefoot.available_robots(), or a RobotDescription.
-        sdk: Generation of the frames, of protocol.GENERATIONS; None takes the robot's own.
-        rate: LowStates per second [Hz]; the period is a whole number of milliseconds.
-        hung: The base is fixed in the air, the legs are free.
-        lying: It lies with its legs anyhow, motors braking; neither hung nor lying it stands.
-        drop: Datagrams lost each way [%].
-        delay: Of every datagram, each way [s].
-        jitter: Further delay each way, uniform from 0 to this [s]; no datagram overtakes another.
-        timeout: Without a valid command for so long the motors damp [s]; 0 lets them go on.
-        shakes: Hands that shake joints.
-        remote: What is done to the wireless remote.
-        log_rate: Rows of the log per second [Hz]; 0 keeps none.
-        seed: Of every random number.
+        sdk: Generation of the frames, one of protocol.GENERATIONS; None: that of the robot.
+        rate: LowStates per second [Hz]; the period must be a whole number of milliseconds.
+        hung: Start with the base fixed in the air and the legs free.
+        lying: Start lying in a random leg pose, motors damping. Without hung and lying: standing.
+        drop: Share of lost datagrams, each way [%].
+        delay: Delay of every datagram, each way [s].
+        jitter: Additional random delay each way, uniform in [0, jitter] [s]; order is kept.
+        timeout: Time without a valid command after which the motors damp [s]; 0: never.
+        shakes: External sine torques on joints.
+        remote: Events of the wireless remote, in order of time.
+        log_rate: Rows of the log per second [Hz]; 0: no log.
+        seed: Seed of all random numbers.
     """
 
     robot: str | RobotDescription = "go1"
@@ -60,16 +60,16 @@ class VirtualRobotSettings:
         check_number("jitter", self.jitter, 0.0, 10.0)
         check_number("timeout", self.timeout, 0.0, 1e6)
         check_number("log_rate", self.log_rate, 0.0, self.rate)
-        self.plant_settings(has_force_estimate=False)  # it checks what is left
+        self.plant_settings(has_force_estimate=False)  # PlantSettings checks the others
 
     @property
     def pose(self) -> str:
-        """How the robot is at the start, in words."""
+        """Initial pose of the robot in words."""
         return "hung up" if self.hung else "lying" if self.lying else "standing"
 
     @property
     def generation(self) -> str:
-        """Generation of the frames, the default resolved; raises Error where there is none."""
+        """Generation of the frames; raises Error if `sdk` is None and the robot has none."""
         if self.sdk is not None:
             return self.sdk
         name = self.robot if isinstance(self.robot, str) else str(self.robot.table["robot"]["name"])
@@ -79,7 +79,7 @@ class VirtualRobotSettings:
             raise Error(f"sdk: {problem}") from None
 
     def plant_settings(self, has_force_estimate: bool) -> PlantSettings:
-        """Return the settings of the plant; `has_force_estimate`: does footForceEst carry newtons?"""
+        """Return the settings of the plant; `has_force_estimate`: footForceEst is in newtons."""
         return PlantSettings(
             foot_force="est" if has_force_estimate else "raw",
             control_rate=self.rate,

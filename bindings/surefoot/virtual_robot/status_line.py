@@ -1,4 +1,4 @@
-"""One line a second about how a virtual robot is doing."""
+"""Status line of a virtual robot."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from surefoot.virtual_robot.robot_link import RobotLink
 
 
 class StatusLine:
-    """Compares a robot with how it was at the last line.
+    """Status of a robot, with rates since the last line.
 
     Args:
-        robot: The robot, which is only read.
+        robot: The robot; it is not changed.
     """
 
     def __init__(self, robot: VirtualRobot) -> None:
@@ -24,11 +24,11 @@ class StatusLine:
         self._peak = 0.0
 
     def observe(self) -> None:
-        """Look at the robot after one of its cycles."""
+        """Update the peak power after a cycle."""
         self._peak = max(self._peak, self._robot.power)
 
     def line(self, elapsed: float) -> str:
-        """Return the line of the time since the last one; `elapsed` [s] by the clock in all."""
+        """Return the status line; `elapsed`: clock time since the start of the run [s]."""
         robot, link = self._robot, self._robot.link
         values = (elapsed, robot.time, link.sent, link.commands)
         seconds, simulated, sent, commands = (
@@ -39,7 +39,7 @@ class StatusLine:
         return " | ".join(
             (
                 f"{robot.time:.1f} s",
-                f"reports {sent / seconds:.0f} Hz",
+                f"samples {sent / seconds:.0f} Hz",
                 f"commands {commands / seconds:.0f} Hz, {commands_text(link)}",
                 f"rejected {rejected_text(link.rejected)}",
                 mode_text(robot),
@@ -52,7 +52,7 @@ class StatusLine:
 
 
 def commands_text(link: RobotLink) -> str:
-    """Return how many commands there were, and what became of those that were of no use."""
+    """Return the number of valid commands, and of those repeated, overtaken and lost."""
     lost_in, lost_out = link.lost
     parts = [f"{link.commands} in all"]
     parts += [f"{link.repeated} repeated"] if link.repeated else []
@@ -62,7 +62,7 @@ def commands_text(link: RobotLink) -> str:
 
 
 def rejected_text(rejected: dict[str, int]) -> str:
-    """Return how many datagrams were rejected and why, the commonest reason first."""
+    """Return the number of rejected datagrams and their reasons, most frequent first."""
     if not rejected:
         return "0"
     reasons = sorted(rejected.items(), key=lambda item: -item[1])
@@ -71,9 +71,9 @@ def rejected_text(rejected: dict[str, int]) -> str:
 
 
 def mode_text(robot: VirtualRobot) -> str:
-    """Return what the motors do."""
+    """Return the mode of the motors in words."""
     if not robot.watchdog.received_any:
-        return f"motors {'brake' if robot.settings.lying else 'hold'}, no command yet"
+        return f"motors {'damp' if robot.settings.lying else 'hold'}, no command yet"
     times = len(robot.watchdog.intervals)
     if robot.watchdog.damping:
         return f"motors DAMP, commands missing ({times} times)"

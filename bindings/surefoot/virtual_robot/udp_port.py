@@ -1,4 +1,4 @@
-"""Where datagrams come from and go to."""
+"""UDP port that receives and sends datagrams without blocking."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ Address = tuple[str, int]
 Datagram = tuple[bytes, Address]
 
 _MAX_DATAGRAM_SIZE = 2048  # [bytes]; the longest frame has 839
-_RECEIVE_BUFFER_SIZE = 65536  # [bytes] of the kernel: old datagrams must not pile up behind a flood
+_RECEIVE_BUFFER_SIZE = 65536  # [bytes] in the kernel; small, so that a flood queues few datagrams
 
 
 class DatagramPort(Protocol):
-    """A datagram socket, or something that behaves like one in a test."""
+    """Interface of a datagram socket, which tests can replace."""
 
     def receive(self, limit: int) -> list[Datagram]:
-        """Return what has arrived, oldest first, at most `limit` datagrams; never wait."""
+        """Return at most `limit` datagrams that have arrived, oldest first, without blocking."""
         ...
 
     def send(self, data: bytes, address: Address) -> bool:
-        """Send a datagram; False if it could not go out just now. Never wait."""
+        """Send a datagram without blocking; return False if it could not be sent."""
         ...
 
 
@@ -31,12 +31,12 @@ class UdpPort:
     """A UDP socket on an address of this machine.
 
     Args:
-        host: Address to bind; "" or "0.0.0.0" for all.
-        port: 0 .. 65535; 0 lets the system choose.
+        host: Address to bind; "" or "0.0.0.0" for all addresses.
+        port: Port, 0 .. 65535; 0 lets the system choose.
 
     Raises:
-        Error: No such port; an address that is none, or none of this machine's.
-        OSError: The port is in use or may not be used.
+        Error: The port is out of range, or the host is not an address of this machine.
+        OSError: The port is in use or not permitted.
 
     Attributes:
         address: Host and port that are bound.
@@ -62,32 +62,32 @@ class UdpPort:
             raise Error(f"bind: got '{host}', expected an IPv4 address of this machine") from None
         except OSError as problem:
             if problem.errno == errno.EADDRNOTAVAIL:
-                raise Error(f"bind: '{host}' is no address of this machine") from None
+                raise Error(f"bind: got '{host}', expected an address of this machine") from None
             reasons = {
-                errno.EADDRINUSE: "it is in use (another virtual robot?); give another --port",
-                errno.EACCES: "no permission; ports below 1024 are the system's",
+                errno.EADDRINUSE: "it is in use (another virtual robot?); choose another --port",
+                errno.EACCES: "no permission; choose a port from 1024 on",
                 errno.EPERM: "no permission",
             }
             reason = reasons.get(problem.errno or 0, problem.strerror)
             raise OSError(f"cannot listen on {host}:{port}: {reason}") from None
 
     def receive(self, limit: int) -> list[Datagram]:
-        """Return what has arrived, oldest first, at most `limit` datagrams; never wait."""
+        """Return at most `limit` datagrams that have arrived, oldest first, without blocking."""
         datagrams: list[Datagram] = []
         while len(datagrams) < limit:
             try:
                 datagrams.append(self._socket.recvfrom(_MAX_DATAGRAM_SIZE))
             except BlockingIOError:
                 break
-            except OSError:  # what an earlier datagram met on its way comes back here
+            except OSError:  # the system reports an error of an earlier sent datagram here
                 break
         return datagrams
 
     def send(self, data: bytes, address: Address) -> bool:
-        """Send a datagram; False if it could not go out just now. Never wait."""
+        """Send a datagram without blocking; return False if it could not be sent."""
         try:
             self._socket.sendto(data, address)
-        except OSError:  # a full buffer, a network that is down, a sender's port 0
+        except OSError:  # full buffer, network down, or port 0 of the peer
             return False
         return True
 

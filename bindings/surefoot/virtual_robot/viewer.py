@@ -1,4 +1,4 @@
-"""MuJoCo's window on a virtual robot."""
+"""MuJoCo window that shows a virtual robot."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from surefoot.sim.model.mujoco_model import build_model
 
 
 class Viewer:
-    """Shows a plant in a window of its own thread.
+    """Window that shows a plant, in its own thread.
 
-    The window has a model and a state of its own, with the visual meshes, so that it neither slows
-    the physics down nor touches them.
+    The window has its own model, with visual meshes, and its own state, so that it neither slows
+    down nor changes the simulation.
 
     Raises:
         Error: There is no display, or the window cannot be opened.
@@ -36,11 +36,11 @@ class Viewer:
 
     @property
     def open(self) -> bool:
-        """Whether nobody has closed the window."""
+        """True until the window is closed."""
         return bool(self._window.is_running())
 
     def show(self) -> None:
-        """Show this instant."""
+        """Show the present state of the plant."""
         with self._window.lock():
             self._data.qpos[:] = self._plant.data.qpos
             mujoco.mj_kinematics(self._model, self._data)
@@ -53,11 +53,11 @@ class Viewer:
 
 
 def check_display() -> None:
-    """Raise Error if there is no display, before anything takes time."""
+    """Raise Error if there is no display; call before any slow step."""
     if sys.platform != "linux":
         return
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        raise Error("view: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)")
+        raise Error("view: got no display, expected DISPLAY or WAYLAND_DISPLAY to be set")
 
 
 def _launcher() -> Any:
@@ -66,10 +66,12 @@ def _launcher() -> Any:
         import glfw
         from mujoco import viewer
 
-        # MuJoCo would end the process where this fails.
+        # Initialise GLFW here: if it fails in MuJoCo, MuJoCo ends the process.
         with warnings.catch_warnings(action="ignore"):
             if not glfw.init():
-                raise Error("view: cannot open a window: the display does not answer")
+                raise Error(
+                    "view: cannot open a window: the display does not answer; start it without --view"
+                )
     except (ImportError, OSError) as problem:
         raise Error(f"view: cannot open a window: {problem}") from None
     return viewer.launch_passive

@@ -1,17 +1,18 @@
-"""What happens when commands stop."""
+"""Watchdog of the commands of a virtual robot."""
 
 from __future__ import annotations
 
 
 class Watchdog:
-    """Notices that no valid command came for too long, and that they came back.
+    """Detector of missing commands, and of their return.
 
     Args:
-        timeout: How long is too long [s]; 0 never is.
+        timeout: Time without a valid command after which commands are missing [s]; 0: never.
 
     Attributes:
-        received_any: Whether any command ever came; before that nothing is missed.
-        intervals: Begin and end of every time they were [s]; the end is None while it lasts.
+        received_any: True after the first command; before it, no commands are missing.
+        intervals: Begin and end of each interval with missing commands [s]; the end is None while
+            the interval lasts.
     """
 
     def __init__(self, timeout: float) -> None:
@@ -22,11 +23,11 @@ class Watchdog:
 
     @property
     def damping(self) -> bool:
-        """Whether commands are missing now."""
+        """True while commands are missing."""
         return bool(self.intervals) and self.intervals[-1][1] is None
 
     def feed(self, time: float) -> bool:
-        """Tell of a valid command at a time [s]; return whether they had been missing."""
+        """Register a valid command at a time [s]; return whether commands were missing before."""
         was_damping = self.damping
         if was_damping:
             self.intervals[-1] = (self.intervals[-1][0], time)
@@ -34,10 +35,10 @@ class Watchdog:
         return was_damping
 
     def expires(self, time: float) -> bool:
-        """Return whether commands begin to be missing at this time [s]."""
+        """Return True if commands begin to be missing at this time [s]."""
         if not self.received_any or self.damping or self._timeout <= 0.0:
             return False
-        # Times are sums of periods: a rounding error must not cost a cycle.
+        # Times are sums of periods: without a tolerance, rounding would add a cycle.
         if time - self._last_command_time < self._timeout - 1e-9:
             return False
         self.intervals.append((time, None))

@@ -8,51 +8,52 @@
 
 namespace surefoot {
 
-/// What must be right with a robot before its motors may get torques.
+/// Checks that must pass before the motors may get torques.
 enum class ArmingCheckId : int {
-  kLink = 0,       ///< LowStates come, and less than 1 % of them is missing
+  kLink = 0,       ///< LowStates arrive, the newest is new, and less than 1 % of them is missing
   kMotorMode,      ///< all twelve motors report servo mode
-  kTemperature,    ///< all twelve motors are below the warning temperature
-  kQuaternion,     ///< the IMU's quaternion is of unit length
-  kGyroscope,      ///< the body does not turn
-  kAccelerometer,  ///< what it feels is gravity
-  kAttitude,       ///< the quaternion's vertical is the one that is felt; level, any heading fits
-  kTilt,           ///< the body is near level
-  kJoints,         ///< joints are inside this robot's limits
-  kMotorOrder,     ///< angles fit the motors they are reported for
-  kFootForce,      ///< feet bear the robot's weight; only where it stands on living sensors
-  kProgram,        ///< getting up and standing is within this robot's torques
-  kFault           ///< no fault is present that a robot lies down for
+  kTemperature,    ///< all twelve motors are below SupervisorOptions::temperature_warning
+  kQuaternion,     ///< the IMU quaternion has unit length
+  kGyroscope,      ///< the body does not rotate
+  kAccelerometer,  ///< the specific force has the magnitude of gravity
+  kAttitude,       ///< quaternion and accelerometer agree about the vertical; not about heading
+  kTilt,           ///< the body is nearly level
+  kJoints,         ///< all joints are within their limits and SupervisorOptions::joint_margin
+  kMotorOrder,     ///< every joint angle fits the range of its own motor: no motors are swapped
+  kFootForce,      ///< footForceEst adds up to the weight; applies to a standing robot only
+  kProgram,        ///< the torques that hold the robot on its way up are below their limits
+  kFault           ///< no active fault keeps the robot down
 };
 constexpr int kArmingChecks = 13;
+/// Return the name of a check, such as "motor_mode". Real-time: yes.
 const char* to_string(ArmingCheckId id) noexcept;
 
-/// One check: what was found, and what is expected.
+/// Result of one arming check.
 struct ArmingCheck {
-  bool applies = true;  ///< false: nothing to judge here; it then counts as passed
+  bool applies = true;  ///< false: the check does not apply now, and counts as passed
   bool passed = false;
-  double value = 0.0;     ///< the worst that was found; unit in describe()
-  double limit = 0.0;     ///< what it was held against
-  int motor = -1;         ///< SDK number of the motor that it was found at, or -1
-  int swapped_with = -1;  ///< motor that it seems to have been swapped with, or -1
+  double value = 0.0;     ///< worst value found; describe() gives its unit
+  double limit = 0.0;     ///< limit that the value is compared with, in the same unit
+  int motor = -1;         ///< SDK number of the motor with the worst value, or -1
+  int swapped_with = -1;  ///< SDK number of the motor that `motor` seems swapped with, or -1
 };
 
-/// All checks, in the order of ArmingCheckId.
+/// Results of all arming checks, in the order of ArmingCheckId.
 struct ArmingReport {
   std::array<ArmingCheck, kArmingChecks> checks;
-  double passed_for = 0.0;  ///< [s] that all have passed without a break
-  bool ready = false;       ///< have they for the time that arming asks for?
+  double passed_for = 0.0;  ///< [s] for which all checks have passed without interruption
+  bool ready = false;       ///< passed_for has reached SupervisorOptions::arming_time
 
   const ArmingCheck& operator[](ArmingCheckId id) const noexcept {
     return checks[static_cast<int>(id)];
   }
 };
 
-/// One check in a sentence, such as "temperature: RR_2 at 71 deg C, expected below 60". Not for
-/// the tick.
+/// Describe one check in a sentence, such as "temperature: RR_2 at 71 deg C, expected below 60".
+/// Real-time: no.
 std::string describe(ArmingCheckId id, const ArmingCheck& check, const RobotConfig& config);
 
-/// The sentences of all checks that failed, one a line; empty if none has. Not for the tick.
+/// Describe all failed checks, one sentence a line; empty if no check failed. Real-time: no.
 std::string describe_failures(const ArmingReport& report, const RobotConfig& config);
 
 }  // namespace surefoot

@@ -5,34 +5,35 @@
 
 namespace surefoot {
 
-/// Where the body is asked to be, from the pose that was latched: all zero is that pose.
+/// Pose of the body relative to the latched pose; all zero is the latched pose.
 ///
-/// Position of the base's origin along the axes of the support frame (forward, left, out of the
-/// ground), orientation about them: R = Rz(yaw) Ry(pitch) Rx(roll) R_latched.
+/// Displacement of the base origin along the axes of the support frame (x forward, y left, z out of
+/// the ground), and orientation in that frame: R = Rz(yaw) Ry(pitch) Rx(roll) R_latched.
 struct BodyReference {
-  double x = 0.0;       ///< [m]
-  double y = 0.0;       ///< [m]
-  double height = 0.0;  ///< [m]
+  double x = 0.0;       ///< [m] forward
+  double y = 0.0;       ///< [m] to the left
+  double height = 0.0;  ///< [m] out of the ground
   double roll = 0.0;    ///< [rad]
   double pitch = 0.0;   ///< [rad]
   double yaw = 0.0;     ///< [rad]
 };
 
-/// What keeps the body from going where it is asked to.
+/// Limit that stops the body reference before its target.
 enum class ReachLimit {
-  kNone,         ///< nothing: it is there, or on its way
-  kJoint,        ///< a joint would come within reach_joint_margin of its limit
-  kSupport,      ///< the centre of mass would come within reach_support_margin of the edge
-  kFootHeight,   ///< a foot would come within reach_foot_depth of the height of its hip axis
+  kNone,         ///< no limit: the reference is at the target or moves towards it
+  kJoint,        ///< a joint would come closer than reach_joint_margin to its motion_range()
+  kSupport,      ///< the centre of mass would come closer than reach_support_margin to an edge
+  kFootHeight,   ///< a foot would be less than reach_foot_depth below its hip axis
   kUnreachable,  ///< a leg is too short
-  kNotFinite     ///< what was asked is not a number; the last request stands
+  kNotFinite     ///< the target has a NaN or an infinity: the target before it stays in force
 };
+/// Return the name of a limit, such as "foot_height". Real-time: yes.
 const char* to_string(ReachLimit limit) noexcept;
 
-/// A limit, and whose it is.
+/// Limit that is in the way, and the motor that it belongs to.
 struct ReachStatus {
   ReachLimit limit = ReachLimit::kNone;
-  int motor = -1;  ///< SDK motor: kJoint the joint's, kFootHeight the leg's hip
+  int motor = -1;  ///< SDK number: kJoint the joint, kFootHeight the hip of the leg; else -1
 };
 
 }  // namespace surefoot

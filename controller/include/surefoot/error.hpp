@@ -6,9 +6,9 @@
 
 namespace surefoot {
 
-/// Thrown while building, loading or configuring; never inside a tick.
+/// Error while building, loading or configuring. A tick never throws it.
 ///
-/// The message says what is wrong, what was got, what was expected, and the valid names.
+/// The message says what is wrong, what was got, what was expected, and which names are valid.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,59 +8,64 @@
 
 namespace surefoot {
 
-/// What a sensor is worth at present.
+/// What the estimator concludes about a sensor.
 enum class SensorVerdict : int {
-  kGood = 0,
-  kUnjudged,    ///< nothing has happened yet that could tell
+  kGood = 0,    ///< used
+  kUnjudged,    ///< not enough has happened yet to judge it
   kZero,        ///< reads exactly zero
-  kConstant,    ///< stands still while the robot moves
+  kConstant,    ///< does not change although the robot moves
   kSaturated,   ///< at the end of its range
-  kDisagrees,   ///< contradicts the others
+  kDisagrees,   ///< contradicts the other sensors
   kImplausible  ///< beyond what it can measure
 };
+/// Return the name of a verdict, such as "good". Real-time: yes.
 const char* to_string(SensorVerdict verdict) noexcept;
 
-/// What tells of a foot's contact.
+/// Measurement that shows whether a foot is on the ground.
 enum class ContactSource : int {
-  kFootForceEst = 0,  ///< newtons
-  kFootForce,         ///< raw counts, by their change
-  kTauEst,            ///< force from the leg's joint torques
-  kNoSlip             ///< a foot that moves does not stand
+  kFootForceEst = 0,  ///< LowState::footForceEst [N]
+  kFootForce,         ///< LowState::footForce: raw counts, calibrated against the other sources
+  kTauEst,            ///< foot force computed from the joint torques of the leg
+  kNoSlip             ///< motion of the foot: a foot that rises or moves fast is off the ground
 };
 constexpr int kContactSources = 4;
+/// Return the name of a source. Real-time: yes.
 const char* to_string(ContactSource source) noexcept;
 
-/// What the estimator knows beyond the state: how sure it is, and what it thinks of its sensors.
+/// Uncertainty of the state estimate, and the estimator's view of its sensors. Feet and legs run
+/// FR FL RR RL. Plain data.
 struct EstimatorReport {
-  /// IMU fields by their names in LowState.
+  /// Verdicts on the IMU fields of LowState.
   SensorVerdict gyroscope = SensorVerdict::kUnjudged;
   SensorVerdict accelerometer = SensorVerdict::kUnjudged;
   SensorVerdict quaternion = SensorVerdict::kUnjudged;
-  /// Contact sources [source][leg], FR FL RR RL.
+  /// Verdicts on the contact sources, [ContactSource][leg].
   std::array<std::array<SensorVerdict, kLegs>, kContactSources> contact_sources{};
-  /// What each source alone says, shape (source, leg): probability 0 .. 1; 0.5 if it says nothing.
+  /// Evidence of each source alone, shape (source, leg): 0 off the ground, 1 loaded, 0.5 none.
   Eigen::Matrix<double, kContactSources, kLegs> contact_by_source =
       Eigen::Matrix<double, kContactSources, kLegs>::Constant(0.5);
-  /// Force of the ground on each foot, from joint torques, world axes [N].
+  /// Force of the ground on each foot by the joint torques, world axes [N]: a generalised-momentum
+  /// observer (De Luca, Mattone 2003).
   FeetMatrix foot_forces_from_torques = FeetMatrix::Zero();
-  /// How surely a standing foot slips, 0 .. 1.
+  /// How sure the estimator is that a loaded foot slips, 0 .. 1.
   Eigen::Vector4d slip = Eigen::Vector4d::Zero();
 
   Vector3 gyroscope_bias = Vector3::Zero();      ///< [rad/s] base axes
   Vector3 accelerometer_bias = Vector3::Zero();  ///< [m/s^2] base axes
-  /// Covariance of the errors (estimate less truth) of rotation (world axes) [rad], v_world of the
-  /// base [m/s], p_world of the base [m], gyroscope_bias, accelerometer_bias.
+  /// Covariance of the errors (estimate minus truth), in this order: rotation of the base (world
+  /// axes) [rad], its velocity [m/s] and position [m] in the world, gyroscope_bias,
+  /// accelerometer_bias.
   Eigen::Matrix<double, 15, 15> covariance = Eigen::Matrix<double, 15, 15>::Zero();
-  /// Normalised innovation squared of the feet taken in by the last update, and its dimension.
+  /// Normalised innovation squared of the foot measurements in the last update, and its dimension.
   double nis = 0.0;
   int nis_dimension = 0;
-  std::array<bool, kLegs> rejected_feet{};  ///< feet that the innovation gate refused
+  std::array<bool, kLegs> rejected_feet{};  ///< feet that the innovation gate rejected
 
-  /// [N], [N.m] from outside on the robot, about its centre of mass, world axes: slow part.
+  /// Sustained external wrench: force [N] and moment about the centre of mass [N.m], world axes.
   Vector3 force_external = Vector3::Zero();
   Vector3 moment_external = Vector3::Zero();
-  double payload = 0.0;                 ///< [kg] more than the model has
-  Vector3 com_shift = Vector3::Zero();  ///< [m] of the centre of mass, model to loaded, base axes
+  double payload = 0.0;                 ///< [kg] mass beyond the model; may be negative
+  Vector3 com_shift = Vector3::Zero();  ///< [m] centre of mass, loaded minus model, base axes
 };
 
 }  // namespace surefoot

@@ -3,22 +3,24 @@
 
 namespace surefoot {
 
-/// Where a command comes from: the rungs of the ladder, the best first. A tick goes down it until
-/// one holds.
+/// Where a command comes from, the best first. A tick tries the levels in this order, the fallback
+/// chain, until one gives a command.
 enum class FallbackLevel : int {
-  kSolved = 0,  ///< the whole-body program, from the rows that were active last
-  kColdSolve,   ///< the same program once more, from nothing and to a relaxed tolerance
-  kForces,      ///< no program: the last forces, and what the tasks' wrench has changed since,
-                ///< shared among the feet
-  kLastForces,  ///< the last solution's forces, through today's Jacobians
-  kGravity,     ///< the weight shared among the feet, and damping of the joints
-  kHold,        ///< the command that left last, once more: nothing is known of today
+  kSolved = 0,  ///< the whole-body QP, started from the active set of the last tick
+  kColdSolve,   ///< the same QP once more, by a cold start and to a relaxed tolerance
+  kForces,      ///< no QP: the forces of the last solution, plus the change of the desired wrench
+                ///< since then, shared among the feet
+  kLastForces,  ///< the forces of the last solution, through the present Jacobians
+  kGravity,     ///< forces that carry the weight, shared among the feet, and joint damping
+  kHold,        ///< the last command once more: the present sample is unusable
   kDamping      ///< the motors brake by themselves
 };
 constexpr int kFallbackLevels = static_cast<int>(FallbackLevel::kDamping) + 1;
+/// Return the name of a level, such as "cold_solve". Real-time: yes.
 const char* to_string(FallbackLevel fallback_level) noexcept;
 
-/// Is the command made from the tick's own LowState?
+/// Return whether commands of this level are computed from the LowState of the same tick.
+/// Real-time: yes.
 inline bool is_fresh(FallbackLevel fallback_level) noexcept {
   return fallback_level < FallbackLevel::kHold;
 }

@@ -7,82 +7,88 @@
 
 namespace surefoot {
 
-/// What can be wrong with a robot that is supervised, or with the way it is talked to.
+/// Faults of a supervised robot and of the link to it. fault_table() says how each is detected and
+/// what the supervisor does about it.
 enum class FaultId : int {
   kNone = 0,
-  kStop,              ///< Supervisor::stop()
-  kButton,            ///< B on the remote
+  kStop,              ///< Supervisor::stop() was called
+  kButton,            ///< button B on the remote
   kStateNotFinite,    ///< a NaN or an infinity in a field that is used
   kStateImplausible,  ///< a used field is beyond what the robot can do or measure
-  kStaleTick,         ///< tick stands still, runs backwards or leaps
-  kFrozen,            ///< tick advances, the sensors repeat themselves byte by byte
-  kLoss,              ///< too many reports are missing
-  kJointJump,         ///< a joint's angle jumps against its own speed
-  kEncoder,           ///< a leg's encoders have stopped while it moves
-  kClock,             ///< the robot's clock goes faster than its joints
-  kQuaternion,        ///< no unit length, or it contradicts gyroscope and legs
-  kAttitude,          ///< attitude and gyroscope jump against each other, or there is none
+  kStaleTick,         ///< LowState::tick does not advance, goes backwards or jumps ahead
+  kFrozen,            ///< tick advances, but IMU and joints repeat the same values
+  kLoss,              ///< too many LowStates are missing
+  kJointJump,         ///< a joint angle jumps by more than its velocity explains
+  kEncoder,           ///< the encoders of a leg have stopped while the leg moves
+  kClock,             ///< the robot's clock runs faster than its joints move
+  kQuaternion,        ///< not of unit length, or gyroscope and legs contradict it
+  kAttitude,          ///< attitude and gyroscope contradict each other, or there is no attitude
   kGyroscope,         ///< zero, constant, saturated or contradicted
   kAccelerometer,     ///< zero, constant, saturated or contradicted
-  kFootForce,         ///< a foot's sensor is stuck, saturated or contradicted
-  kSlip,              ///< a standing foot slips
-  kLifted,            ///< no foot bears anything
-  kPayload,           ///< the robot bears more than it is allowed to
+  kFootForce,         ///< a foot force sensor is stuck, saturated or contradicted
+  kSlip,              ///< a stance foot slips
+  kLifted,            ///< no foot carries load
+  kPayload,           ///< the payload is above SupervisorOptions::payload_limit
   kTilt,              ///< the body is tilted too far, or about to be
   kMotorMode,         ///< a motor left servo mode
-  kMotorWeak,         ///< a motor does not give the torque it is told
-  kLegLost,           ///< one leg's motors do not, and the robot stands on the other three
-  kOverridden,        ///< several legs do not: somebody else commands the robot too
-  kWiring,            ///< legs or motors are not where they are taken to be
-  kWrongRobot,        ///< it is another robot than it is taken for
-  kTemperature,       ///< a motor is hot: its torque is derated, then the robot sits down
+  kMotorWeak,         ///< the torque of a motor does not follow its command
+  kLegLost,           ///< motors of one leg have failed; the robot stands on the other three legs
+  kOverridden,        ///< motors of several legs do not follow: another source commands them too
+  kWiring,            ///< legs or motors are swapped or turn the wrong way
+  kWrongRobot,        ///< the robot does not fit the model
+  kTemperature,       ///< a motor is hot: first its torque limit falls, then the robot sits down
   kJointStop,         ///< a joint is beyond its stop
   kPower,             ///< the power protection tripped
-  kTorqueRate,        ///< torques were asked to jump
-  kProgram,           ///< no solution at once: stand_controller().fallback_level()
-  kController,        ///< the StandController gave up: stand_controller().fault()
-  kHanging,           ///< on its way up the legs bear nothing
-  kBattery,           ///< low
-  kOperator,          ///< no heartbeat from the operator
-  kLink               ///< Supervisor::report_link_lost(): the robot is not heard, or began anew
+  kTorqueRate,        ///< the torque rate limiter held back the StandController's torques
+  kProgram,           ///< the first solve of a tick failed: stand_controller().fallback_level()
+  kController,        ///< the StandController damps: see stand_controller().fault()
+  kHanging,           ///< after the rise the legs carry too little of the weight
+  kBattery,           ///< the charge is below SupervisorOptions::battery_low
+  kOperator,          ///< no heartbeat() within SupervisorOptions::operator_timeout
+  kLink               ///< Supervisor::report_link_lost(): no LowStates, or the robot restarted
 };
 constexpr int kFaults = static_cast<int>(FaultId::kLink) + 1;  ///< kNone included
+/// Return the name of a fault, such as "motor_weak". Real-time: yes.
 const char* to_string(FaultId id) noexcept;
 
-/// What is done about a fault.
+/// What the supervisor does about a fault.
 enum class FaultReaction : int {
   kNone = 0,
-  kWatch,    ///< it is said and counted
-  kDegrade,  ///< the robot goes on with what is left
-  /// The robot sits down, and does not get up while the fault lasts; where only one that stands can
-  /// tell (payload, an estimator's gyroscope), not before arm().
+  kWatch,    ///< the fault is reported and counted; the robot goes on
+  kDegrade,  ///< the robot goes on with the sensors, contacts or legs that are left
+  /// The robot sits down and does not rise while the fault lasts. Where only a standing robot can
+  /// detect the fault (payload, the estimator's verdict on the gyroscope), it does not rise before
+  /// arm().
   kSit,
   kDamp  ///< the motors brake, latched until arm()
 };
+/// Return the name of a reaction, such as "degrade". Real-time: yes.
 const char* to_string(FaultReaction reaction) noexcept;
 
 /// One row of fault_table().
 struct FaultInfo {
   FaultId id = FaultId::kNone;
   FaultReaction reaction = FaultReaction::kNone;
-  double detection_time = 0.0;  ///< [s] from its begin to the reaction, at most
-  std::string_view cleared_by;  ///< what ends the reaction, once it is no longer seen
-  std::string_view meaning;     ///< how it is seen and what is done, in a sentence
+  double detection_time = 0.0;  ///< [s] longest time from the onset of the fault to the reaction
+  std::string_view cleared_by;  ///< what ends the reaction once the fault is gone
+  std::string_view meaning;     ///< how the fault is detected and what is done, in a sentence
 };
-/// Every fault but kNone, in the order of FaultId.
+/// Return a row for every fault but kNone, in the order of FaultId. Real-time: yes.
 const std::array<FaultInfo, kFaults - 1>& fault_table() noexcept;
-/// The row of one fault; of kNone an empty one. Real-time: yes.
+/// Return the row of one fault; an empty row for kNone. Real-time: yes.
 FaultInfo fault_info(FaultId id) noexcept;
 
-/// Which faults there are, and have been. Plain data.
+/// Active and past faults of a Supervisor, indexed by FaultId. Plain data.
 struct FaultReport {
   std::array<bool, kFaults> active{};
-  std::array<std::uint32_t, kFaults> count{};  ///< how often each has begun
-  std::array<int, kFaults> motor{};            ///< SDK number it was last seen at, or -1
-  FaultId last = FaultId::kNone;               ///< that began last
+  std::array<std::uint32_t, kFaults> count{};  ///< how often each fault has begun
+  std::array<int, kFaults> motor{};            ///< SDK number of the motor that last had it, or -1
+  FaultId last = FaultId::kNone;               ///< fault that began last
 
+  /// Return whether a fault is active. Real-time: yes.
   bool has(FaultId id) const noexcept { return active[static_cast<int>(id)]; }
-  /// The first fault there is with a reaction, but for one, or kNone. Real-time: yes.
+  /// Return the first active fault with this reaction, in the order of FaultId and other than
+  /// `except`; kNone if there is none. Real-time: yes.
   FaultId first_active(FaultReaction reaction, FaultId except = FaultId::kNone) const noexcept;
 };
 

@@ -5,13 +5,14 @@
 
 namespace surefoot {
 
-/// Everything that shapes how the robot stands. What is left as constants in the source are bounds
-/// on sensors and solver, and the estimator's time constants for judging them.
+/// All parameters that shape how the robot stands. Constants in the source are only bounds on
+/// sensors and solver, and the time constants by which the estimator judges its sensors.
 ///
-/// `gain_table()` says each one's unit, range, default and meaning. Stiffness and damping are per
-/// unit of inertia, so they carry over between robots.
+/// gain_table() has unit, range and meaning of every gain; the values here are the library's
+/// defaults, RobotConfig::gains those of a robot. Stiffness and damping are per unit of inertia, so
+/// they carry over between robots.
 struct Gains {
-  // Body: where the centre of mass and the base are pulled to.
+  // Body: feedback on the centre of mass and on the base orientation.
   double com_kp_horizontal = 60.0;
   double com_kd_horizontal = 15.0;
   double com_kp_vertical = 150.0;
@@ -20,17 +21,17 @@ struct Gains {
   double base_kd_tilt = 46.0;
   double base_kp_yaw = 200.0;
   double base_kd_yaw = 26.0;
-  // Feet: how a stance foot is kept where it stands.
+  // Feet: feedback on the positions of the feet, and recovery steps.
   double foot_kp = 2500.0;
   double foot_kd = 50.0;
   double foot_speed = 100.0;
   double foot_step = 0.0;
-  // Joints: those that nothing else decides, and how softly their limits are met.
+  // Joints: posture task, and approach to the joint limits.
   double posture_kp = 100.0;
   double posture_kd = 20.0;
   double joint_limit_rate = 30.0;
   double joint_limit_margin = 0.02;
-  // Quadratic program: what gives way when not everything fits.
+  // QP: weights of tasks, penalties of elastic constraints, bounds on the contact forces.
   double weight_com_horizontal = 0.6;
   double weight_com_vertical = 0.2;
   double weight_base_tilt = 6.0;
@@ -54,7 +55,7 @@ struct Gains {
   double force_max_contact = 3.0;
   double force_lost_contact = 0.3;
   double share_lost_contact = 0.3;
-  // Body reference: how fast it moves and how far it may go.
+  // Body reference: speed and range.
   double reference_speed = 0.15;
   double reference_turn_speed = 0.8;
   double reference_acceleration = 0.4;
@@ -63,7 +64,7 @@ struct Gains {
   double reach_joint_margin = 0.087;
   double reach_support_margin = 0.06;
   double reach_foot_depth = 0.07;
-  // Estimator: what is believed, and how much.
+  // Estimator: noise, contact detection, external wrench.
   double noise_gyroscope = 0.01;
   double noise_accelerometer = 0.1;
   double gyroscope_drift = 1e-4;
@@ -90,40 +91,44 @@ struct Gains {
   double push_dead_band = 0.5;
   double push_max = 20.0;
   double push_resist = 1.0;
-  // Command.
+  // Command: damping, and folding of the legs.
   double fall_tilt = 1.0;
   double damping_kd = 3.0;
   double fold_wait = 0.0;
 
-  /// Throw surefoot::Error naming the first gain that is not finite or outside its range.
+  /// Throw surefoot::Error if a gain is not finite or outside its range, or if contact_force_off
+  /// is not below contact_force_on. The message names the first such gain.
   void validate() const;
-  bool valid() const noexcept;  ///< would validate() not throw? Real-time: yes.
+  bool valid() const noexcept;  ///< true if validate() would not throw; real-time: yes
 
   bool operator==(const Gains& other) const;
 };
 
-/// One row of the gain table.
+/// One row of gain_table().
 struct GainInfo {
-  std::string_view group;  ///< what it belongs to: Body, Feet, Joints, ...
+  std::string_view group;  ///< part of the controller: Body, Feet, Joints, ...
   std::string_view name;
   std::string_view unit;
-  double minimum;
-  double maximum;
+  double minimum;  ///< smallest valid value
+  double maximum;  ///< largest valid value
   double Gains::* member;
   std::string_view meaning;
 };
 
-/// All gains, in the order of the struct.
+/// Range over the rows of all gains, in the order of the struct.
 struct GainTable {
   const GainInfo* rows;
   int size;
   const GainInfo* begin() const { return rows; }
   const GainInfo* end() const { return rows + size; }
 };
+/// Return the table of all gains. Real-time: yes.
 GainTable gain_table() noexcept;
 
-/// Read or write a gain by name; throws surefoot::Error with the nearest valid names.
+/// Return a gain by name; throws surefoot::Error with the nearest valid names. Real-time: no.
 double get_gain(const Gains& gains, std::string_view name);
+/// Set a gain by name; throws surefoot::Error on an unknown name or a value that is not finite or
+/// out of range. Real-time: no.
 void set_gain(Gains& gains, std::string_view name, double value);
 
 }  // namespace surefoot

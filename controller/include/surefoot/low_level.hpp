@@ -7,10 +7,11 @@
 
 /// The low-level interface of unitree_legged_sdk v3.5 - v3.8 (Go1), byte for byte.
 ///
-/// Field names, order and packing are the SDK's, so a pointer to the vendor's `LowState` can be
-/// copied into ours. All joint quantities are joint-side: the gear ratio is already removed by the
-/// SDK, and signs are those of the URDF joints. Arrays of feet and legs run FR, FL, RR, RL; motor
-/// number = 3 * leg + {0 hip, 1 thigh, 2 calf}. Slots 12 .. 19 exist on the wire and drive nothing.
+/// Field names, order and packing are those of the SDK, so the bytes of a vendor `LowState` can be
+/// copied into this one. All joint quantities are joint-side: the SDK has removed the gear ratio,
+/// and the signs are those of the URDF joints. Arrays of feet and legs run FR, FL, RR, RL; motor
+/// number = 3 * leg + {0 hip, 1 thigh, 2 calf}. Slots 12 .. 19 exist on the wire and drive no
+/// motor.
 namespace surefoot {
 
 constexpr double PosStopF = 2.146e9;         ///< MotorCmd::q that switches the position loop off
@@ -27,11 +28,12 @@ constexpr int kMotorSlots = 20;  ///< slots in the structs
 /// Leg numbers.
 enum Leg : int { FR_ = 0, FL_ = 1, RR_ = 2, RL_ = 3 };
 
-constexpr int lateral_neighbor(int leg) noexcept { return leg ^ 1; }  ///< of its end: FR FL, RR RL
-constexpr int longitudinal_neighbor(int leg) noexcept {
-  return leg ^ 2;
-}  ///< of its side: FR RR, FL RL
-constexpr int diagonal_leg(int leg) noexcept { return leg ^ 3; }  ///< FR RL, FL RR
+/// Return the other leg of the same end: FR and FL, RR and RL.
+constexpr int lateral_neighbor(int leg) noexcept { return leg ^ 1; }
+/// Return the other leg of the same side: FR and RR, FL and RL.
+constexpr int longitudinal_neighbor(int leg) noexcept { return leg ^ 2; }
+/// Return the diagonally opposite leg: FR and RL, FL and RR.
+constexpr int diagonal_leg(int leg) noexcept { return leg ^ 3; }
 
 /// Motor numbers of the SDK's quadruped.h.
 enum Motor : int {
@@ -53,35 +55,35 @@ enum Motor : int {
 
 /// Inertial measurement unit, in the IMU's own axes.
 struct IMU {
-  std::array<float, 4> quaternion;     ///< w, x, y, z: IMU to world; vendor's attitude filter
-  std::array<float, 3> gyroscope;      ///< [rad/s] angular rate, raw
+  std::array<float, 4> quaternion;  ///< w x y z, IMU axes to world axes; vendor's attitude filter
+  std::array<float, 3> gyroscope;   ///< [rad/s] angular velocity, raw
   std::array<float, 3> accelerometer;  ///< [m/s^2] specific force, raw: +9.81 on z at rest
-  std::array<float, 3> rpy;            ///< [rad] roll, pitch, yaw (ZYX); carried, not used
+  std::array<float, 3> rpy;            ///< [rad] roll, pitch, yaw (ZYX); not used
   std::int8_t temperature;             ///< [deg C]
 };
 
-/// One motor's report.
+/// State of one motor.
 struct MotorState {
   std::uint8_t mode;                     ///< 0x0A servo, 0x00 damping, 0x08 overheated
   float q;                               ///< [rad] joint angle
   float dq;                              ///< [rad/s] joint velocity
-  float ddq;                             ///< [rad/s^2] carried, not used
+  float ddq;                             ///< [rad/s^2] not used
   float tauEst;                          ///< [N.m] torque estimated from the motor current
-  float q_raw;                           ///< reserved by the vendor; carried, not used
-  float dq_raw;                          ///< reserved by the vendor; carried, not used
-  float ddq_raw;                         ///< reserved by the vendor; carried, not used
-  std::int8_t temperature;               ///< [deg C] lags behind the winding
-  std::array<std::uint32_t, 2> reserve;  ///< carried, not used
+  float q_raw;                           ///< reserved by the vendor; not used
+  float dq_raw;                          ///< reserved by the vendor; not used
+  float ddq_raw;                         ///< reserved by the vendor; not used
+  std::int8_t temperature;               ///< [deg C] lags behind the winding temperature
+  std::array<std::uint32_t, 2> reserve;  ///< not used
 };
 
-/// One motor's command: tau' = tau + Kp (q - q') + Kd (dq - dq'), joint-side.
+/// Command to one motor, joint-side: tau_motor = tau + Kp (q - q_motor) + Kd (dq - dq_motor).
 struct MotorCmd {
   std::uint8_t mode;  ///< 0x0A servo, 0x00 damping
-  float q;            ///< [rad] or PosStopF
-  float dq;           ///< [rad/s] or VelStopF
+  float q;            ///< [rad] desired joint angle, or PosStopF
+  float dq;           ///< [rad/s] desired joint velocity, or VelStopF
   float tau;          ///< [N.m] feed-forward torque
   float Kp;           ///< [N.m/rad] position stiffness
-  float Kd;           ///< [N.m.s/rad] velocity stiffness
+  float Kd;           ///< [N.m.s/rad] damping
   std::array<std::uint32_t, 3> reserve;
 };
 
@@ -91,7 +93,7 @@ struct BmsCmd {
   std::array<std::uint8_t, 3> reserve;
 };
 
-/// Battery report; the supervisor sits down when SOC says that it is empty.
+/// State of the battery. The Supervisor makes the robot sit down when SOC is low.
 struct BmsState {
   std::uint8_t version_h;
   std::uint8_t version_l;
@@ -104,7 +106,7 @@ struct BmsState {
   std::array<std::uint16_t, 10> cell_vol;  ///< [mV]
 };
 
-/// What the robot says, every tick.
+/// Sample that the robot sends in every tick.
 struct LowState {
   std::array<std::uint8_t, 2> head;  ///< FE EF
   std::uint8_t levelFlag;
@@ -115,15 +117,15 @@ struct LowState {
   IMU imu;
   std::array<MotorState, kMotorSlots> motorState;
   BmsState bms;
-  std::array<std::int16_t, kLegs> footForce;     ///< raw counts; each foot its own offset, drifting
+  std::array<std::int16_t, kLegs> footForce;     ///< raw counts; offsets differ and drift
   std::array<std::int16_t, kLegs> footForceEst;  ///< [N]; zero on most real robots
-  std::uint32_t tick;                            ///< [ms] modulo 2^32; only differences mean time
-  std::array<std::uint8_t, 40> wirelessRemote;   ///< RemoteState; button B stops the robot
+  std::uint32_t tick;                            ///< [ms] modulo 2^32; only differences count
+  std::array<std::uint8_t, 40> wirelessRemote;   ///< see decode_wireless_remote()
   std::uint32_t reserve;
   std::uint32_t crc;
 };
 
-/// What the robot is told, every tick.
+/// Command to the robot, one in every tick.
 struct LowCmd {
   std::array<std::uint8_t, 2> head;  ///< FE EF
   std::uint8_t levelFlag;
@@ -154,19 +156,19 @@ static_assert(offsetof(LowState, wirelessRemote) == 889 && offsetof(LowState, cr
 static_assert(offsetof(LowCmd, motorCmd) == 22 && offsetof(LowCmd, bms) == 682);
 static_assert(offsetof(LowCmd, wirelessRemote) == 686 && offsetof(LowCmd, crc) == 730);
 
-/// Make the command that the SDK's InitCmdData makes.
+/// Make the same command as InitCmdData of the SDK.
 ///
-/// All 20 slots in servo mode with the loops switched off: q = PosStopF, dq = VelStopF,
+/// All 20 slots are in servo mode with both loops switched off: q = PosStopF, dq = VelStopF,
 /// tau = Kp = Kd = 0; head FE EF, levelFlag LOWLEVEL. Real-time: yes.
 LowCmd init_low_cmd() noexcept;
 
-/// Make a report with the frame's constants (head, levelFlag) and zeros elsewhere. Real-time: yes.
+/// Make a LowState with head FE EF, levelFlag LOWLEVEL and zeros elsewhere. Real-time: yes.
 LowState init_low_state() noexcept;
 
 /// Make the command in which every motor brakes by itself.
 ///
-/// mode 0x0A, q = PosStopF, dq = 0, tau = Kp = 0, Kd = `kd` on the 12 motors: it works on the motor
-/// driver, so it goes on when the program that sent it has died. Real-time: yes.
+/// The 12 motors get mode 0x0A, q = PosStopF, dq = 0, tau = Kp = 0, Kd = `kd`. The motor drivers
+/// compute the damping, so it continues if the process that sent the command dies. Real-time: yes.
 /// @param kd motor-side damping [N.m.s/rad]
 LowCmd damping_low_cmd(double kd) noexcept;
 

@@ -6,16 +6,16 @@
 
 #include "surefoot/low_level.hpp"
 
-// The pip wheels of Pinocchio are built without AVX. Eigen memory that is allocated on one side and
-// freed on the other corrupts the heap when the two sides disagree on alignment, so a translation
-// unit built with -mavx, -march=native and the like must not compile.
+// The pip wheels of Pinocchio are built without AVX. When two libraries disagree on Eigen's
+// alignment, memory that one allocates and the other frees corrupts the heap. So a translation unit
+// that is built with -mavx, -march=native or similar flags must not compile.
 #if defined(__x86_64__) && !defined(SUREFOOT_SOURCE_BUILT_PINOCCHIO)
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_DEFAULT_ALIGN_BYTES == 16,
-              "surefoot: build without AVX flags (-mavx*, -march=x86-64-v3, -march=native): Eigen "
-              "would align memory otherwise than the Pinocchio wheel does");
+              "surefoot: Eigen would align memory differently from the Pinocchio wheel; build "
+              "without AVX flags (-mavx*, -march=x86-64-v3, -march=native)");
 #endif
 
-/// Fixed-size vocabulary of a quadruped with 3-joint legs.
+/// Fixed-size types of a quadruped with 3-joint legs.
 namespace surefoot {
 
 using Vector3 = Eigen::Vector3d;
@@ -25,24 +25,25 @@ using Matrix3 = Eigen::Matrix3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Quaternion = Eigen::Quaterniond;
 
-constexpr double kGravity = 9.81;  ///< [m/s^2] Pinocchio's and MuJoCo's default
+constexpr double kGravity = 9.81;  ///< [m/s^2] default of Pinocchio and MuJoCo
 
-/// One column a foot, FR FL RR RL.
+/// A 3-vector per foot, one column each, FR FL RR RL.
 using FeetMatrix = Eigen::Matrix<double, 3, kLegs>;
 
-/// Cross-product matrix: skew(a) b = a x b.
+/// Compute the cross-product matrix of a: skew(a) b = a x b. Real-time: yes.
 inline Matrix3 skew(const Vector3& a) {
   Matrix3 m;
   m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
   return m;
 }
 
-/// The quaternion whose coefficients are written (w, x, y, z), as the SDK and files have them.
+/// Convert coefficients (w, x, y, z), the order of the SDK and of files, to a quaternion.
+/// Real-time: yes.
 inline Quaternion quaternion_wxyz(const Eigen::Vector4d& wxyz) {
   return Quaternion(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
 }
 
-/// Rotation vector of a unit quaternion, the short way round (angle at most pi).
+/// Compute the rotation vector [rad] of a unit quaternion; its angle is at most pi. Real-time: yes.
 inline Vector3 log_so3(const Quaternion& q) {
   const double sign = q.w() < 0.0 ? -1.0 : 1.0;
   const double sine = q.vec().norm();
@@ -50,7 +51,7 @@ inline Vector3 log_so3(const Quaternion& q) {
   return sign * scale * q.vec();
 }
 
-/// Unit quaternion of a rotation vector.
+/// Compute the unit quaternion of a rotation vector [rad]. Real-time: yes.
 inline Quaternion exp_so3(const Vector3& w) {
   const double angle = w.norm();
   const double scale = angle < 1e-9 ? 0.5 : std::sin(0.5 * angle) / angle;

@@ -3,46 +3,50 @@
 
 namespace surefoot {
 
-/// What the robot is doing.
+/// State of a supervised robot.
 enum class Mode : int {
-  kPassive = 0,  ///< the motors damp; where it begins, and where sitting down ends
-  kRise,         ///< on its way up from lying
-  kStand,        ///< a StandController at work
-  kSit,          ///< on its way down; also how a rise is aborted
-  kDamping       ///< the motors damp, latched: only arm() leads out
+  kPassive = 0,  ///< the motors damp; the first mode, and the one after sitting down
+  kRise,         ///< the robot rises from lying to standing
+  kStand,        ///< the StandController is in control
+  kSit,          ///< the robot sits down; also the way to abort a rise
+  kDamping       ///< the motors damp, latched: only arm() leaves this mode
 };
+/// Return the name of a mode, such as "rise". Real-time: yes.
 const char* to_string(Mode mode) noexcept;
 
-/// How the robot is when it is taken on.
+/// State of the robot when the supervisor takes it over.
 enum class Start : int {
-  kLying = 0,  ///< motors damp; arming checks, arm(), then a rise
-  /// It stands already, held by something else, and would sink in any pause: the first good
-  /// LowState is taken over, without arming checks. So is, after latched damping, the pose that
-  /// arm() finds.
+  kLying = 0,  ///< the motors damp: arming checks, arm(), then a rise
+  /// The robot already stands under another controller and would sink during any pause. The
+  /// supervisor takes it over with the first valid LowState, without arming checks. After latched
+  /// damping, arm() takes over the pose in which it finds the robot, again without checks.
   kStanding
 };
+/// Return "lying" or "standing". Real-time: yes.
 const char* to_string(Start start) noexcept;
 
-/// How far a rise is. In all but the last the body lies on the ground.
+/// Stage of a rise. In all stages but kUp the body lies on the ground.
 enum class RiseStage : int {
-  kHoldLegs = 0,  ///< legs hold themselves up where they are
-  kFold,          ///< they fold beside the body
-  kWeigh,         ///< hips outward: do the legs weigh what they should?
-  kPress,         ///< the rear pair presses: does the nose go down?
-  kUp             ///< over a crouch to the standing pose, or back down
+  kHoldLegs = 0,  ///< the legs hold their own weight where they are
+  kFold,          ///< the legs fold beside the body
+  kWeigh,         ///< the hips turn outward: their torques must fit the weight of the legs
+  kPress,         ///< the rear legs press on the ground: the nose must go down
+  kUp             ///< from folded legs over a crouch to the standing pose, or back down
 };
+/// Return the name of a stage, such as "weigh". Real-time: yes.
 const char* to_string(RiseStage stage) noexcept;
 
-/// What became of a request. Anything but kAccepted: nothing moves for it.
+/// Answer to a request. For any status but kAccepted the request has no effect.
 enum class RequestStatus : int {
-  kAccepted = 0,  ///< the next update() takes it up
-  kNoState,       ///< no valid LowState comes, or none has yet
-  kNotArmed,      ///< arm() first
-  kNotReady,      ///< an arming check fails, or has not passed for long enough: arming()
-  kLatched,       ///< damping is latched: arm() first
-  kOutOfOrder,    ///< not from this mode: rise from passive, sit from rise and stand, ...
-  kBusy           ///< another request or a stop waits, or torques are on their way to a mode
+  kAccepted = 0,  ///< the next update() handles the request
+  kNoState,       ///< no valid LowState arrives, or none has arrived yet
+  kNotArmed,      ///< the robot is not armed: call arm() first
+  kNotReady,    ///< an arming check fails or passed too briefly, see arming(); or a fault is active
+  kLatched,     ///< damping is latched: call arm() first
+  kOutOfOrder,  ///< not possible from this mode: rise from passive, sit from rise and stand, ...
+  kBusy         ///< another request or a stop is pending, or torques fade between two modes
 };
+/// Return the name of a status, such as "not_ready". Real-time: yes.
 const char* to_string(RequestStatus status) noexcept;
 
 }  // namespace surefoot

@@ -5,13 +5,15 @@
 
 namespace surefoot {
 
-/// What l or u hold, at least, where there is no bound; ProxQP's own word for it.
+/// Bounds of at least this magnitude in l or u mean "no bound", as in ProxQP.
 constexpr double kNoBound = 1e20;
 
-/// Row-major, as ProxQP stores its data.
+/// Dense matrix in row-major storage, as ProxQP stores its data.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A quadratic program: minimise 1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u
+/// Quadratic program: minimise 1/2 x'H x + g'x  subject to  A x = b,  l <= C x <= u
+///
+/// Shapes: H (n, n) symmetric, g (n,), A (n_eq, n), b (n_eq,), C (n_in, n), l and u (n_in,).
 struct QpProblem {
   QpProblem(int n, int n_eq, int n_in)
       : H(RowMatrix::Zero(n, n)),

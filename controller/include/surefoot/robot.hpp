@@ -10,39 +10,47 @@
 
 namespace surefoot {
 
-/// A robot: the part that never changes. Cheap to copy, safe to share between threads.
+/// Model and configuration of a robot, immutable. Cheap to copy, safe to share between threads.
 ///
-/// q = [p_world_base, quaternion x y z w, joints], v = [v, w of the base in its own axes, joint
-/// velocities], as Pinocchio has them. Joints in q and v follow Pinocchio's order, which is not the
-/// SDK's: go between the two with motor_to_v() and motor_to_q() only. They are matched by name.
+/// q and v follow Pinocchio: q = [p_world_base, quaternion x y z w, joints], v = [linear and
+/// angular velocity of the base in base axes, joint velocities]. Joints in q and v are in
+/// Pinocchio's order, which differs from SDK motor order: convert with motor_to_q() and
+/// motor_to_v(). Joints are matched to motors by name.
 class Robot {
  public:
-  /// Build from a Pinocchio model with a free-flyer root. Reflected rotor inertia of the
-  /// configuration becomes the model's armature. Throws surefoot::Error.
+  /// Build from a Pinocchio model with a free-flyer root. RobotConfig::armature replaces the
+  /// armature of the model. Throws surefoot::Error if the configuration is invalid or does not fit
+  /// the model.
   Robot(const pinocchio::Model& model, const RobotConfig& config);
 
-  /// Build from the text that pinocchio::Model::saveToString() makes (same Pinocchio version).
+  /// Build from text by pinocchio::Model::saveToString() of the same Pinocchio version. Throws
+  /// surefoot::Error.
   static Robot from_serialized_model(const std::string& text, const RobotConfig& config);
 
-  /// Read a .robot file that save() wrote; throws surefoot::Error. No parser, no mesh needed.
+  /// Read a .robot file by save(); needs no URDF parser and no meshes. Throws surefoot::Error if
+  /// the file cannot be read, is damaged, or has another version.
   static Robot load(const std::string& path);
+  /// Write a .robot file: configuration, model and checksum. Throws surefoot::Error.
   void save(const std::string& path) const;
 
   const pinocchio::Model& model() const noexcept;
   const RobotConfig& config() const noexcept;
+  /// Return the model as text for pinocchio::Model::loadFromString() of the same version.
   std::string serialized_model() const;
 
-  int nq() const noexcept;
-  int nv() const noexcept;
-  double mass() const noexcept;  ///< [kg]
+  int nq() const noexcept;       ///< size of q; 19 with twelve joints
+  int nv() const noexcept;       ///< size of v; 18 with twelve joints
+  double mass() const noexcept;  ///< [kg] total mass
 
-  /// Index in v (or q) of SDK motor `i`.
+  /// Index in v of each SDK motor.
   const std::array<int, kMotors>& motor_to_v() const noexcept;
+  /// Index in q of each SDK motor.
   const std::array<int, kMotors>& motor_to_q() const noexcept;
   /// Pinocchio frame id of each foot, FR FL RR RL.
   const std::array<int, kLegs>& foot_frame_ids() const noexcept;
 
-  /// q with the base at the origin, level, and the legs in the standing pose. Shape (nq,).
+  /// Return q of the standing pose with the base level at the world origin, shape (nq,). Real-time:
+  /// no.
   Eigen::VectorXd q_standing() const;
 
   struct Data;  // defined in the library

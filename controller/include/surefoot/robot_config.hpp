@@ -9,49 +9,53 @@
 
 namespace surefoot {
 
-/// What a robot is beyond its kinematics and masses. Twelve values run in SDK motor order
-/// (FR FL RR RL; hip, thigh, calf), four in leg order.
+/// Properties of a robot that its kinematic and inertial model does not have. Arrays of twelve are
+/// in SDK motor order (FR FL RR RL; hip, thigh, calf), arrays of four in leg order.
 struct RobotConfig {
-  std::string name;
-  std::array<std::string, kMotors> joint_names;
-  std::array<std::string, kLegs> foot_frames;
-  double foot_radius = 0.0;  ///< [m] the contact point lies this far from the foot frame
+  std::string name;                              ///< one word
+  std::array<std::string, kMotors> joint_names;  ///< names in the model
+  std::array<std::string, kLegs> foot_frames;    ///< frame names in the model
+  double foot_radius = 0.0;                      ///< [m] the foot is a sphere about its frame
 
   Vector3 p_base_imu = Vector3::Zero();                  ///< [m] IMU origin in the base frame
-  Eigen::Vector4d quat_base_imu = {1.0, 0.0, 0.0, 0.0};  ///< w x y z; maps IMU axes to base axes
+  Eigen::Vector4d quat_base_imu = {1.0, 0.0, 0.0, 0.0};  ///< w x y z, IMU axes to base axes
 
-  Vector12 q_lower = Vector12::Zero();        ///< [rad] SDK and URDF limits, intersected
-  Vector12 q_upper = Vector12::Zero();        ///< [rad]
-  double hip_inward = 3.2;                    ///< [rad] that hips may turn legs under the trunk
-  Vector12 dq_max = Vector12::Zero();         ///< [rad/s]
-  Vector12 tau_max = Vector12::Zero();        ///< [N.m] up to corner_speed
-  Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] torque starts to fall here ...
-  Vector12 no_load_speed = Vector12::Zero();  ///< [rad/s] ... and has vanished here
-  Vector12 armature = Vector12::Zero();       ///< [kg.m^2] rotor inertia times gear ratio squared
-  Vector12 q_standing = Vector12::Zero();     ///< [rad]
+  Vector12 q_lower = Vector12::Zero();  ///< [rad] intersection of SDK and URDF limits
+  Vector12 q_upper = Vector12::Zero();  ///< [rad] intersection of SDK and URDF limits
+  double hip_inward = 3.2;  ///< [rad] limit of hips that turn legs inward: motion_range()
+  Vector12 dq_max = Vector12::Zero();         ///< [rad/s] velocity limits
+  Vector12 tau_max = Vector12::Zero();        ///< [N.m] torque limits up to corner_speed
+  Vector12 corner_speed = Vector12::Zero();   ///< [rad/s] where the torque limit starts to fall
+  Vector12 no_load_speed = Vector12::Zero();  ///< [rad/s] where the torque limit reaches zero
+  Vector12 armature = Vector12::Zero();       ///< [kg.m^2] rotor inertia times squared gear ratio
+  Vector12 q_standing = Vector12::Zero();     ///< [rad] joint angles of the standing pose
 
-  double friction = 0.6;  ///< coefficient that the controller assumes between foot and ground
-  Gains gains;            ///< this robot's defaults
+  double friction = 0.6;  ///< coefficient between foot and ground that the controller assumes
+  Gains gains;            ///< default gains of this robot
 
-  /// Throw surefoot::Error naming the field, what was got and what is expected.
+  /// Throw surefoot::Error if a field is invalid; the message names the field, what was got and
+  /// what was expected.
   void validate() const;
 };
 
-/// Range of a joint [rad].
+/// Range of a joint angle [rad].
 struct JointRange {
   double lower, upper;
 };
 
-/// Where the program takes motor `i`, and a body reference: q_lower .. q_upper, a hip no further
-/// inward than hip_inward. Beyond it the trunk bears on a thigh that the dynamics take for free.
-/// What judges angles or protects has q_lower and q_upper: a joint may well be pushed there.
-/// Real-time: yes.
+/// Compute the range within which QP and body reference keep motor `i`: q_lower .. q_upper, and for
+/// a hip no further inward than hip_inward.
+///
+/// Further inward the trunk rests on the thigh, a contact that the dynamics do not model. Arming
+/// checks and protections use q_lower and q_upper instead, because an external force may push a
+/// joint there. Real-time: yes.
 JointRange motion_range(const RobotConfig& config, int i) noexcept;
 
-/// Greatest torque of motor `i` in the direction of `sign` at joint velocity `dq`.
+/// Compute the largest torque [N.m] of motor `i` in the direction of `sign` at joint velocity `dq`
+/// [rad/s]. The result is not negative.
 ///
-/// Constant to corner_speed, then linear to zero at no_load_speed while torque and velocity have
-/// one sign; a braking motor keeps its full torque. Real-time: yes.
+/// While torque and velocity have the same sign, the limit is tau_max up to corner_speed, then
+/// falls linearly to zero at no_load_speed. A braking motor keeps tau_max. Real-time: yes.
 double motor_torque_limit(const RobotConfig& config, int i, double dq, double sign) noexcept;
 
 }  // namespace surefoot

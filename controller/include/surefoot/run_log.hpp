@@ -11,33 +11,34 @@
 
 namespace surefoot {
 
-/// One tick of a StandRunner: what it knew of the robot, and what it sent.
+/// One tick of a StandRunner: its newest sample and its command.
 struct RunTick {
   double time = 0.0;                       ///< [s] since run() began
-  bool has_new_state = false;              ///< did the LowState come with this tick?
-  Mode mode = Mode::kPassive;              ///< of the supervisor, after it
-  FaultId damping_fault = FaultId::kNone;  ///< why the supervisor damped since it was armed
-  LowState state = init_low_state();       ///< the newest
-  LowCmd command = init_low_cmd();         ///< given to the link, which sends one in every tick
+  bool has_new_state = false;              ///< true if `state` arrived in this tick
+  Mode mode = Mode::kPassive;              ///< of the supervisor, after the tick
+  FaultId damping_fault = FaultId::kNone;  ///< why the supervisor latched damping
+  LowState state = init_low_state();       ///< newest sample
+  LowCmd command = init_low_cmd();         ///< passed to the link in this tick
 };
 static_assert(std::is_trivially_copyable_v<RunTick>);  // add() neither allocates nor throws
 
-/// The last ticks of a run, some 1.7 kB each, for who asks afterwards what happened. It never
-/// grows.
+/// Ring buffer of the last ticks of a run, about 1.7 kB each, for the analysis afterwards. All
+/// memory is allocated by the constructor.
 class RunLog {
  public:
-  /// @param capacity ticks that are kept; 0: none
+  /// @param capacity number of ticks that are kept; 0 keeps none
   explicit RunLog(std::size_t capacity = 0) : ticks_(capacity) {}
 
-  /// Take a tick down; the oldest makes room. Real-time: yes.
+  /// Add a tick; a full log drops its oldest one. Real-time: yes.
   void add(const RunTick& tick) noexcept {
     if (ticks_.empty()) return;
     ticks_[added_ % ticks_.size()] = tick;
     ++added_;
   }
 
+  /// Return the number of ticks that are kept now. Real-time: yes.
   std::size_t size() const noexcept { return added_ < ticks_.size() ? added_ : ticks_.size(); }
-  /// The oldest first; k must be below size(). Real-time: yes.
+  /// Return tick k, 0 being the oldest; k must be less than size(). Real-time: yes.
   const RunTick& operator[](std::size_t k) const noexcept {
     return ticks_[(added_ - size() + k) % ticks_.size()];
   }

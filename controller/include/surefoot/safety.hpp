@@ -5,69 +5,72 @@
 
 namespace surefoot {
 
-/// The SDK's three protections: names, arguments and defaults of its safety.h, in snake case.
+/// The three protections of the SDK, with the names (in snake case), arguments and defaults of its
+/// safety.h.
 ///
-/// They are software and guarantee nothing: what keeps a robot whole is a program that sends no
-/// abnormal torques. Beginners should use all of them, with level 1. Position limits are the
-/// robot's own, RobotConfig::q_lower and q_upper, joint by joint: the SDK's and the URDF's
-/// intersected, so nowhere wider than the vendor's and on go1 narrower (hip 0.863 instead of
-/// 1.047 rad). Motors 12 .. 19 are ignored throughout.
+/// They run in software and guarantee nothing: a robot is safe only if its controller sends no
+/// abnormal torques. Beginners should use all three, with level 1. The position limits are those of
+/// the robot, RobotConfig::q_lower and q_upper: the intersection of SDK and URDF limits, joint by
+/// joint. They are nowhere wider than the vendor's, and narrower on go1 (hip 0.863 rad instead of
+/// 1.047 rad). Motors 12 .. 19 are ignored.
 class Safety {
  public:
-  static constexpr double kWattsPerLevel = 100.0;   ///< [W] on every robot
+  static constexpr double kWattsPerLevel = 100.0;   ///< [W] the same on every robot
   static constexpr double kPositionMargin = 0.087;  ///< [rad] 5 degrees
 
   explicit Safety(const Robot& robot);
 
-  /// Judge the power of the motors: P = sum over i of |tauEst_i dq_i| over 100 W times level.
+  /// Check the power of the motors: P = sum over motors of |tauEst dq|, against 100 W times level.
   ///
-  /// Call it once a report, after the command is made and before it is sent, and do not send what
-  /// it refuses. A counter goes up by one (to 10 at most) with each call whose P is above the
-  /// limit, else down by one (to 0); above 5 it trips. So a lasting overload trips on the 6th call,
-  /// one on every other call never does, and after the overload at most 4 more calls are refused:
-  /// the trip is not latched. P equal to the limit is not above it. The same in the vendor's
-  /// library, except that:
-  ///  - the command stays as it is, as the SDK's document says; the vendor's writes mode 0x00
-  ///    (brake) into motors 0 .. 11, and nothing there puts 0x0A back;
-  ///  - a P that is not finite is refused in that very call and counts as above the limit; the
-  ///    vendor's never trips on NaN;
-  ///  - nothing is printed, and no release of ours ends the process.
-  /// Level n is n x 100 W on every robot, b1 included, whose body takes 4 to 12 times the watts
-  /// of a go1's in pushes of the same share of what it survives.
-  /// @param cmd not read, as in the vendor's library @param state tauEst [N.m], dq [rad/s]
-  /// @param level 1 .. 10, clamped; read anew in each call
-  /// @return +1, or -1 when tripped. Real-time: yes.
+  /// Call it once per sample, after computing the command and before sending it, and do not send
+  /// the command if the result is -1. A counter increases by one (up to 10) with each call whose P
+  /// is above the limit, else decreases by one (down to 0); the protection trips above 5. So a
+  /// lasting overload trips on the 6th call, an overload in every other call never trips, and after
+  /// an overload at most 4 more calls return -1: the trip is not latched. P equal to the limit does
+  /// not count as above it. The rule is that of the vendor's library, with these differences:
+  ///  - The command stays unchanged, as in the SDK's document. The vendor's library writes mode
+  ///  0x00
+  ///    (brake) into motors 0 .. 11, and nothing there restores 0x0A.
+  ///  - A P that is not finite returns -1 in the same call and counts as above the limit. The
+  ///    vendor's library never trips on NaN.
+  ///  - Nothing is printed, and the process never ends.
+  /// A level means the same power on every robot. For pushes of the same share of its push limit,
+  /// b1 takes 4 to 12 times the power of a go1.
+  /// @param cmd not read, as in the vendor's library @param state tauEst [N.m] and dq [rad/s] of
+  /// motors 0 .. 11 @param level 1 .. 10, clamped; may change from call to call
+  /// @return +1, or -1 if tripped. Real-time: yes.
   int power_protect(const LowCmd& cmd, const LowState& state, int level) noexcept;
 
-  /// Judge the joint angles measured: each within [q_lower + limit, q_upper - limit].
+  /// Check the measured joint angles: each must be within [q_lower + limit, q_upper - limit].
   ///
-  /// No debounce and no latch: each call speaks of its own report. NaN is outside. Where the
-  /// vendor's library writes mode 0x00 into the command, this one leaves it as it is. A calf at
-  /// rest fully folded is outside; a `limit` as wide as the joints' range, such as the 10 [rad] in
-  /// a comment of the vendor's examples, or NaN, trips always; a negative one widens the window.
-  /// @param cmd not read @param state q [rad] @param limit [rad] kept from either end
-  /// @return +1, or -1 when a joint is outside: position_motor(). Real-time: yes.
+  /// There is no debouncing and no latch: each call judges its own sample alone. NaN is outside.
+  /// The command stays unchanged; the vendor's library writes mode 0x00 into it. A fully folded
+  /// calf at rest is outside. A NaN `limit`, or one as wide as the joint range, always trips, such
+  /// as the 10 [rad] in a comment of the vendor's examples. A negative `limit` widens the range.
+  /// @param cmd not read @param state q [rad] of motors 0 .. 11 @param limit [rad] distance kept
+  /// from both ends of the range
+  /// @return +1, or -1 if a joint is outside, see position_motor(). Real-time: yes.
   int position_protect(const LowCmd& cmd, const LowState& state,
                        double limit = kPositionMargin) noexcept;
 
-  /// Clamp the position commands q of motors 0 .. 11 to [q_lower, q_upper], in place.
+  /// Clamp the position commands q [rad] of motors 0 .. 11 to [q_lower, q_upper], in place.
   ///
-  /// |q| >= 1e9 is no position but PosStopF (2.146e9; the vendor's Python examples have 1e9) and
-  /// stays: the vendor's library turns it into the joint's upper limit, to which a motor with
-  /// Kp > 0 then goes. As there, mode and gains are not looked at, and NaN passes: encoding the
-  /// frame refuses it. Real-time: yes.
+  /// |q| >= 1e9 means PosStopF (2.146e9; the vendor's Python examples use 1e9) and stays unchanged;
+  /// the vendor's library turns it into the upper joint limit, to which a motor with Kp > 0 then
+  /// moves. As in the vendor's library, mode and gains are ignored, and NaN passes;
+  /// encode_low_cmd() refuses it. Real-time: yes.
   void position_limit(LowCmd& cmd) const noexcept;
 
-  /// [W] P of the last power_protect(); 0 before the first.
+  /// [W] P of the last power_protect(); 0 before the first call.
   double power() const noexcept { return power_; }
-  /// 0 .. 10; power_protect() trips above 5.
+  /// Counter of power_protect(), 0 .. 10; the protection trips above 5.
   int power_counter() const noexcept { return counter_; }
-  /// SDK number of the first motor that the last position_protect() found outside, or -1.
+  /// SDK number of the first motor outside its range in the last position_protect(), or -1.
   int position_motor() const noexcept { return motor_; }
-  /// [rad] its angle; 0 where there is none.
+  /// [rad] angle of position_motor(); 0 if there is none.
   double position_angle() const noexcept { return angle_; }
 
-  /// Forget all calls so far. Real-time: yes.
+  /// Reset the counter and all results of earlier calls. Real-time: yes.
   void reset() noexcept;
 
  private:

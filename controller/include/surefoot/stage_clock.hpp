@@ -6,35 +6,36 @@
 
 namespace surefoot {
 
-/// The parts of a tick, in the order of the data's way.
+/// Parts of a tick, in the order of the data flow.
 enum class Stage : std::size_t {
-  kEstimate,   ///< LowState checked and turned into a RobotState, without the dynamics
-  kDynamics,   ///< kinematics, mass matrix, bias, foot Jacobians and drifts
-  kReference,  ///< the body reference on its way, the support frame
-  kTasks,      ///< desired accelerations, limits, even forces
+  kEstimate,   ///< check of the LowState, and state estimation without the dynamics
+  kDynamics,   ///< kinematics, mass matrix, bias terms, foot Jacobians and drifts
+  kReference,  ///< body reference, support frame
+  kTasks,      ///< desired accelerations, joint limits, even forces
   kCondense,   ///< accelerations and torques as functions of the contact forces
-  kProgram,    ///< the quadratic program written, its answer read
-  kSolve,      ///< the solver
-  kCheck,      ///< our own residuals of its answer
-  kSafety,     ///< the command: limits, power, holding and damping; and what is nowhere else
+  kProgram,    ///< writing the QP, reading its solution
+  kSolve,      ///< QP solver
+  kCheck,      ///< own check of the solver's residuals
+  kSafety,     ///< command: power limit, command hold, damping; and all the rest
   kCount
 };
 constexpr std::size_t kStages = static_cast<std::size_t>(Stage::kCount);
+/// Return the name of a stage, such as "solve". Real-time: yes.
 const char* to_string(Stage stage) noexcept;
 
-/// Splits a tick's time among its stages, for the thread that made it current. A benchmark's: with
-/// none current a stage costs a few nanoseconds. Real-time: yes.
+/// Measures the time that the ticks of one thread spend in each stage; for benchmarks. While a
+/// thread has no clock, a stage costs a few nanoseconds. Real-time: yes.
 class StageClock {
  public:
-  /// Be the one that this thread's ticks report to; until destroyed.
+  /// Become the clock of the calling thread, until destroyed.
   StageClock() noexcept;
   ~StageClock();
   StageClock(const StageClock&) = delete;
   StageClock& operator=(const StageClock&) = delete;
 
-  void start() noexcept;  ///< forget what there is; time runs for kSafety
-  void stop() noexcept;   ///< book the rest
-  /// [ns] of a stage since start().
+  void start() noexcept;  ///< set all times to zero; time counts for kSafety from now on
+  void stop() noexcept;   ///< add the time since the last change of stage
+  /// Return the time [ns] spent in a stage since start(). Real-time: yes.
   double time(Stage stage) const noexcept { return times_[static_cast<std::size_t>(stage)]; }
 
  private:
@@ -45,7 +46,7 @@ class StageClock {
   double stage_start_ = 0.0;  // [ns]
 };
 
-/// Books the time until it ends to a stage, and what comes after to the stage before.
+/// Counts the time of its own lifetime for a stage, and the time afterwards for the stage before.
 class StageScope {
  public:
   explicit StageScope(Stage stage) noexcept;

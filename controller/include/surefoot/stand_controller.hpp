@@ -15,110 +15,129 @@
 
 namespace surefoot {
 
-/// What is set once, as opposed to tuned.
+/// Options of a StandController: fixed at construction, unlike gains.
 struct StandOptions {
-  /// [N.m.s/rad] Motor-side damping added to every command, with dq = 0. 0 is pure torque mode;
-  /// hardware whose knees buzz under pure torque may need some.
+  /// [N.m.s/rad] Motor-side damping in every command, with dq = 0; 0 .. 50. 0 is pure torque mode.
+  /// Hardware whose knees vibrate in pure torque mode may need some.
   double motor_damping = 0.0;
-  /// [s] from a measurement to the action of the command made from it; the state is predicted over
-  /// it with the commands already sent. Up to 0.05; beyond 0.03 no robot here stood in simulation.
-  /// Prediction passes on more of the sensors' noise: leave it at 0 for delays up to a few ticks.
-  /// At 0 nothing is predicted, and what a report feels is held against the command of two periods
-  /// before it: one that a report and one that a command is on its way over the SDK's link.
+  /// [s] Time from a measurement to the action of the command computed from it, 0 .. 0.05;
+  /// identify_delay() in Python measures it. The state is predicted over this time with the
+  /// commands already sent. Prediction amplifies sensor noise, so leave it at 0 for delays of up to
+  /// a few ticks. In simulation no robot stood with more than 0.03. At 0 nothing is predicted, and
+  /// the estimator compares each sample with the command sent two periods earlier: one period of
+  /// delay for the command and one for the sample, as over the SDK's link.
   double delay = 0.0;
-  QpForm form = QpForm::kAuto;
-  /// [W] Most that a command may take by the joint velocities reported, sum |tau dq|, > 0; infinite
-  /// is off. Beyond it torques are scaled towards those that hold the robot against gravity; where
-  /// these alone take more, the command goes unscaled, for letting go would make the robot fall and
-  /// take more yet. Set it below what Safety::power_protect() allows (0.9 of it, say), and not far
-  /// below what the motions take: a controller held back for long lets the robot fall. Last,
-  /// a leg that gathers speed along its own torques, for its foot slides off or has lost the
-  /// ground, gets no more of them than its power rises by a quarter of the limit within
-  /// 15 ms; with periods of 10 ms and more none is seen.
+  QpForm form = QpForm::kAuto;  ///< form of the whole-body QP
+  /// [W] Largest power of a command, sum |tau dq| with the motors' damping included, at the joint
+  /// velocities it is computed for; > 0, infinite switches the limit off.
+  ///
+  /// Above the limit, the torques are scaled towards those that hold the robot against gravity. If
+  /// these alone exceed the limit, the command is not scaled, because a robot that is released
+  /// falls and takes even more power. Last, the torques of runaway legs are limited: the power of a
+  /// leg may rise by at most a quarter of the limit within the next 15 ms, extrapolated from the
+  /// acceleration of its joints. With periods of 10 ms and more, runaway legs are not detected.
+  ///
+  /// Set the limit below that of Safety::power_protect(), at 0.9 of it for example, but not far
+  /// below what the motions take: a robot that lacks power for long falls.
   double power_limit = std::numeric_limits<double>::infinity();
 
-  /// Throw surefoot::Error naming what is out of range.
+  /// Throw surefoot::Error if an option is out of range; the message names it.
   void validate() const;
 };
 
-/// Holds the body where and as it stands, or where a BodyReference asks it to be: LowState in,
-/// LowCmd out. The whole tick.
+/// Controller that holds the body at the latched pose, or moves it to a BodyReference: LowState in,
+/// LowCmd out.
 ///
-/// The first good report latches the pose, relative to the feet. Commands are torque mode: motors
-/// 0 .. 11 in mode 0x0A with q = PosStopF, dq = VelStopF, Kp = Kd = 0 and tau from the whole-body
-/// program. Where a solve fails, the tick goes down a ladder (Rung): solve once more from nothing;
-/// share what changed of the wanted wrench among the feet without a program; the last forces
-/// through today's Jacobians; hold against gravity (here alone Kd > 0). Where a report is bad, the
-/// command that left last is repeated. What is not solved leaves for at most 10 ms on end; then the
-/// motors damp (dq = 0, Kd > 0, tau = 0) until reset(). Time comes from LowState::tick.
+/// A tick estimates the state, updates the reference and solves the whole-body QP. The first good
+/// samples latch the pose of the body relative to the feet. Commands are in torque mode: motors
+/// 0 .. 11 have mode 0x0A, q = PosStopF, dq = VelStopF, Kp = Kd = 0 and the torques of the QP.
+///
+/// If the solve fails, the tick goes down the fallback chain, see FallbackLevel. If the sample
+/// is unusable, the last command is repeated. Kd > 0 occurs only by StandOptions::motor_damping, in
+/// a lost leg, and at the levels kGravity and kDamping. At most 10 ms may pass without a solved
+/// command; then the motors damp (dq = 0, Kd > 0, tau = 0), latched until reset(). All times are
+/// measured by LowState::tick.
+///
+/// Assumes twelve joints on a free base, spherical feet, and one ground plane under all feet, whose
+/// normal is estimated. Not thread-safe.
 class StandController {
  public:
-  /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
-  /// invalid.
+  /// Throws surefoot::Error if the robot does not have twelve joints on a free base, or if a gain
+  /// or an option is invalid.
   explicit StandController(const Robot& robot);
   StandController(const Robot& robot, const Gains& gains, const StandOptions& options = {});
   ~StandController();
   StandController(StandController&&) noexcept;
 
-  /// Compute one tick; never throws, allocates, locks or logs. Real-time: yes.
-  /// @return the command; status() says what it is worth
+  /// Compute one tick. Never throws, allocates, locks or logs. Real-time: yes, if the custom tasks
+  /// are.
+  /// @param low_state newest sample; its tick must advance
+  /// @return the command to send; status() and fallback_level() tell its quality
   const LowCmd& update(const LowState& low_state) noexcept;
 
-  /// Ask for another pose of the body; it goes there at limited speed, and stops where the robot
-  /// could not stand. Numbers that are not finite change nothing but reach(). Real-time: yes.
+  /// Set the target pose of the body. The reference moves there with limited speed and
+  /// acceleration, and stops at the limits of ReachLimit. A target with a NaN or an infinity is
+  /// ignored, and reach() reports kNotFinite. Real-time: yes.
   void set_body_reference(const BodyReference& target) noexcept;
-  BodyReference body_reference() const noexcept;  ///< where it is on the way
-  ReachStatus reach() const noexcept;             ///< what keeps it from getting there
+  BodyReference body_reference() const noexcept;  ///< present reference, on the way to the target
+  ReachStatus reach() const noexcept;             ///< limit that stops it before the target
 
-  /// Give a leg up, 0 .. 3, until reset(): its foot bears nothing from now on, and the body goes
-  /// over the other three. One leg at most; another's number, or none's, changes nothing.
-  /// Real-time: yes.
+  /// Give up a leg, 0 .. 3, until reset(): its foot carries no load from now on, its motors damp,
+  /// and the centre of mass moves over the other three feet. The call is ignored if a leg is
+  /// already lost or `leg` is not 0 .. 3. Real-time: yes.
   void give_up_leg(int leg) noexcept;
-  int lost_leg() const noexcept;  ///< that was given up, or -1
-  /// [m] how far the capture point is inside the triangle of the other three feet; negative
-  /// outside; infinite where another leg is lost, for two feet have no inside; NaN for none of 0 ..
-  /// 3 and before the first tick. Of the last good tick. Real-time: yes.
+  int lost_leg() const noexcept;  ///< the leg that was given up, or -1
+  /// Compute the distance [m] from the capture point to the nearest edge of the support triangle
+  /// that remains without `leg`, by the newest estimate. Negative: outside the triangle. Infinite:
+  /// another leg is already lost. NaN: `leg` is not 0 .. 3, or no pose is latched yet. Real-time:
+  /// yes.
   double capture_margin_without(int leg) const noexcept;
 
   /// See WholeBodyController::set_torque_share(). Real-time: yes.
   void set_torque_share(const Vector12& share) noexcept;
 
-  /// Add a task of your own; not in the tick. Throws surefoot::Error.
+  /// Add a custom task, see WholeBodyController::add_task(). Throws surefoot::Error. Real-time: no.
   void add_task(std::shared_ptr<Task> task);
 
-  /// kOk, kSaturated, or why this tick's command is not solved; kDamping while latched.
+  /// Status of the last tick: kOk, kSaturated, or why the QP gave no command; kDamping while
+  /// latched.
   Status status() const noexcept;
-  /// Where this tick's command came from; kDamping before the first.
+  /// Fallback level of the last command; kDamping before the first tick.
   FallbackLevel fallback_level() const noexcept;
-  /// Ticks that came to this rung, since construction. Real-time: yes.
+  /// Number of ticks that ended at this fallback level, since construction. Real-time: yes.
   std::uint64_t fallback_count(FallbackLevel fallback_level) const noexcept;
-  /// What was wrong when the last tick was not kOk; stays after the damping has latched.
+  /// Status of the last tick that was not usable; kept while damping is latched, kOk after reset().
   Status fault() const noexcept;
 
-  const RobotState& state() const noexcept;  ///< estimated; friction: what may be used of it
-  EstimatorReport estimator_report() const noexcept;  ///< see StateEstimator::report()
-  const Reference& reference() const noexcept;        ///< of the last good tick
-  const Solution& solution() const noexcept;          ///< of the last good tick
-  const QpProblem& qp() const noexcept;               ///< see WholeBodyController::qp()
-  bool has_foot_force_est() const noexcept;           ///< does footForceEst carry anything?
-  Eigen::Vector4d normal_forces_from_torques()
-      const noexcept;  ///< [N] normal force per foot from torques
-  /// [W] sum |tau dq| that the last command made from a report takes, by the joint velocities it
-  /// was made for. Above the option power_limit only where holding still alone is above it.
+  /// Estimated state. Its friction is the share that the QP may use: 0.7 at most while the capture
+  /// point is more than 6 cm inside the support edges, and less while a foot slips.
+  const RobotState& state() const noexcept;
+  EstimatorReport estimator_report() const noexcept;            ///< see StateEstimator::report()
+  const Reference& reference() const noexcept;                  ///< of the last good tick
+  const Solution& solution() const noexcept;                    ///< of the last good tick
+  const QpProblem& qp() const noexcept;                         ///< see WholeBodyController::qp()
+  bool has_foot_force_est() const noexcept;                     ///< see StateEstimator
+  Eigen::Vector4d normal_forces_from_torques() const noexcept;  ///< [N] see StateEstimator
+  /// [W] Power sum |tau dq| of the last command that was computed from a sample, with
+  /// the motors' damping included, at the joint velocities it was computed for: reported, or
+  /// predicted over StandOptions::delay. It exceeds StandOptions::power_limit only if the torques
+  /// that hold the robot exceed it.
   double command_power() const noexcept;
-  /// How much of the torques' way from holding still was left to the last good tick, 0 .. 1; below
-  /// 1 (power_limit) status() is kSaturated, and solution() is what was planned. It is kSaturated
-  /// at 1, too, where a leg that its torques fling got less of them.
+  /// Scale s, 0 .. 1, by which StandOptions::power_limit reduced the torques of the last good tick:
+  /// tau = tau_hold + s (tau_QP - tau_hold). Below 1, status() is kSaturated, and solution() still
+  /// has the torques of the QP. If only a runaway leg was limited, status() is kSaturated and s
+  /// is 1.
   double power_scale() const noexcept;
-  const Gains& gains() const noexcept;         ///< asked for; see set_gains()
-  const Gains& active_gains() const noexcept;  ///< on their way to those
+  const Gains& gains() const noexcept;         ///< requested gains; see set_gains()
+  const Gains& active_gains() const noexcept;  ///< gains in force, which move to gains()
 
-  /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
-  /// Those of a controller that is at work move there in 0.1 s of good ticks, for torques not to
-  /// jump; where nothing is computed, before the first report and while damping, at once.
+  /// Set the gains, between ticks. While the controller is active, the gains in force move to the
+  /// new ones within 0.1 s of good ticks, so that torques do not jump. Before the first good sample
+  /// and while damping is latched, they change at once. Throws surefoot::Error and changes nothing
+  /// if a gain is invalid. Real-time: no.
   void set_gains(const Gains& gains);
-  /// Leave damping, forget the body reference and a lost leg, latch the pose anew with the next
-  /// report. Real-time: yes.
+  /// Leave damping, clear the body reference and the lost leg, and latch the pose again with the
+  /// next good samples. Real-time: yes.
   void reset() noexcept;
 
  private:

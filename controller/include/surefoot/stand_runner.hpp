@@ -12,151 +12,160 @@
 
 namespace surefoot {
 
+/// Options of a StandRunner.
 struct RunOptions {
-  double rate = 500.0;  ///< [Hz] of the control loop
+  double rate = 500.0;  ///< [Hz] rate of the control loop, 100 .. 1000
   double duration =
-      std::numeric_limits<double>::infinity();  ///< [s] of standing, from the first; then finish()
-  int power_level = 1;             ///< of Safety::power_protect(), 1 .. 10; 0 switches it off
-  bool remote = true;              ///< sticks move the body, a button damps
-  double connect_timeout = 5.0;    ///< [s] to wait for the first valid LowState
-  Start start = Start::kStanding;  ///< kLying: behind arming checks; power_level 1 .. 10
-  /// [s] without heartbeat() before the robot sits down; infinite: nobody need be there
+      std::numeric_limits<double>::infinity();  ///< [s] from first standing to finish()
+  int power_level = 1;             ///< level of Safety::power_protect(), 1 .. 10; 0 switches it off
+  bool remote = true;              ///< the sticks of the remote move the body, and button B damps
+  double connect_timeout = 5.0;    ///< [s] longest wait for the first valid LowState
+  Start start = Start::kStanding;  ///< kLying: arming checks first; needs power_level 1 .. 10
+  /// [s] Time without heartbeat() after which the robot sits down; infinite needs no operator.
   double operator_timeout = std::numeric_limits<double>::infinity();
   double log_time = 0.0;  ///< [s] of ticks that log() keeps, 1.7 kB each; 0 .. 600
 
-  /// Throw surefoot::Error naming what is out of range.
+  /// Throw surefoot::Error if an option is out of range; the message names it.
   void validate() const;
 };
 
-/// What the loop is doing.
+/// Phase of a run.
 enum class RunPhase {
-  kWaiting,   ///< for the first valid LowState; damping frames leave
+  kWaiting,   ///< for the first valid LowState; sends damping
   kPassive,   ///< the motors brake until request(Mode::kRise)
-  kRising,    ///< on its way up
-  kStanding,  ///< the controller's commands leave
-  kSitting,   ///< on its way down
+  kRising,    ///< the robot rises
+  kStanding,  ///< the StandController is in control
+  kSitting,   ///< the robot sits down
   kDamping,   ///< latched: the motors brake until arm()
-  kEnded
+  kEnded      ///< run() ends, after 0.2 s of damping commands
 };
+/// Return the name of a phase, such as "standing". Real-time: yes.
 const char* to_string(RunPhase phase) noexcept;
 
-/// Why it damps, or ended.
+/// Reason of the last damping, or of the end of a run.
 enum class RunReason {
   kNone,
-  kRequested,        ///< stop(), or the duration is over
-  kNoState,          ///< no valid LowState came in time, or before the end
-  kWrongGeneration,  ///< the robot speaks another generation
-  kStale,            ///< LowStates stopped coming
-  kProcessStalled,   ///< this program stood still: the robot went on without it
-  kRestart,          ///< the robot began anew: it is not the one that was armed
-  kController,       ///< the controller damps: see StandController::fault()
-  kPowerProtect,
-  kButton,
-  kFault  ///< what else the supervisor damps for: RunSnapshot::damping_fault
+  kRequested,        ///< stop(), finish() or damp() was called, or the duration is over
+  kNoState,          ///< no valid LowState arrived in time, or before the end
+  kWrongGeneration,  ///< the robot sends frames of another generation
+  kStale,            ///< LowStates stopped arriving
+  kProcessStalled,   ///< this process stalled for more than 100 ms
+  kRestart,          ///< the robot restarted, so it is not the one that was armed
+  kController,       ///< the StandController damps: see StandController::fault()
+  kPowerProtect,     ///< the power protection tripped
+  kButton,           ///< button B on the remote
+  kFault             ///< another fault: RunSnapshot::damping_fault
 };
+/// Return the reason in one word, as in logs. Real-time: yes.
 const char* to_string(RunReason reason) noexcept;
 
-/// A look at the loop from outside.
+/// State of a StandRunner, published every 50 ms and at every change of phase. Plain data.
 struct RunSnapshot {
   RunPhase phase = RunPhase::kWaiting;
   RunReason reason = RunReason::kNone;     ///< of the last damping, or of the end
   Mode mode = Mode::kPassive;              ///< of the supervisor
-  FaultId damping_fault = FaultId::kNone;  ///< the supervisor's, of the last damping
-  FaultReport faults;                      ///< which there are and have been
-  ArmingReport arming;                     ///< what passes and what does not, and for how long
-  bool armed = false;
-  bool stood = false;  ///< has it stood at all?
-  /// Has it stood, and lain down because it was asked to (kStanding: stood on), until the end?
+  FaultId damping_fault = FaultId::kNone;  ///< why the supervisor last latched damping
+  FaultReport faults;                      ///< active and past faults
+  ArmingReport arming;                     ///< arming checks
+  bool armed = false;                      ///< true if the robot is armed
+  bool stood = false;                      ///< true if the robot has stood in this run
+  /// True if the robot stood, no fault damped it or made it sit down afterwards, and the run ended
+  /// on request: with start kLying after the robot lay down, with kStanding while it stood.
   bool stood_to_end = false;
-  bool rise_failed = false;                     ///< has the last rise given up?
+  bool rise_failed = false;                     ///< true if the last rise gave up
   double rise_progress = 0.0;                   ///< from lying (0) to standing (1)
-  RiseStage rise_stage = RiseStage::kHoldLegs;  ///< of the last rise
-  Status controller_status = Status::kWaiting;  ///< of the controller's last tick
-  Status controller_fault = Status::kOk;        ///< of the controller
-  FrameReport last_reject;                      ///< the last datagram that was not taken
-  LinkCounts link;
-  double time = 0.0;                      ///< [s] since run() began
-  double state_age = 0.0;                 ///< [s] of the newest LowState
-  std::uint64_t ticks = 0;                ///< of control
-  std::uint64_t usable_ticks = 0;         ///< of those, with a fresh command
-  std::uint64_t ticks_without_state = 0;  ///< of those, without a new LowState
-  std::uint64_t saturated_ticks = 0;
+  RiseStage rise_stage = RiseStage::kHoldLegs;  ///< of the present rise, or of the last one
+  Status controller_status = Status::kWaiting;  ///< StandController::status() of its last tick
+  Status controller_fault = Status::kOk;        ///< StandController::fault()
+  FrameReport last_reject;                      ///< why the last invalid datagram was rejected
+  LinkCounts link;                              ///< datagram counts of the link
+  double time = 0.0;                            ///< [s] since run() began
+  double state_age = 0.0;                       ///< [s] age of the newest LowState
+  std::uint64_t ticks = 0;                      ///< control ticks, those in damping not counted
+  std::uint64_t usable_ticks = 0;               ///< of these, ticks with a fresh command
+  std::uint64_t ticks_without_state = 0;        ///< of these, ticks without a new LowState
+  std::uint64_t saturated_ticks = 0;  ///< of these, standing with torques or power at a limit
   std::uint64_t missed_periods =
       0;                       ///< periods left out because a tick or the system took too long
-  double silence_time = 0.0;   ///< [s] that the robot, or this program, was silent: stale, away
-  std::uint64_t dampings = 0;  ///< times that it latched
-  std::uint64_t resumed_dampings =
-      0;  ///< of those, left because the robot's clock had stood still as well
-  std::uint64_t rearms = 0;
-  std::uint64_t refused_rearms = 0;  ///< by rearm(): no LowState came, or checks failed
-  double measured_power = 0.0;       ///< [W] that the protection judged last
-  double power_at_damping = 0.0;     ///< [W] the same, when it damped last
-  double greatest_power = 0.0;
-  double height = 0.0;                      ///< [m] estimated
-  double tilt = 0.0;                        ///< [rad] estimated
-  std::array<double, 19> q{};               ///< Pinocchio's, estimated
+  double silence_time = 0.0;   ///< [s] silence of the robot or of this process, when last detected
+  std::uint64_t dampings = 0;  ///< times that damping was latched
+  std::uint64_t resumed_dampings = 0;  ///< of these, ended because the robot's clock had paused too
+  std::uint64_t rearms = 0;            ///< times that arming left latched damping
+  std::uint64_t refused_rearms = 0;  ///< rearm() calls that were refused: no LowState, or not ready
+  double measured_power = 0.0;       ///< [W] last power judged by the power protection
+  double power_at_damping = 0.0;     ///< [W] the same, when damping was last latched
+  double greatest_power = 0.0;       ///< [W] largest measured_power outside damping
+  double height = 0.0;               ///< [m] estimated height of the base origin, world frame
+  double tilt = 0.0;                 ///< [rad] estimated angle between base z and world z
+  std::array<double, 19> q{};        ///< estimated q, Pinocchio's order
   std::array<double, 12> joint_angles{};    ///< [rad] as reported, SDK motor order
-  std::array<double, 12> desired_forces{};  ///< [N] asked of FR FL RR RL, each x y z, world axes
-  std::array<double, 4> contact{};          ///< belief that each foot bears
-  double position_error = 0.0;              ///< [m] of the base from its reference
-  double orientation_error = 0.0;           ///< [rad] the same of its attitude
-  double torque_ratio = 0.0;                ///< greatest share of its limit in tauEst
-  double command_power = 0.0;               ///< [W] see StandController::command_power()
-  // [us] from waking to the command sent, and from the deadline to waking:
+  std::array<double, 12> desired_forces{};  ///< [N] ground on feet, FR FL RR RL x y z, world axes
+  std::array<double, 4> contact{};          ///< contact confidence 0 .. 1, FR FL RR RL
+  double position_error = 0.0;     ///< [m] distance of the base from its reference position
+  double orientation_error = 0.0;  ///< [rad] angle of the base from its reference orientation
+  double torque_ratio = 0.0;       ///< largest |tauEst| / tau_max of the motors
+  double command_power = 0.0;      ///< [W] StandController::command_power()
+  // [us] Quantiles and maximum of two latencies: tick, from waking up to the command sent; wake,
+  // from the deadline to waking up.
   double tick_p50 = 0.0, tick_p90 = 0.0, tick_p99 = 0.0, tick_p999 = 0.0, tick_max = 0.0;
   double wake_p50 = 0.0, wake_p99 = 0.0, wake_p999 = 0.0, wake_max = 0.0;
 };
 
-/// Runs a Supervisor over a UdpLink at a fixed rate.
+/// Loop that runs a Supervisor over a UdpLink at a fixed rate.
 ///
-/// With RunOptions::start kStanding a robot that stands is taken over with its first good LowState;
-/// with kLying it is armed, risen and sat down by arm() and request().
-/// Deadlines are absolute; SCHED_FIFO and locked memory are used where permitted. It begins and
-/// ends with damping frames. Without a new LowState the last command is repeated for at most 10 ms,
-/// then the motors damp, and after 20 ms for good: a latched damping is left by arm() alone, or
-/// within 100 ms when LowState::tick says that the robot's clock stood still with it. A
-/// program that the system kept from running for 100 ms damps for good as well; after less it goes
-/// on with the report that is new.
+/// With RunOptions::start kStanding, the runner takes over a standing robot with its first valid
+/// LowState. With kLying, arm() and request() arm the robot and let it rise and sit down. Deadlines
+/// are absolute; SCHED_FIFO and locked memory are used where the system permits. A run begins and
+/// ends with damping commands.
+///
+/// Without a new LowState, the last command is repeated for at most 10 ms; then the motors damp,
+/// and after 20 ms damping is latched. Only arm() leaves latched damping, with one exception: a
+/// LowState within 100 ms whose tick shows that the robot's clock paused too. If the system keeps
+/// this process from running for more than 100 ms, damping is latched too; after a shorter stall
+/// the run continues with the newest LowState.
 class StandRunner {
  public:
-  /// Throws surefoot::Error: an invalid option or gain, a real robot that is not started lying, or
-  /// what UdpLink throws.
+  /// Throws surefoot::Error if an option or a gain is invalid, if a real robot is not started
+  /// lying, or if the UdpLink cannot be opened.
   StandRunner(const Robot& robot, const Gains& gains, const StandOptions& stand,
               const UdpLinkOptions& link, const RunOptions& options);
   ~StandRunner();
   StandRunner(const StandRunner&) = delete;
   StandRunner& operator=(const StandRunner&) = delete;
 
-  /// Run until stop(), the duration, or a robot that cannot be controlled; in the calling thread.
-  /// Throws surefoot::Error if it was called before.
+  /// Run the loop in the calling thread until stop() or finish(), the end of the duration, no valid
+  /// LowState within connect_timeout, or a robot of another generation. Throws surefoot::Error if
+  /// it was called before. Real-time: the loop is, the beginning and the end are not.
   void run();
 
   // From any thread, and from a signal handler:
-  RequestStatus request(Mode mode) noexcept;  ///< as Supervisor's
-  RequestStatus arm() noexcept;               ///< as Supervisor's
-  void rearm() noexcept;   ///< arm() whose refusals are counted: RunSnapshot::refused_rearms
-  void finish() noexcept;  ///< with start kLying: sit down, then damp, and end; else stop()
-  void stop() noexcept;    ///< damp, and end
-  void damp() noexcept;    ///< damp, and stay
-  /// The operator's end is alive: RunOptions::operator_timeout. Not from run()'s own thread.
-  /// Real-time: yes.
+  RequestStatus request(Mode mode) noexcept;  ///< see Supervisor::request()
+  RequestStatus arm() noexcept;               ///< see Supervisor::arm()
+  void rearm() noexcept;   ///< arm(); RunSnapshot::refused_rearms counts refusals
+  void finish() noexcept;  ///< start kLying: sit down, damp and end the run; else stop()
+  void stop() noexcept;    ///< damp and end the run
+  void damp() noexcept;    ///< damp, latched; the run goes on
+  /// Signal that the operator is present, see RunOptions::operator_timeout. Call it from another
+  /// thread than run(). Real-time: yes.
   void heartbeat() noexcept;
 
-  // From any thread; obeyed with the next tick:
-  void set_gains(const Gains& gains);  ///< as StandController's; throws surefoot::Error
-  /// As StandController's, and the remote's sticks add to it. In force while the robot stands;
-  /// forgotten when it stands anew.
+  // From any thread; they take effect in the next tick. Real-time: no.
+  /// Set the gains, see StandController::set_gains(). Throws surefoot::Error if a gain is invalid.
+  void set_gains(const Gains& gains);
+  /// Set the target pose, see StandController::set_body_reference(). The sticks of the remote add
+  /// to it. It applies while the robot stands, and is cleared when the robot stands up again.
   void set_body_reference(const BodyReference& target);
 
-  /// The last RunOptions::log_time of ticks, from the robot's first report on, and until 5 s (half
-  /// of log_time, where that is less) after it was last driven: what brakes for longer has
-  /// happened. As long-lived as this. Throws surefoot::Error while run() runs.
+  /// Return the last RunOptions::log_time of ticks, as long-lived as this object. The log begins
+  /// with the first LowState. It stops 5 s after the robot was last in motion or standing (half of
+  /// log_time if that is less), so that a robot that damps for long keeps the ticks before. Throws
+  /// surefoot::Error while run() is running.
   const RunLog& log() const;
-  /// From any other thread; what was last published.
+  /// Return a copy of the state last published. From any thread but that of run(). Real-time: no.
   RunSnapshot snapshot() const;
-  std::string real_time()
-      const;  ///< what scheduling and memory it got, in words; after run() began
-  int local_port() const noexcept;
+  /// Describe the scheduling and memory locking that run() got, in words; empty before run().
+  std::string real_time() const;
+  int local_port() const noexcept;  ///< local UDP port
 
  private:
   struct Impl;

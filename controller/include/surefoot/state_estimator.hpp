@@ -11,52 +11,65 @@ namespace surefoot {
 
 class Dynamics;
 
-/// LowState in, RobotState out: what the robot's own sensors say about its base and its contacts.
+/// Estimator of base state, contacts and external wrench from the robot's own sensors: LowState in,
+/// RobotState out.
 ///
-/// Raw gyroscope and accelerometer and the legs' kinematics drive a contact-aided invariant Kalman
-/// filter (orientation, velocity, position, contact points, biases); the IMU's own quaternion only
-/// starts it, cross-checks it, and stands in for a gyroscope that has stopped. Contact is a belief
-/// per foot, fused from footForceEst, footForce, joint torques and the feet's own motion, each
-/// judged by the others. The world frame starts with the base's heading, the feet at height zero,
-/// and drifts in x, y, z and yaw, as it must; report() says by how much. Real-time: update() yes.
+/// A contact-aided invariant extended Kalman filter (Hartley, Ghaffari, Eustice, Grizzle, 2020)
+/// estimates orientation, velocity, position, contact points and IMU biases from the raw gyroscope
+/// and accelerometer and the leg kinematics. The quaternion of the IMU only initialises it, is
+/// checked against it, and replaces a gyroscope that has stopped. The contact confidence of each
+/// foot is fused from footForceEst, footForce, joint torques and foot motion, which are also
+/// checked against each other.
+///
+/// The world frame has z up; at the first sample it has the heading of the base, and the mean
+/// height of the feet is zero. Position and yaw are not observable, so they drift; report() has
+/// their covariance. Not thread-safe.
 class StateEstimator {
  public:
   explicit StateEstimator(const Robot& robot);
   ~StateEstimator();
   StateEstimator(StateEstimator&&) noexcept;
 
-  /// Take in one report. @param dt [s] since the last one taken in, 0 < dt <= 0.1
-  /// @return kOk; kStaleTick (dt), kNonFinite or kImplausible with the state as it was; kDiverged,
-  /// after reports that no motion explains: it begins anew with the next. A quaternion of finite
-  /// numbers that is none only counts against itself: see report().
+  /// Process one sample. Real-time: yes.
+  /// @param low_state IMU, joint angles, velocities and torques of motors 0 .. 11, footForce and
+  /// footForceEst are read
+  /// @param dt [s] since the last processed sample, 0 < dt <= 0.1
+  /// @return kOk; kStaleTick (dt out of range), kNonFinite or kImplausible, with the state
+  /// unchanged; kDiverged if no motion explains the samples: the estimator then starts again with
+  /// the next sample. A finite quaternion that is not of unit length only lowers its own verdict in
+  /// report().
   Status update(const LowState& low_state, double dt) noexcept;
 
   const RobotState& state() const noexcept;
-  /// How sure the state is, and what the sensors are worth. Real-time: yes.
+  /// Return the uncertainty of the state and the verdicts on the sensors. Real-time: yes.
   EstimatorReport report() const noexcept;
-  /// Normal force per foot from the motors' torques [N].
+  /// Compute the normal force [N] on each foot from the joint torques, FR FL RR RL. Real-time: yes.
   Eigen::Vector4d normal_forces_from_torques() const noexcept;
-  /// Does footForceEst carry anything?
+  /// Return whether footForceEst works on this robot: its sum has matched the load on the feet.
+  /// Real-time: yes.
   bool has_foot_force_est() const noexcept;
-  /// Pinocchio's terms at the present state, for whoever needs them in the same tick.
+  /// Kinematics and dynamics at the present state, for use in the same tick.
   const Dynamics& dynamics() const noexcept;
 
-  /// Throws surefoot::Error and changes nothing if a gain is invalid.
+  /// Set the gains. Throws surefoot::Error and changes nothing if a gain is invalid.
   void set_gains(const Gains& gains);
-  /// The same in the tick. @return false, and nothing is changed, if one is invalid. Real-time:
-  /// yes.
+  /// Set the gains within a tick. Real-time: yes.
+  /// @return false if a gain is invalid; nothing changes then
   bool adopt_gains(const Gains& gains) noexcept;
-  /// The ground's normal as the contacts know it; unit, world axes.
+  /// Set the ground normal, unit length, world axes. The contact points on the spherical feet move
+  /// with it. Real-time: yes.
   void set_ground_normal(const Vector3& normal) noexcept;
-  /// What the command that the next report tells of was to make of the base, in Pinocchio's axes,
-  /// and its torques [N.m], SDK motor order. What the accelerometer feels beyond the plan is laid
-  /// to a force from outside; the torques stand in where tauEst tells nothing. No plan if never
-  /// told.
-  /// @param f_push [N] that the plan counted with, world axes: f_external - f_sustained of its
-  /// state
+  /// Set the planned motion: what the command behind the next sample was meant to cause.
+  ///
+  /// Measured acceleration beyond the plan is attributed to an external force, and `tau` replaces
+  /// tauEst where tauEst is not usable. The plan stays in force until the next call. Without any
+  /// call since the start, only the sustained external wrench is estimated. Real-time: yes.
+  /// @param a_base planned acceleration of the base, Pinocchio's convention (spatial, base axes)
+  /// @param tau torques of that command [N.m], SDK motor order
+  /// @param f_push [N] push that the plan took into account, world axes: f_external - f_sustained
   void set_planned_motion(const Vector6& a_base, const Vector12& tau,
                           const Vector3& f_push) noexcept;
-  /// Begin anew with the next report.
+  /// Start again with the next sample. Real-time: yes.
   void reset() noexcept;
 
  private:

@@ -11,108 +11,120 @@
 
 namespace surefoot {
 
-/// What is set once.
+/// Options of a Supervisor: fixed at construction, unlike gains.
 struct SupervisorOptions {
-  /// 1 .. 10, of Safety::power_protect(), which trips at 100 W times it, whatever pushes the robot.
-  /// Rising and sitting are planned below it; while standing, stand.power_limit is 0.9 of it or
-  /// less. 0 switches the protection off, and with it that limit; plans then keep below level 1.
+  /// Level of Safety::power_protect(), 1 .. 10, which trips at 100 W times the level. Rising and
+  /// sitting down are planned for half of it; while standing, stand.power_limit is at most 0.9 of
+  /// it. 0 switches the protection and this power limit off; motions are then planned for level 1.
   int power_level = 1;
-  double arming_time = 1.0;           ///< [s] that all checks must have passed
-  double temperature_warning = 60.0;  ///< [deg C] torque limits fall from here on ...
-  double temperature_stop = 80.0;     ///< [deg C] ... to half, where the robot sits down
-  double battery_low = 10.0;          ///< [%] of charge, below which it sits down
-  /// [kg] that it may bear besides itself before it sits down
+  double arming_time = 1.0;           ///< [s] for which all arming checks must have passed
+  double temperature_warning = 60.0;  ///< [deg C] where torque limits start to fall
+  double temperature_stop = 80.0;     ///< [deg C] where they are halved and the robot sits
+  double battery_low = 10.0;          ///< [%] of charge below which the robot sits down
+  /// [kg] Payload above which the robot sits down; infinite: no limit.
   double payload_limit = std::numeric_limits<double>::infinity();
-  /// [s] without heartbeat() before it sits down; infinite: nobody need be there
+  /// [s] Time without heartbeat() after which the robot sits down; infinite needs no operator.
   double operator_timeout = std::numeric_limits<double>::infinity();
-  /// [rad] kept from the limits for arming; negative: so far beyond. A calf at rest fully folded
-  /// lies on its stop, outside the limits that motions keep.
+  /// [rad] Distance that joints must keep from their limits, for arming and for fault kJointStop;
+  /// negative: how far beyond the limits they may be. A fully folded calf rests on its stop, beyond
+  /// the limits.
   double joint_margin = -0.15;
-  StandOptions stand;
-  Start start = Start::kLying;
-  bool remote = true;  ///< B on the remote stops
+  StandOptions stand;           ///< options of the StandController
+  Start start = Start::kLying;  ///< state of the robot at the first sample
+  bool remote = true;           ///< button B on the remote stops the robot
 
-  /// Throw surefoot::Error naming what is out of range.
+  /// Throw surefoot::Error if an option is out of range; the message names it.
   void validate() const;
 };
 
-/// Takes a robot from lying to standing and back, behind arming, refusals and a stop: LowState in,
-/// LowCmd out.
+/// Controller that takes a robot from lying to standing and back: LowState in, LowCmd out. It
+/// checks the robot before it arms, refuses requests that do not fit, detects faults, and stops on
+/// request.
 ///
-/// Rising folds the legs from wherever they are, feet beside the body and knees up, then goes over
-/// a crouch to the standing pose, all legs alike, so that feet stay where they are while the body
-/// comes over them and up. A leg that catches on something backs out and tries again, up to eight
-/// times. A body that rolls over its legs is let go of, twice. A robot that crouches or stands
-/// already, joints within 0.35 rad of that way, does not fold but goes on from there. Before the
-/// body leaves the ground the folded legs are weighed and the rear ones press: faults kWiring and
-/// kWrongRobot. The pace is what half of the power level allows by the torques that hold the robot.
-/// Sitting is the same way backwards. Torques fade from mode to mode in 0.25 s; only damping for a
-/// stop or a fault is at once. What is wrong and what is done about it: fault_table().
+/// Rising. First the legs fold from any pose, feet beside the body and knees up. Then they move
+/// over a crouch to the standing pose. All legs move alike, so the feet stay in place while the
+/// body comes over them and up. A leg that is blocked backs out and tries again, up to eight times.
+/// If the body rolls over its legs, they are released, at most twice. A robot that already crouches
+/// or stands, with all joints within 0.35 rad of this path, rises from there without folding.
+/// Before the body leaves the ground, the folded legs are weighed and the rear legs press on the
+/// ground, which detects kWiring and kWrongRobot. The speed is limited so that the torques that
+/// hold the robot take half of the power level. Sitting down follows the same path backwards.
 ///
-/// update(), bridge(), lose(), count_samples(), set_gains(), set_body_reference(),
-/// stand_controller(), command_is_fresh() and measured_power() belong to one thread. All others may
-/// be called from any. None takes a lock; faults() and arming() read again what was written over
-/// while they read it.
+/// Torques fade between modes within 0.25 s; damping after a stop or a fault comes at once.
+/// fault_table() lists the faults and the reactions to them.
+///
+/// Threads: update(), update_without_state(), report_link_lost(), count_samples(), set_gains(),
+/// set_body_reference(), stand_controller(), command_is_fresh() and measured_power() belong to one
+/// thread. All other functions may be called from any thread. No function takes a lock; faults()
+/// and arming() read again if the report changed while they read it.
 class Supervisor {
  public:
-  /// Throws surefoot::Error when the robot (twelve joints on a free base), a gain or an option is
-  /// invalid.
+  /// Throws surefoot::Error if the robot does not have twelve joints on a free base, or if a gain
+  /// or an option is invalid.
   explicit Supervisor(const Robot& robot);
   Supervisor(const Robot& robot, const Gains& gains, const SupervisorOptions& options = {});
   ~Supervisor();
   Supervisor(Supervisor&&) noexcept;
 
-  /// Compute one tick; never throws, allocates, locks or logs. Real-time: yes.
+  /// Compute one tick. Never throws, allocates, locks or logs. Real-time: yes.
+  /// @return the command to send
   const LowCmd& update(const LowState& low_state) noexcept;
 
-  /// Go on for a period that brought no LowState: the last command while it is no older than 10 ms,
-  /// then damping; after 20 ms requests are refused until update() is called again. Nothing latches
-  /// but what stop() asks for: see lose(). Real-time: yes.
-  /// @param age [s] of the newest LowState, which the caller measures; negative or NaN: too old
+  /// Compute the command of a period without a new LowState: the last command while it is at most
+  /// 10 ms old, then damping. After 20 ms requests are refused until update() is called again.
+  /// Nothing latches except on stop(); see report_link_lost(). Real-time: yes.
+  /// @param age [s] age of the newest LowState, measured by the caller; negative or NaN: too old
+  /// @return the command to send
   const LowCmd& update_without_state(double age) noexcept;
-  /// The robot was not heard for too long, or what is heard now is another: what was armed damps
-  /// and latches, and what waits is forgotten. Real-time: yes.
+  /// Report that no LowState arrived for too long, or that the robot restarted. If the robot is
+  /// armed, damping latches with fault kLink. Pending requests are dropped. Real-time: yes.
   void report_link_lost() noexcept;
-  /// Say what the link has counted since the last call, for the arming check kLink: it hears more
-  /// reports than are handed on to update(), whose own count this replaces. Gaps between those are
-  /// then the caller's to judge: lose(). Real-time: yes.
+  /// Report how many LowStates the link received and missed since the last call, for the arming
+  /// check kLink. The link receives more samples than update() processes, and its count replaces
+  /// the count of update(). The caller must then judge gaps itself and call report_link_lost().
+  /// Real-time: yes.
+  /// @param received number of LowStates @param missing number of LowStates; negative if some
+  /// arrived late after all
   void count_samples(double received, double missing) noexcept;
 
-  /// Ask for a mode: kRise from passive; kSit from rise and stand; kStand while sitting down, to
-  /// come up again. Any thread. Real-time: yes.
+  /// Request a mode: kRise from kPassive; kSit from kRise and kStand; kStand from kSit, to rise
+  /// again. Any thread. Real-time: yes.
   RequestStatus request(Mode mode) noexcept;
-  /// Allow requests, and leave latched damping for passive; a leg that was lost counts again. Any
-  /// thread. Real-time: yes.
+  /// Arm the robot: allow requests, and leave latched damping for kPassive. A lost leg is used
+  /// again. Any thread. Real-time: yes.
   RequestStatus arm() noexcept;
-  /// Damp at once and latch, whatever the mode. Any thread, any number of times. Real-time: yes.
+  /// Damp at once and latch, in any mode. Any thread, also repeatedly. Real-time: yes.
   void stop() noexcept;
-  /// The operator is there: see the option operator_timeout. Any thread. Real-time: yes.
+  /// Signal that the operator is present, see SupervisorOptions::operator_timeout. Any thread.
+  /// Real-time: yes.
   void heartbeat() noexcept;
 
-  Mode mode() const noexcept;
-  bool armed() const noexcept;
-  FaultId damping_fault() const noexcept;  ///< why the damping latched last
-  /// Which faults there are and have been, a consistent copy of the last tick's. Any thread.
+  Mode mode() const noexcept;              ///< any thread
+  bool armed() const noexcept;             ///< true if armed; any thread
+  FaultId damping_fault() const noexcept;  ///< why damping last latched; kNone after arm()
+  /// Return a consistent copy of the active and past faults of the last tick. Any thread.
   FaultReport faults() const noexcept;
-  /// Every check with its verdict, a consistent copy of the last tick's. Any thread.
+  /// Return a consistent copy of the arming checks of the last tick. Any thread.
   ArmingReport arming() const noexcept;
 
-  /// How far up the robot is on the way from lying (0) to standing (1), as commanded.
+  /// Commanded position on the path from lying (0) to standing (1); 0 before the body rises and in
+  /// kPassive and kDamping.
   double rise_progress() const noexcept;
-  /// [s] that the plan takes from lying legs folded to standing.
+  /// [s] Planned time from folded legs to standing.
   double rise_time() const noexcept;
-  /// Are torques on their way from mode to mode?
+  /// True while torques fade from one mode to the next.
   bool fading() const noexcept;
-  /// Did the last rise give up because a leg could not fold or the body could not follow?
+  /// True if the last rise gave up: a leg could not fold, or the body did not follow.
   bool rise_failed() const noexcept;
-  RiseStage rise_stage() const noexcept;  ///< of the last rise, or of this
+  RiseStage rise_stage() const noexcept;  ///< of the present rise, or of the last one
 
-  void set_body_reference(const BodyReference& target) noexcept;  ///< in force while standing
-  /// As StandController's; fold_wait is in force when legs begin to fold. Throws surefoot::Error.
+  void set_body_reference(const BodyReference& target) noexcept;  ///< see StandController
+  /// Set the gains, see StandController::set_gains(). fold_wait takes effect when the legs next
+  /// begin to fold. Throws surefoot::Error and changes nothing if a gain is invalid. Real-time: no.
   void set_gains(const Gains& gains);
   const StandController& stand_controller() const noexcept;
-  bool command_is_fresh() const noexcept;  ///< was the last command made from its own LowState?
-  /// [W] that the power protection judged last; 0 while it has nothing to judge.
+  bool command_is_fresh() const noexcept;  ///< true: computed from the newest LowState
+  /// [W] Power that the power protection last judged; 0 while it is off or no torques are applied.
   double measured_power() const noexcept;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Everything: #include <surefoot/surefoot.hpp>
+/// Includes the whole public interface: #include <surefoot/surefoot.hpp>
 #include "surefoot/arming.hpp"
 #include "surefoot/body_reference.hpp"
 #include "surefoot/error.hpp"

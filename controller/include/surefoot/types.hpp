@@ -5,110 +5,123 @@
 
 #include "surefoot/math.hpp"
 
-/// The structs on the wires between the stages. Plain data; every one can be logged and replayed.
+/// Plain data types that the stages of a tick exchange. All of them can be logged and replayed.
 namespace surefoot {
 
-/// What became of a tick. Anything but kOk is said here and never thrown.
+/// Result of a tick. Ticks report errors by it and never throw.
 enum class Status : int {
-  kOk = 0,
-  kWaiting,        ///< no valid state has come yet
-  kNonFinite,      ///< a NaN or an infinity in a field that is used
-  kImplausible,    ///< a used field is finite and beyond what the robot can do or measure
+  kOk = 0,         ///< a command, or a solution, was computed
+  kWaiting,        ///< no valid sample has arrived yet, or no tick has run
+  kNonFinite,      ///< a used field is NaN or infinite, or in a LowState beyond 1e4
+  kImplausible,    ///< a used field is beyond what the robot can do or measure
   kFallen,         ///< the base is tilted beyond the gain fall_tilt
-  kBadReference,   ///< the reference has no unit quaternion, or no upward unit ground normal
-  kWrongSize,      ///< q or v is not of the robot's size
+  kBadReference,   ///< the reference needs a unit quaternion and an upward unit ground normal
+  kWrongSize,      ///< q, v or the posture does not have the robot's size
   kBadQuaternion,  ///< a quaternion (the IMU's, or q's) is zero or far from unit length
-  kStaleTick,      ///< tick did not advance
-  kMaxIterations,  ///< the quadratic program hit its cap before our residual check passed
-  kInfeasible,     ///< the solver called the program infeasible
-  kSingular,       ///< a leg is too close to straight or to hip height for the condensed form
+  kStaleTick,      ///< LowState::tick did not advance, or jumped ahead
+  kMaxIterations,  ///< the solver found no solution that passes the residual check
+  kInfeasible,     ///< the solver reported that the QP is infeasible
+  kSingular,       ///< condensed form: a leg is nearly straight, or a foot near hip height
   kDamping,        ///< latched: the motors brake until reset()
-  kBadTask,        ///< a task of the user's failed, or wrote a number that is not finite
-  kSaturated,      ///< the torques are good to send; a motor, or the power, is at its limit
-  kDiverged        ///< the state estimate ran away: reports that no motion explains
+  kBadTask,        ///< a custom task failed, or wrote invalid or far too heavy rows
+  kSaturated,      ///< the command may be sent; a motor or the power is at its limit
+  kDiverged        ///< the state estimate diverged: no motion explains the samples
 };
+/// Return the name of a status, such as "max_iterations". Real-time: yes.
 const char* to_string(Status status) noexcept;
-/// Does this status come with a command to send?
+/// Return whether a tick with this status gave a command to send. Real-time: yes.
 inline bool is_usable(Status status) noexcept {
   return status == Status::kOk || status == Status::kSaturated;
 }
 
-/// Where the robot is and how it moves.
+/// State of the robot: pose, motion, contacts and external wrench.
 struct RobotState {
-  /// Level at the origin, at rest. Throws surefoot::Error unless nq >= 7 and nv >= 6.
+  /// Create a state at rest, base level at the world origin. Throws surefoot::Error unless nq >= 7
+  /// and nv >= 6.
   explicit RobotState(int nq = 19, int nv = 18);
   Eigen::VectorXd q;  ///< Pinocchio's q: position, quaternion x y z w, joints
-  Eigen::VectorXd v;  ///< Pinocchio's v: base twist in base axes, joint velocities
-  /// Probability that each foot carries load, 0 .. 1, FR FL RR RL.
+  Eigen::VectorXd v;  ///< Pinocchio's v: twist of the base in base axes, joint velocities
+  /// Contact confidence of each foot, 0 .. 1, FR FL RR RL. At 0 the gains force_lost_contact and
+  /// share_lost_contact limit the load of a stance foot. To lift a foot, use FootReference::stance.
   Eigen::Vector4d contact = Eigen::Vector4d::Ones();
-  /// [N] force on the body from outside, through its centre of mass, world axes: a push, a payload.
+  /// [N] External force through the centre of mass, world axes: pushes and payload.
   Vector3 f_external = Vector3::Zero();
-  /// [N] the part of f_external that lasts: a payload. What holds the robot still counts with it.
+  /// [N] Sustained part of f_external, world axes: a payload. The torques that hold the robot take
+  /// it into account.
   Vector3 f_sustained = Vector3::Zero();
-  /// [N.m] moment on the body from outside about its centre of mass, world axes: a payload off it.
+  /// [N.m] External moment about the centre of mass, world axes; the estimator reports its
+  /// sustained part.
   Vector3 moment_external = Vector3::Zero();
-  /// What is left of each foot's friction coefficient, 0 .. 1, FR FL RR RL: less while it slips.
+  /// Share of RobotConfig::friction that each foot may use, 0 .. 1, FR FL RR RL: less while it
+  /// slips.
   Eigen::Vector4d friction = Eigen::Vector4d::Ones();
 };
 
-/// What one foot is asked to do, in the world frame of RobotState.
+/// Reference of one foot, in the world frame of RobotState.
 struct FootReference {
-  bool stance = true;                 ///< false: swing, carries no force
-  double load = 1.0;                  ///< planned share 0 .. 1: ramp it to open or close a contact
-  Vector3 p_world = Vector3::Zero();  ///< [m] where its contact point belongs (its anchor)
-  Vector3 v_world = Vector3::Zero();  ///< [m/s]
-  Vector3 a_world = Vector3::Zero();  ///< [m/s^2]
-  Vector3 f_world = Vector3::Zero();  ///< [N] ground on foot; read when Reference::use_forces
+  bool stance = true;                 ///< false: swing foot, carries no force
+  double load = 1.0;                  ///< planned load 0 .. 1; ramp it to make or break contact
+  Vector3 p_world = Vector3::Zero();  ///< [m] desired position of the contact point
+  Vector3 v_world = Vector3::Zero();  ///< [m/s] desired velocity
+  Vector3 a_world = Vector3::Zero();  ///< [m/s^2] feed-forward acceleration
+  Vector3 f_world = Vector3::Zero();  ///< [N] ground on foot; used if Reference::use_forces
 };
 
-/// Which point of the body the position task moves.
-enum class BodyPoint { kCenterOfMass, kBase };
+/// Point of the body that the position task moves.
+enum class BodyPoint {
+  kCenterOfMass,  ///< the centre of mass of the robot
+  kBase           ///< the origin of the base
+};
 
-/// What the robot is asked to do, in the world frame of RobotState: a planner writes one each tick.
+/// Desired motion of the robot in the world frame of RobotState. A planner writes one in each tick.
 struct Reference {
   BodyPoint body_point = BodyPoint::kCenterOfMass;
-  Vector3 p_com = Vector3::Zero();   ///< [m] centre of mass; read when it is the body point
+  Vector3 p_com = Vector3::Zero();   ///< [m] centre of mass; used if it is the body point
   Vector3 v_com = Vector3::Zero();   ///< [m/s]
   Vector3 a_com = Vector3::Zero();   ///< [m/s^2] feed-forward
-  Vector3 p_base = Vector3::Zero();  ///< [m] origin of the base; read when it is the body point
+  Vector3 p_base = Vector3::Zero();  ///< [m] origin of the base; used if it is the body point
   Vector3 v_base = Vector3::Zero();  ///< [m/s] world axes
   Vector3 a_base = Vector3::Zero();  ///< [m/s^2] feed-forward, world axes
-  Quaternion R_world_base = Quaternion::Identity();
-  Vector3 w_world_base = Vector3::Zero();      ///< [rad/s] in world axes
-  Vector3 alpha_world_base = Vector3::Zero();  ///< [rad/s^2] feed-forward, world axes
-  Vector3 L_com = Vector3::Zero();     ///< [kg.m^2/s] angular momentum about the centre of mass
-  Vector3 Ldot_com = Vector3::Zero();  ///< [N.m] feed-forward
-  std::array<FootReference, kLegs> feet;
-  bool use_forces = false;  ///< regularise towards feet[i].f_world instead of the even forces
-  /// [rad] joints of the posture task, shape (nv - 6,), order of v[6:]; empty: the standing pose.
+  Quaternion R_world_base = Quaternion::Identity();  ///< orientation of the base
+  Vector3 w_world_base = Vector3::Zero();            ///< [rad/s] angular velocity, world axes
+  Vector3 alpha_world_base = Vector3::Zero();        ///< [rad/s^2] feed-forward, world axes
+  /// [kg.m^2/s] Angular momentum about the centre of mass, world axes; used if gain weight_momentum
+  /// is above 0.
+  Vector3 L_com = Vector3::Zero();
+  Vector3 Ldot_com = Vector3::Zero();     ///< [N.m] feed-forward, world axes
+  std::array<FootReference, kLegs> feet;  ///< FR FL RR RL
+  bool use_forces = false;  ///< true: regularise towards feet[i].f_world, not towards even forces
+  /// [rad] Joint angles of the posture task, shape (nv - 6,), order of v[6:]; empty: standing pose.
   Eigen::VectorXd posture;
-  Vector3 ground_normal = Vector3::UnitZ();  ///< unit, pointing out of the ground
+  Vector3 ground_normal = Vector3::UnitZ();  ///< unit length, out of the ground, for all feet
 };
 
-/// How the program eliminates the equations of motion.
+/// Form of the whole-body QP: how the equations of motion are eliminated.
 enum class QpForm {
-  kAuto,       ///< condensed where it holds, general elsewhere, with hysteresis
-  kCondensed,  ///< contact forces alone; kSingular where a leg is near singular
-  kGeneral     ///< accelerations and contact forces; any pose, any further joints
+  kAuto,       ///< condensed where it is valid, else general, with hysteresis
+  kCondensed,  ///< variables: contact forces; kSingular where a leg is nearly singular
+  kGeneral     ///< variables: accelerations and contact forces; any pose, further joints
 };
+/// Return the name of a form. Real-time: yes.
 const char* to_string(QpForm form) noexcept;
 
-/// What the whole-body program decided.
+/// Solution of the whole-body QP. For a status other than kOk and kSaturated, all fields but
+/// iterations and residuals are those of the last good tick.
 struct Solution {
   explicit Solution(int nv = 18)
       : accelerations(Eigen::VectorXd::Zero(nv)), torques(Eigen::VectorXd::Zero(nv - 6)) {}
   Status status = Status::kWaiting;
-  QpForm form = QpForm::kAuto;             ///< which form was solved: kCondensed or kGeneral
-  Eigen::VectorXd accelerations;           ///< shape (nv,), Pinocchio's order
+  QpForm form = QpForm::kAuto;             ///< form that was solved: kCondensed or kGeneral
+  Eigen::VectorXd accelerations;           ///< shape (nv,), Pinocchio's order and base axes
   FeetMatrix forces = FeetMatrix::Zero();  ///< [N] ground on foot, world axes, FR FL RR RL
   Eigen::VectorXd torques;                 ///< [N.m] shape (nv - 6,), order of v[6:]
-  double clipped_torque = 0.0;             ///< [N.m] most that the final clip took off a motor
-  double torque_limit_violation = 0.0;  ///< most that torque limits had to give, share of tau_max
-  double joint_limit_violation = 0.0;   ///< [rad/s^2] same for joint position and velocity limits
-  double hold_down_violation = 0.0;     ///< [N] same for the force that keeps feet down
-  int iterations = 0;                   ///< inner iterations of the solver
-  double primal_residual = 0.0;         ///< our own check, in the program's scaling
-  double dual_residual = 0.0;
+  double clipped_torque = 0.0;             ///< [N.m] largest torque cut off at a motor limit
+  double torque_limit_violation = 0.0;     ///< largest slack of torque limits, share of tau_max
+  double joint_limit_violation = 0.0;      ///< [rad/s^2] of joint position and velocity limits
+  double hold_down_violation = 0.0;        ///< [N] of the hold-down forces
+  int iterations = 0;                      ///< inner iterations of the solver
+  double primal_residual = 0.0;            ///< own check, in the scaling of the QP
+  double dual_residual = 0.0;              ///< own check, in the scaling of the QP
 };
 
 }  // namespace surefoot

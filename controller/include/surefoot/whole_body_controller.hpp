@@ -12,79 +12,86 @@ namespace surefoot {
 
 class Dynamics;
 
-/// What is set once, as opposed to tuned.
+/// Options of a WholeBodyController: fixed at construction, unlike gains.
 struct WholeBodyOptions {
-  QpForm form = QpForm::kAuto;
-  double tolerance = 1e-6;  ///< of the program's residuals, in its own scaling
+  QpForm form = QpForm::kAuto;  ///< form of the QP
+  double tolerance = 1e-6;      ///< of the QP residuals, in the scaling of the QP; 1e-14 .. 1e-3
 
-  /// Throw surefoot::Error naming what is out of range.
+  /// Throw surefoot::Error if an option is out of range; the message names it.
   void validate() const;
 };
 
-/// State and reference in, joint torques out: for people who bring their own estimator or planner.
+/// Whole-body controller for users with their own estimator or planner: RobotState and Reference
+/// in, joint torques out.
 ///
-/// Minimises the missed accelerations of the body (centre of mass or base, orientation, angular
-/// momentum), of the posture and of tasks of your own, and the distance from the most even forces.
-/// Rigid-body dynamics (armature included) and contact accelerations hold exactly, but for a leg
-/// that near the support's edge bears nothing and keeps its joint limits by itself; friction and
-/// normal force are hard, f = 0 always allowed; torque by the motors' torque-speed curve, joint
-/// position and velocity, and the force that keeps feet down are elastic with exact penalties, so
-/// the program is feasible by construction. Torques that leave are clipped to the motors, and the
-/// solution says how much that took.
+/// Each tick solves one QP. Cost: errors in the desired accelerations of the body (centre of mass
+/// or base, orientation, angular momentum), of the posture and of custom tasks, and the distance of
+/// the contact forces from the even forces. Equality constraints: rigid-body dynamics with
+/// armature, and the desired accelerations of the contact points. Two exceptions: near the support
+/// edge, an unloaded leg is released and keeps its own joint limits; in the general form, the foot
+/// row of a nearly singular leg is part of the cost. Hard constraints: friction and
+/// largest normal force of each foot, which always allow f = 0. Elastic constraints with exact
+/// penalties: motor torque by the torque-speed curve, joint position and velocity, and hold-down;
+/// so the QP is always feasible. Finally the torques are clipped to the motor limits;
+/// Solution::clipped_torque reports by how much. docs/condensed-qp.md has the equations.
+///
+/// Assumes spherical feet that roll, and one ground normal for all feet. Not thread-safe.
 class WholeBodyController {
  public:
-  /// Throws surefoot::Error when the robot does not fit the form asked for, or a gain or an option
-  /// is invalid.
+  /// Throws surefoot::Error if the robot does not fit the form of the QP, if a leg is singular in
+  /// its standing pose, or if a gain or an option is invalid.
   explicit WholeBodyController(const Robot& robot);
   WholeBodyController(const Robot& robot, const Gains& gains, const WholeBodyOptions& options = {});
   ~WholeBodyController();
   WholeBodyController(WholeBodyController&&) noexcept;
 
-  /// Compute one tick. Real-time: yes.
-  ///
-  /// @param state q and v of the robot's size, Pinocchio's order; contact 0 .. 1 per foot
-  /// @param reference in the same world frame
-  /// @return status kOk or kSaturated, or why the rest, but residuals and iterations, is of the
-  /// last good tick
+  /// Compute one tick. Never throws. Real-time: yes, if the custom tasks are.
+  /// @param state q (nq,) and v (nv,) in Pinocchio's order; contact confidence 0 .. 1 per foot
+  /// @param reference in the world frame of `state`
+  /// @return the solution; for a status other than kOk and kSaturated, all fields but iterations
+  /// and residuals are those of the last good tick
   const Solution& update(const RobotState& state, const Reference& reference) noexcept;
 
-  /// Make the reference that asks the robot to stay as it is: centre of mass, orientation and
-  /// contact points where `state` has them, at rest. Throws surefoot::Error on a wrong size.
+  /// Make the reference that keeps the robot as it is: centre of mass, base pose, contact points
+  /// and posture of `state`, at rest. Throws surefoot::Error if q or v has the wrong size, a value
+  /// is not finite or out of range, or the quaternion is not of unit length. Real-time: no.
   Reference hold(const RobotState& state);
 
-  /// update() on dynamics that are computed already (StandController's way in). Real-time: yes.
-  /// @param state the same state that the dynamics belong to
+  /// Compute one tick with dynamics that are already computed; StandController uses this.
+  /// Real-time: yes, if the custom tasks are.
+  /// @param dynamics computed at `state` and at the ground normal of `reference`
   const Solution& solve(const Dynamics& dynamics, const RobotState& state,
                         const Reference& reference) noexcept;
 
-  /// Solve the program of the last solve() or update() once more, when that ended with
-  /// kMaxIterations or kInfeasible: without a warm start, in one attempt, to ten times the
-  /// tolerance by our own check. After any other status there is no program that could be solved,
-  /// and nothing happens. Tasks are not asked again. Real-time: yes.
+  /// Solve the QP of the last solve() or update() again after kMaxIterations or kInfeasible: with a
+  /// cold start, in one attempt, and to ten times the tolerance of the own residual check. After
+  /// any other status nothing happens. Custom tasks are not called again. Real-time: yes.
   /// @param dynamics of that tick
   const Solution& solve_cold(const Dynamics& dynamics) noexcept;
 
-  /// Add a task of your own, from the next tick on. Not in the tick; throws surefoot::Error.
+  /// Add a custom task, in force from the next tick on. Throws surefoot::Error if `task` is null or
+  /// its rows() is not 1 .. 1000. Real-time: no.
   void add_task(std::shared_ptr<Task> task);
 
-  const Solution& solution() const noexcept;
-  /// The quadratic program that the last tick solved, scaled as it was: the hard one, or with
-  /// slacks while something gives. For benchmarks and debugging. Real-time: yes.
+  const Solution& solution() const noexcept;  ///< solution of the last tick
+  /// QP that the last tick solved, in its scaling: the hard QP, or the elastic one with slacks
+  /// while a constraint is violated. For benchmarks and debugging. Real-time: yes.
   const QpProblem& qp() const noexcept;
   const Gains& gains() const noexcept;
 
-  /// Change gains between ticks; throws surefoot::Error and changes nothing if one is invalid.
+  /// Set the gains, between ticks. Throws surefoot::Error and changes nothing if a gain is invalid.
   void set_gains(const Gains& gains);
-  /// The same in the tick. @return false, and nothing is changed, if one is invalid. Real-time:
-  /// yes.
+  /// Set the gains within a tick. Real-time: yes.
+  /// @return false if a gain is invalid; nothing changes then
   bool adopt_gains(const Gains& gains) noexcept;
 
-  /// Let each motor use only a share of its torque, 0 .. 1, SDK order: a hot one, say. What is not
-  /// a share changes nothing. Real-time: yes.
+  /// Set the share of its torque limit that each motor may use, 0 .. 1, SDK motor order; less for a
+  /// hot motor, for example. The call is ignored if a value is outside [0, 1]. Real-time: yes.
   void set_torque_share(const Vector12& share) noexcept;
   const Vector12& torque_share() const noexcept;
 
-  /// Forget the warm start.
+  /// Discard the warm start and the last contact forces; Solution::status becomes kWaiting.
+  /// Real-time: yes.
   void reset() noexcept;
 
  private:

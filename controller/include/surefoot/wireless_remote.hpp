@@ -26,26 +26,27 @@ enum class Button : std::uint16_t {
   kLeft = 1U << 15
 };
 
-/// What the 40 bytes of LowState::wirelessRemote say (the SDK's joystick.h).
+/// Buttons and sticks in the 40 bytes of LowState::wirelessRemote, as in the SDK's joystick.h.
 struct WirelessRemote {
-  std::uint16_t buttons = 0;
-  float lx = 0.0F;  ///< -1 .. 1, left stick, right
-  float ly = 0.0F;  ///< -1 .. 1, left stick, up
-  float rx = 0.0F;  ///< -1 .. 1, right stick, right
-  float ry = 0.0F;  ///< -1 .. 1, right stick, up
-  float L2 = 0.0F;  ///< 0 .. 1, trigger
+  std::uint16_t buttons = 0;  ///< one bit per button, see Button
+  float lx = 0.0F;            ///< -1 .. 1, left stick, positive to the right
+  float ly = 0.0F;            ///< -1 .. 1, left stick, positive up
+  float rx = 0.0F;            ///< -1 .. 1, right stick, positive to the right
+  float ry = 0.0F;            ///< -1 .. 1, right stick, positive up
+  float L2 = 0.0F;            ///< 0 .. 1, trigger
 
+  /// Return whether a button is pressed. Real-time: yes.
   bool pressed(Button button) const noexcept {
     return (buttons & static_cast<std::uint16_t>(button)) != 0;
   }
 };
 
-/// Read the remote. All zero is a remote at rest, or none; a stick that is not finite or beyond its
-/// range by more than a little puts all sticks at rest. Buttons count nevertheless: a button may be
-/// what damps the robot. Real-time: yes.
+/// Decode the remote. All bytes zero means a remote at rest, or none. If a stick value is not
+/// finite or its magnitude is above 1.05, all sticks are set to 0. Buttons are decoded all the
+/// same, because a button may damp the robot. Real-time: yes.
 WirelessRemote decode_wireless_remote(const std::array<std::uint8_t, 40>& bytes) noexcept;
 
-/// Write the remote; the head and the idle bytes are zero. Real-time: yes.
+/// Encode the remote; head and unused bytes are zero. Real-time: yes.
 std::array<std::uint8_t, 40> encode_wireless_remote(const WirelessRemote& remote) noexcept;
 
 }  // namespace surefoot

@@ -3,10 +3,11 @@
 
 namespace surefoot {
 
-/// How long an old command may live. One table, used everywhere.
-constexpr double kHoldTime = 0.010;   ///< [s] the last good command is repeated at most this long
-constexpr double kStaleTime = 0.020;  ///< [s] of silence after which damping is latched
-constexpr double kRobotWatchdogTime =
-    0.100;  ///< [s] without running: robots damp by themselves, and so do we
+// Time limits of old commands and old samples, for all parts of the controller.
+
+constexpr double kHoldTime = 0.010;   ///< [s] longest time that the last good command is repeated
+constexpr double kStaleTime = 0.020;  ///< [s] without a sample, after which damping is latched
+/// [s] without a command, after which a robot damps by itself; the controller then damps too.
+constexpr double kRobotWatchdogTime = 0.100;
 
 }  // namespace surefoot

@@ -10,7 +10,7 @@ namespace surefoot {
 
 std::string to_text(double value) {
   char buffer[40];
-  // The fewest digits that say the number exactly.
+  // Use the fewest digits that read back as the same number.
   for (int digits = 6; digits <= 17; ++digits) {
     std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
     if (std::strtod(buffer, nullptr) == value) break;
@@ -26,7 +26,7 @@ std::string join(const std::vector<std::string>& words, const char* separator) {
 
 namespace {
 
-// Levenshtein distance, one row at a time.
+// Compute the Levenshtein distance, one row of its table at a time.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

@@ -5,16 +5,16 @@
 #include <string_view>
 #include <vector>
 
-/// Words for error messages. Not for the tick.
+/// Helpers for the text of error messages. Real-time: no.
 namespace surefoot {
 
-/// Number as text, round-trip exact.
+/// Return a number as text that reads back as the same number.
 std::string to_text(double value);
 
-/// "a, b, c"
+/// Join words to one text, such as "a, b, c".
 std::string join(const std::vector<std::string>& words, const char* separator = ", ");
 
-/// " (did you mean 'x'?)" when a valid name is close to the wrong one, else "".
+/// Return " (did you mean 'x'?)" if a valid name is close to the wrong one, else "".
 std::string suggestion(std::string_view wrong, const std::vector<std::string>& valid);
 
 }  // namespace surefoot

@@ -11,14 +11,15 @@ namespace surefoot {
 Dynamics::Dynamics(const Robot& robot, Source source)
     : robot_(robot), condensable_(has_three_joint_legs(robot)) {
   if (!has_standard_gravity(robot)) {
-    throw Error("robot '" + robot.config().name + "': the model's gravity is not (0, 0, -9.81)");
+    throw Error("robot '" + robot.config().name +
+                "': gravity of the model: got another value, expected (0, 0, -9.81) m/s^2");
   }
   if (source == Source::kAuto && QuadrupedDynamics::fits(robot)) {
     quadruped_ = std::make_unique<QuadrupedDynamics>(robot);
   } else {
     pinocchio_ = std::make_unique<PinocchioDynamics>(robot);
   }
-  // Which side of the hip axis is below: the one where the feet stand.
+  // The standing pose shows which side of the hip axis is below.
   update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());
   for (int leg = 0; leg < kLegs; ++leg)
     depth_sign_[leg] = terms_.legs[leg].depth < 0.0 ? -1.0 : 1.0;
@@ -56,7 +57,7 @@ void Dynamics::write_full(FullDynamics& out) const noexcept {
     pinocchio_->write_full(terms_, out);
     return;
   }
-  // Legs meet in the base only: what is no block here is zero, and stays so from construction.
+  // Legs couple only through the base. All other blocks have been zero since construction.
   out.M.topLeftCorner<6, 6>() = terms_.M_base;
   out.h.head<6>() = terms_.h_base;
   for (int leg = 0; leg < kLegs; ++leg) {

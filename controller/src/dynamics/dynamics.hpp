@@ -11,36 +11,39 @@ namespace surefoot {
 class PinocchioDynamics;
 class QuadrupedDynamics;
 
-/// The robot's dynamics in one tick: from generated code where the robot has the shape that it is
-/// for (QuadrupedDynamics), else from Pinocchio.
+/// Kinematics and dynamics of the robot in one tick: M v' + h = S' tau + J' f.
 ///
-/// Base quantities are in base axes, as Pinocchio's v is. The contact rows are those of a sphere
-/// that rolls on the ground: J = J_centre + [r n]x J_angular, so that no friction force is needed
-/// to let the shank turn about the foot. Real-time: update() yes.
+/// Generated code computes them where the robot has Unitree's shape (QuadrupedDynamics), Pinocchio
+/// otherwise. Base quantities are in base axes, as in Pinocchio's v. The contact Jacobian is that
+/// of a sphere of radius r that rolls on ground with normal n: J = J_centre + [r n]x J_angular. So
+/// the shank can rotate about the foot without a friction force. Real-time: update() yes.
 class Dynamics {
  public:
-  enum class Source { kAuto, kPinocchio };  ///< the second for tests: one against the other
+  enum class Source { kAuto, kPinocchio };  ///< kPinocchio: for tests that compare both
   explicit Dynamics(const Robot& robot, Source source = Source::kAuto);
   ~Dynamics();
   Dynamics(Dynamics&&) noexcept;
 
-  /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
+  /// Compute all terms at a state.
+  /// @param q shape (nq,) @param v shape (nv,) @param ground_normal unit length, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
               const Vector3& ground_normal) noexcept;
 
-  /// Move the results to an inertial frame in which the base has this extra position and velocity.
+  /// Shift the results to an inertial frame in which the base has this additional position and
+  /// velocity.
   ///
-  /// update() may be run with the base at the origin and at rest, before either is known; the
-  /// equations of motion do not change with the inertial frame, so only points and velocities move.
+  /// The estimator calls update() with the base at the origin and at rest, before it knows either.
+  /// The equations of motion do not depend on the inertial frame, so only points and velocities
+  /// change.
   void shift(const Vector3& p_world, const Vector3& v_world) noexcept;
 
-  /// Is the model a free base with four chains of three joints and nothing else? Only then does
-  /// the condensed form hold.
+  /// Return whether the model is a free base with four chains of three joints and nothing else. The
+  /// condensed form is valid only then.
   bool condensable() const noexcept { return condensable_; }
-  /// Copy out what the general form needs. Real-time: yes.
+  /// Write the full matrices, which the general form needs. Real-time: yes.
   void write_full(FullDynamics& out) const noexcept;
 
-  /// Does the generated code serve this robot?
+  /// Return whether generated code computes the dynamics of this robot.
   bool uses_generated_code() const noexcept { return quadruped_ != nullptr; }
 
   const std::array<LegDynamics, kLegs>& legs() const noexcept { return terms_.legs; }
@@ -51,38 +54,38 @@ class Dynamics {
   const Matrix3& R_world_base() const noexcept { return terms_.R_world_base; }
   const Vector3& p_world_com() const noexcept { return terms_.p_world_com; }
   const Vector3& v_world_com() const noexcept { return terms_.v_world_com; }
-  /// What shift() adds to the base's linear spatial acceleration: -w x v, base axes [m/s^2].
+  /// Change of the base's linear spatial acceleration by shift(): -w x v, base axes [m/s^2].
   const Vector3& a_base_shift() const noexcept { return a_base_shift_; }
   Vector3 w_world_base() const noexcept { return terms_.R_world_base * terms_.w_base; }
   const Vector3& w_base() const noexcept { return terms_.w_base; }
   const Vector3& p_world_base() const noexcept { return terms_.p_world_base; }
   const Vector3& v_world_base() const noexcept { return terms_.v_world_base; }
-  /// Base velocity that update() was given, base axes [m/s]: M and h belong to this one.
+  /// Base velocity passed to update(), base axes [m/s]; h is valid for this velocity.
   const Vector3& v_base() const noexcept { return terms_.v_base; }
   /// Angular momentum about the centre of mass, world axes [kg.m^2/s].
   const Vector3& L_world_com() const noexcept { return terms_.L_world_com; }
 
  private:
   Robot robot_;
-  std::unique_ptr<QuadrupedDynamics> quadruped_;  ///< null: the robot has another shape
-  std::unique_ptr<PinocchioDynamics> pinocchio_;  ///< null: not needed
+  std::unique_ptr<QuadrupedDynamics> quadruped_;  ///< null if the robot has another shape
+  std::unique_ptr<PinocchioDynamics> pinocchio_;  ///< null if quadruped_ is used
   DynamicsTerms terms_;
   Vector3 a_base_shift_;
   bool condensable_;
   std::array<double, kLegs> depth_sign_{1.0, 1.0, 1.0, 1.0};
 };
 
-/// Contact points, shape (3, 4) [m], world axes. Real-time: yes.
+/// Return the contact points, shape (3, 4) [m], world axes. Real-time: yes.
 inline FeetMatrix contact_points(const Dynamics& dynamics) noexcept {
   FeetMatrix points;
   for (int leg = 0; leg < kLegs; ++leg) points.col(leg) = dynamics.legs()[leg].p_world_contact;
   return points;
 }
 
-/// How fast contact points move as their ball feet roll: w x lever, of those that bear. Shape (3,
-/// 4) [m/s], world axes; the contact point moves so though nothing slips.
-/// @param contact belief per foot, 0 .. 1
-/// @param lever [m] from a contact point to its foot's centre, world axes. Real-time: yes.
+/// Compute the velocities of the contact points by rolling of the spherical feet, without slip:
+/// contact w_shank x lever. Shape (3, 4) [m/s], world axes. Real-time: yes.
+/// @param contact contact confidence per foot, 0 .. 1
+/// @param lever [m] from a contact point to the centre of its foot, world axes
 inline FeetMatrix rolling_velocities(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                                      const Vector3& lever) noexcept {
   FeetMatrix rates;

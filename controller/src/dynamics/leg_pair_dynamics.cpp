@@ -10,7 +10,8 @@ namespace code = leg_code;
 
 namespace {
 
-// The code's parameters, in its order, of the joint that a motor drives and the body behind it.
+// Write the parameters of a motor's joint and of the body that it moves, in the order of the
+// generated code.
 double* write_joint(const Robot& robot, int motor, double* out) {
   const auto& model = robot.model();
   const auto joint = model.getJointId(robot.config().joint_names[motor]);
@@ -23,7 +24,7 @@ double* write_joint(const Robot& robot, int motor, double* out) {
   return out;
 }
 
-// One leg's half of the results, read in the order of Eigen's columns.
+// One leg's lane of the paired values; matrices are stored by columns.
 struct LegLane {
   const LegPair* results;
   int lane;
@@ -32,7 +33,7 @@ struct LegLane {
   void read(int first, Matrix& out) const {
     for (int i = 0; i < out.size(); ++i) out.data()[i] = (*this)[first + i];
   }
-  // From the upper triangle, column by column.
+  // Reads the upper triangle, stored by columns.
   void read_symmetric(int first, Matrix3& out) const {
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i <= j; ++i) out(i, j) = out(j, i) = (*this)[first + j * (j + 1) / 2 + i];
@@ -107,7 +108,7 @@ void LegPairDynamics::read_leg(int leg, DynamicsTerms& out) const noexcept {
   lane.read_symmetric(code::kMLeg, L.M_leg);
   L.p_world_contact = out.p_world_base + lane.vector(code::kPContact);
   lane.read(code::kVContact, L.v_world_contact);
-  // Hip about x, thigh and calf about the y that the hip has turned.
+  // The hip axis is x; thigh and calf axes are y, rotated by the hip angle.
   const LegLane joints{leg_inputs_[leg / 2], leg % 2};
   L.joint_axes_world.col(0) = out.R_world_base.col(0);
   L.joint_axes_world.col(1) = out.R_world_base * Vector3(0.0, joints[0], joints[1]);

@@ -7,25 +7,28 @@
 
 namespace surefoot {
 
-/// Two legs side by side; the compiler makes it one SSE2 or NEON register.
+/// One value for each of two legs; the compiler maps it to one SSE2 or NEON register.
 typedef double LegPair __attribute__((vector_size(16)));
 
-/// The generated code's data for the four legs of one robot. Real-time: all but the constructor.
+/// Evaluates the generated leg dynamics for the four legs of a robot, two legs at a time.
+///
+/// Real-time: all but the constructor.
 class LegPairDynamics {
  public:
-  /// @param robot one that QuadrupedDynamics fits
+  /// @param robot must satisfy QuadrupedDynamics::fits()
   explicit LegPairDynamics(const Robot& robot);
 
-  /// Run the code.
-  /// @param terms whose R_world_base, v_base and w_base are this tick's
+  /// Evaluate all legs.
+  /// @param terms R_world_base, v_base and w_base are read
   /// @param g_base gravity in base axes [m/s^2]
   void evaluate(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const DynamicsTerms& terms,
                 const Vector3& g_base, const Vector3& ground_normal) noexcept;
 
-  /// Results that are added up over the legs, entry by entry.
+  /// Sum the results that the legs share, entry by entry.
   void sum_over_legs(double (&sums)[leg_code::kShared]) const noexcept;
 
-  /// @param out whose R_world_base and p_world_base are this tick's
+  /// Write the results of a leg.
+  /// @param out R_world_base, p_world_base and w_base are read
   void read_leg(int leg, DynamicsTerms& out) const noexcept;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace surefoot {
 
-// The condensed form reads a leg's blocks as contiguous 3x3 pieces of the mass matrix, and knows of
-// nothing but legs.
+// The condensed form needs the blocks of each leg contiguous in the mass matrix, and no joints
+// besides the legs.
 bool has_three_joint_legs(const Robot& robot) noexcept {
   const auto& model = robot.model();
   if (model.nv != 6 + kMotors || model.nq != 7 + kMotors) return false;
@@ -30,7 +30,7 @@ bool has_standard_gravity(const Robot& robot) noexcept {
 
 struct PinocchioDynamics::Pinocchio {
   explicit Pinocchio(const pinocchio::Model& m) : model(m), data(m) {}
-  const pinocchio::Model& model;  // lives in the Robot that PinocchioDynamics keeps
+  const pinocchio::Model& model;  // owned by robot_
   pinocchio::Data data;
 };
 
@@ -42,7 +42,8 @@ PinocchioDynamics::~PinocchioDynamics() = default;
 void PinocchioDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                const Vector3& ground_normal, DynamicsTerms& out) noexcept {
   auto& [model, data] = *pinocchio_;
-  // One pass each: mass matrix, world Jacobian and placements; then velocities, drifts and bias.
+  // crba() computes the mass matrix, the world Jacobian and the placements; nonLinearEffects() the
+  // velocities, drifts and h.
   pinocchio::crba(model, data, q, pinocchio::Convention::WORLD);
   pinocchio::nonLinearEffects(model, data, q, v);
 
@@ -61,7 +62,7 @@ void PinocchioDynamics::update_com(const Eigen::VectorXd& v, DynamicsTerms& out)
   const auto& data = pinocchio_->data;
   out.p_world_com = data.oYcrb[1].lever();
   out.I_world_com = data.oYcrb[1].inertia().matrix();
-  // The first six rows of M are the momentum about the base's origin, in base axes.
+  // The first six rows of M v are the momentum about the base origin, in base axes.
   Vector6 momentum = out.M_base * v.head<6>();
   momentum.noalias() += data.M.topRows<6>().rightCols(v.size() - 6) * v.tail(v.size() - 6);
   const Vector3 linear = out.R_world_base * momentum.head<3>();
@@ -105,7 +106,8 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
               lever.cross(placement.rotation() * accel.angular());
 
   for (int k = 0; k < kLegJoints; ++k) out.h_leg[k] = data.nle[column[k]];
-  // A leg's joints need not be neighbours in v where there are others; M is its upper triangle.
+  // With further joints, those of a leg may not be adjacent in v. Only the upper triangle of M is
+  // valid.
   for (int k = 0; k < kLegJoints; ++k) {
     out.M_base_leg.col(k) = data.M.col(column[k]).head<6>();
     for (int j = 0; j < kLegJoints; ++j) {
@@ -113,8 +115,8 @@ void PinocchioDynamics::update_leg(int leg, const Vector3& ground_normal,
       out.M_leg(j, k) = data.M(first, second);
     }
   }
-  // The hip's column of J is its axis crossed with the way to the foot; its part along the thigh's
-  // axis is the foot's distance below the hip axis, and a factor of the Jacobian's determinant.
+  // The hip's column of J is its axis x the vector to the contact point. Its component along the
+  // thigh axis is the depth of the foot below the hip axis, and a factor of det J.
   out.depth = out.J_leg.col(0).dot(out.joint_axes_world.col(1));
 }
 
@@ -125,7 +127,7 @@ void PinocchioDynamics::write_full(const DynamicsTerms& terms, FullDynamics& out
       out.M.transpose().triangularView<Eigen::StrictlyLower>();
   out.h = data.nle;
   out.J.setZero();
-  // Pinocchio's Jacobian is about the origin of update()'s frame, the points have been shifted.
+  // Pinocchio's Jacobian refers to the origin of update()'s frame; shift() has moved the points.
   const Vector3 shift = terms.p_world_base - data.oMi[1].translation();
   for (int leg = 0; leg < kLegs; ++leg) {
     const auto calf = model.frames[robot_.foot_frame_ids()[leg]].parentJoint;

@@ -8,23 +8,27 @@
 
 namespace surefoot {
 
-/// Is the model a free base with four chains of three joints and nothing else?
+/// Return whether the model is a free base with four chains of three joints and nothing else.
 bool has_three_joint_legs(const Robot& robot) noexcept;
 
-/// Is the model's gravity (0, 0, -9.81)?
+/// Return whether the gravity of the model is (0, 0, -9.81) m/s^2.
 bool has_standard_gravity(const Robot& robot) noexcept;
 
-/// The dynamics of a robot of any shape, by Pinocchio's algorithms. Real-time: update() yes.
+/// Dynamics of a robot of any shape, by Pinocchio's crba() and nonLinearEffects().
+///
+/// Real-time: all but the constructor.
 class PinocchioDynamics {
  public:
   explicit PinocchioDynamics(const Robot& robot);
   ~PinocchioDynamics();
 
-  /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
+  /// Compute all terms at a state.
+  /// @param q shape (nq,) @param v shape (nv,) @param ground_normal unit length, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
               DynamicsTerms& out) noexcept;
 
-  /// Copy out what the general form needs of the last update; `terms` is its result, since shifted.
+  /// Write the full matrices of the last update().
+  /// @param terms result of that update(), possibly shifted since
   void write_full(const DynamicsTerms& terms, FullDynamics& out) const noexcept;
 
  private:

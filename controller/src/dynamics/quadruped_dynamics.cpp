@@ -46,8 +46,8 @@ void QuadrupedDynamics::update(const Eigen::VectorXd& q, const Eigen::VectorXd& 
   for (int leg = 0; leg < kLegs; ++leg) legs_.read_leg(leg, out);
 }
 
-// The base's own body and the four legs make the robot: inertia, momentum and bias about the base's
-// origin, in base axes, add.
+// Inertia, momentum and bias of the robot are the sums over the base body and the four legs, about
+// the base origin, in base axes.
 void QuadrupedDynamics::assemble_base(const Vector3& g, DynamicsTerms& out) const noexcept {
   double sums[code::kShared];
   legs_.sum_over_legs(sums);
@@ -67,8 +67,8 @@ void QuadrupedDynamics::assemble_base(const Vector3& g, DynamicsTerms& out) cons
   out.M_base.bottomLeftCorner<3, 3>() = cross;
   out.M_base.bottomRightCorner<3, 3>() = inertia;
 
-  // Newton and Euler for the base's own body, f = I a + v x* I v (Featherstone 2008, chapter 2),
-  // with gravity as its acceleration upwards.
+  // Newton-Euler equation of the base body, f = I a + v x* I v (Featherstone 2008, chapter 2), with
+  // gravity as an upward acceleration.
   const Vector3 &v = out.v_base, &w = out.w_base;
   const Vector3 linear = base_mass_ * v + w.cross(base_mass_lever_);
   const Vector3 angular = base_mass_lever_.cross(v) + base_inertia_ * w;

@@ -7,19 +7,22 @@
 
 namespace surefoot {
 
-/// The dynamics of a quadruped of Unitree's shape, by code generated from Pinocchio's algorithms.
+/// Dynamics of a quadruped of Unitree's shape, by code generated from Pinocchio's algorithms.
 ///
-/// The shape: a free base and four legs of hip x, thigh y, calf y, no placement turned. Lengths,
-/// masses and inertias are data, so that own robots of that shape are served alike. The legs are
-/// evaluated two at a time, one in each half of a vector register. Real-time: update() yes.
+/// The shape is a free base and four legs with joint axes x (hip), y (thigh), y (calf), without
+/// rotated joint placements. Lengths, masses and inertias are data, so any robot of this shape can
+/// be used. Two legs are evaluated at a time, one in each half of a vector register.
+/// Real-time: update() yes.
 class QuadrupedDynamics {
  public:
+  /// Return whether the robot has this shape.
   static bool fits(const Robot& robot) noexcept;
 
-  /// @param robot one that fits()
+  /// @param robot must satisfy fits()
   explicit QuadrupedDynamics(const Robot& robot);
 
-  /// @param q shape (nq,), @param v shape (nv,), @param ground_normal unit, world axes
+  /// Compute all terms at a state.
+  /// @param q shape (nq,) @param v shape (nv,) @param ground_normal unit length, world axes
   void update(const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Vector3& ground_normal,
               DynamicsTerms& out) noexcept;
 
@@ -29,7 +32,7 @@ class QuadrupedDynamics {
   LegPairDynamics legs_;
   double mass_;
   Vector3 gravity_;  ///< world axes [m/s^2]
-  // The base's own body: mass, mass times centre, rotational inertia about the base's origin.
+  // Base body: mass, mass times centre of mass, rotational inertia about the base origin.
   double base_mass_;
   Vector3 base_mass_lever_;
   Matrix3 base_inertia_;

@@ -10,14 +10,14 @@ namespace surefoot {
 
 namespace {
 constexpr int kIterations = 6;
-constexpr double kTolerance = 1e-6;       // [m]
-constexpr double kMaxJointStep = 0.2;     // [rad] of a joint; further and a leg might fold over
-constexpr double kMinDeterminant = 1e-7;  // [m^3] of a leg's Jacobian
+constexpr double kTolerance = 1e-6;       // [m] of a foot
+constexpr double kMaxJointStep = 0.2;     // [rad] per joint and step; more could fold a leg over
+constexpr double kMinDeterminant = 1e-7;  // [m^3] smaller: the leg is singular
 }  // namespace
 
 struct StanceKinematics::Pinocchio {
   explicit Pinocchio(const pinocchio::Model& m) : model(m), data(m) {}
-  const pinocchio::Model& model;  // lives in the Robot that StanceKinematics keeps
+  const pinocchio::Model& model;  // owned by robot_
   pinocchio::Data data;
 };
 
@@ -51,7 +51,8 @@ bool StanceKinematics::solve(const Vector3& p_base, const Quaternion& R_base,
   return false;
 }
 
-// One Newton step of every leg; returns the greatest foot error before it.
+// Take one Newton step of each leg; return the largest foot error [m] before it, infinite if a leg
+// is singular.
 double StanceKinematics::newton_step(const FeetMatrix& centres, const Vector3& lever) noexcept {
   auto& [model, data] = *pinocchio_;
   pinocchio::computeJointJacobians(model, data, q_trial_);
@@ -64,7 +65,7 @@ double StanceKinematics::newton_step(const FeetMatrix& centres, const Vector3& l
       const auto column = data.J.col(robot_.motor_to_v()[3 * leg + k]);
       J.col(k) = column.head<3>() - p.cross(column.tail<3>());
     }
-    // As Dynamics::update_depth has it, of the contact point.
+    // Depth of the contact point, as in LegDynamics::depth.
     const Vector3 hip_axis = data.J.col(robot_.motor_to_v()[3 * leg]).tail<3>();
     const Vector3 thigh_axis = data.J.col(robot_.motor_to_v()[3 * leg + 1]).tail<3>();
     depth_trial_[leg] = depth_sign_[leg] * (J.col(0) + lever.cross(hip_axis)).dot(thigh_axis);

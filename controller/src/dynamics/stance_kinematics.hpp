@@ -7,26 +7,27 @@
 
 namespace surefoot {
 
-/// Inverse kinematics of all four feet for a pose of the base: Newton's method, warm started.
+/// Inverse kinematics of all four legs for a pose of the base, by Newton's method from the last
+/// solution.
 ///
-/// Any frame will do, as long as pose, contacts and normal are in the same. Real-time: solve() yes.
+/// Pose, contact points and normal may be in any common frame. Real-time: solve() yes.
 class StanceKinematics {
  public:
   explicit StanceKinematics(const Robot& robot);
   ~StanceKinematics();
   StanceKinematics(StanceKinematics&&) noexcept;
 
-  /// Begin the next solve from these joints; q of shape (nq,).
+  /// Set the start of the next solve(); q has shape (nq,).
   void set_initial_guess(const Eigen::VectorXd& q) noexcept { q_ = q; }
 
-  /// Put the contact points where they are wanted. @return false if a leg does not reach: q() is
-  /// then the last one that did
+  /// Find the joint angles that place the contact points.
+  /// @return false if a leg does not reach its foot; q() is then unchanged
   bool solve(const Vector3& p_base, const Quaternion& R_base, const FeetMatrix& contacts,
              const Vector3& normal) noexcept;
 
   const Eigen::VectorXd& q() const noexcept { return q_; }
-  const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] of the last good solve
-  /// Of the feet below their hip axes, each in the plane of its leg [m]; of the last good solve.
+  const Vector3& p_com() const noexcept { return p_com_; }  ///< [m] of the last solution
+  /// Depth of each foot below its hip axis, in the plane of the leg [m], of the last solution.
   const Eigen::Vector4d& depth() const noexcept { return depth_; }
 
  private:

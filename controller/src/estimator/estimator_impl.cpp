@@ -7,14 +7,14 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRateFilterTime = 0.005;  // [s] smooths the angular acceleration
-constexpr double kMinTravelSpeed = 0.05;   // [m/s] slower is not travelling, but noise
-constexpr double kVelocitySigma = 1.0;     // [m/s] doubt about the velocity once no foot agrees
-constexpr double kStanceConfidence = 0.9;  // belief of a foot whose noise is learnt
-constexpr double kRestRate = 0.2;          // [rad/s] of a body at rest
-constexpr double kSupportedShare =
-    0.4;                                // share of the weight that feet bear of a robot that stands
-constexpr double kMinContactSum = 2.5;  // beliefs' sum of the same
+constexpr double kRateFilterTime = 0.005;  // [s] time constant behind the angular acceleration
+constexpr double kMinTravelSpeed = 0.05;   // [m/s] slower motion is noise, not travel
+constexpr double kVelocitySigma = 1.0;     // [m/s] added when all stance feet are rejected
+constexpr double kStanceConfidence = 0.9;  // contact confidence of a stance foot
+constexpr double kRestRate = 0.2;          // [rad/s] upper bound of a body at rest
+// A robot is supported when its feet carry this share of its weight ...
+constexpr double kSupportedShare = 0.4;
+constexpr double kMinContactSum = 2.5;  // ... and their contact confidences add up to this
 
 }  // namespace
 
@@ -44,8 +44,8 @@ FootContactState StateEstimator::Impl::foot_contact_state() const noexcept {
   return out;
 }
 
-// Kinematics and dynamics as if the base were at the origin and at rest; moved by correct(). What
-// the correction turns the base by is seen by the next tick.
+// Compute kinematics and dynamics with the base at the origin and without linear velocity;
+// correct() shifts them. The rotation of that correction enters in the next tick only.
 void StateEstimator::Impl::update_dynamics() noexcept {
   if (started) state.q.segment<4>(3) = filter.quaternion().coeffs();  // x y z w
   state.q.head<3>().setZero();
@@ -109,11 +109,12 @@ void StateEstimator::Impl::correct(double dt) noexcept {
     stance_count += in_stance;
     rejected_count += in_stance && filter.rejected_feet()[leg];
   }
-  // What a stopped IMU misses is not the feet's noise.
+  // While the IMU repeats old samples, innovations contain motion that it did not measure. The
+  // noise of the feet must not adapt to that.
   const bool fresh = imu.w_age == 1 && imu.f_age <= 2;
   if (fresh) foot_noise.update(filter.foot_nis(), filter.predicted_variance(), stance, dt);
-  // Standing feet that all contradict the prediction are right: a blow has clipped the
-  // accelerometer. Without this the gate would lock them out for ever.
+  // When all stance feet are rejected, the prediction is wrong and the feet are right: an impact
+  // has saturated the accelerometer. Otherwise the gate would reject the feet for ever.
   if (stance_count >= 2 && rejected_count == stance_count)
     filter.add_velocity_variance(kVelocitySigma * kVelocitySigma);
 
@@ -129,8 +130,9 @@ void StateEstimator::Impl::correct(double dt) noexcept {
   if (attitude_diverged()) restart_alignment();
 }
 
-// Has the filter been led astray, by a gyroscope that nobody contradicted in time? The vendor's
-// attitude and the accelerometer of a robot at rest agree with each other, and not with it.
+// Return whether the attitude has diverged, for example by a gyroscope fault that was detected too
+// late: the IMU quaternion and the accelerometer of a robot at rest agree with each other, but not
+// with the filter.
 bool StateEstimator::Impl::attitude_diverged() const noexcept {
   if (quaternion_check.verdict() != SensorVerdict::kDisagrees || w_filtered.norm() > kRestRate)
     return false;
@@ -138,21 +140,21 @@ bool StateEstimator::Impl::attitude_diverged() const noexcept {
 }
 
 bool StateEstimator::Impl::supported() const noexcept {
-  const double borne = (leg_forces.forces().transpose() * normal).sum();
+  const double total_load = (leg_forces.forces().transpose() * normal).sum();
   return (torques_valid() || has_plan) && state.contact.sum() > kMinContactSum &&
-         borne > kSupportedShare * robot.mass() * kGravity;
+         total_load > kSupportedShare * robot.mass() * kGravity;
 }
 
-// What the accelerometer feels beyond the plan is laid to a push, at once; what the torques bear
-// beyond the model, slowly, to a payload. The plan counts with both already.
+// Attribute measured acceleration beyond the plan to a push, quickly, and contact forces beyond
+// the model to a payload, slowly. The plan includes the estimates of both that it was made with.
 void StateEstimator::Impl::observe_external_wrench(double dt) noexcept {
   const bool supported = this->supported();
   payload.update(gains, dynamics, leg_forces.forces(), supported, dt);
   state.f_external = state.f_sustained = payload.force();
   state.moment_external = payload.moment();
   if (!has_plan) return;
-  // Classical acceleration of the base's origin that is planned. It counted with the push that was
-  // believed in when it was made, which is none of the feet's doing.
+  // Planned classical acceleration of the base origin. It includes the push that was estimated
+  // when the plan was made; the feet do not cause that part, so it is removed below.
   const Vector3 a = planned_acceleration.head<3>() + w_base.cross(Vector3(state.v.head<3>()));
   const Vector3 unplanned = dynamics.R_world_base() * (base_acceleration() - a);
   push.update(gains, unplanned + planned_push / robot.mass(), supported, dt);

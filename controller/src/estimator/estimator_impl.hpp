@@ -18,7 +18,11 @@
 
 namespace surefoot {
 
-/// The parts of the estimator, and the stages of its tick in their order.
+/// Components of the estimator, and the stages of its tick.
+///
+/// One update() runs read_joints(), initialise() (first sample only), predict(), update_dynamics(),
+/// update_contacts(), correct() and observe_external_wrench(), in this order. correct() calls
+/// align() and, after a divergence of the attitude, restart_alignment().
 struct StateEstimator::Impl {
   explicit Impl(const Robot& r);
 
@@ -34,7 +38,8 @@ struct StateEstimator::Impl {
   void reset() noexcept;
 
   FootContactState foot_contact_state() const noexcept;
-  /// [m/s^2] classical, of the base's origin, base axes, from the accelerometer.
+  /// Compute the classical acceleration [m/s^2] of the base origin from the accelerometer, without
+  /// gravity, base axes.
   Vector3 base_acceleration() const noexcept;
   bool torques_valid() const noexcept { return torque_check.verdict() == SensorVerdict::kGood; }
   bool supported() const noexcept;
@@ -58,23 +63,24 @@ struct StateEstimator::Impl {
   PayloadObserver payload;
   PushObserver push;
 
-  Vector6 planned_acceleration = Vector6::Zero();  // Pinocchio's axes
+  Vector6 planned_acceleration = Vector6::Zero();  // spatial, base axes
   Vector12 planned_tau = Vector12::Zero();
   Vector3 planned_push = Vector3::Zero();  // [N] world axes
   bool has_plan = false;
   RobotState state;
-  Vector12 tau_est = Vector12::Zero();  // SDK order, as the next two
+  Vector12 tau_est = Vector12::Zero();  // SDK motor order, like q and dq
   Vector12 q = Vector12::Zero(), dq = Vector12::Zero();
   ImuInput imu_input;
-  Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);  // shares of the weight, by torques
-  Vector3 w_base = Vector3::Zero(), w_filtered = Vector3::Zero();  // [rad/s] bias taken off
+  Eigen::Vector4d loads = Eigen::Vector4d::Constant(0.25);  // normal forces / weight, by torques
+  Vector3 w_base = Vector3::Zero(), w_filtered = Vector3::Zero();  // [rad/s] bias removed
   Vector3 alpha_base = Vector3::Zero();                            // [rad/s^2]
   Vector3 normal = Vector3::UnitZ();
-  double path_length = 0.0;  // [m] that the base has travelled
+  double path_length = 0.0;  // [m] travelled by the base
   bool started = false, aligned = false;
 };
 
-/// Does the accelerometer, at rest, show the vertical that the vendor's attitude has?
+/// Return whether the accelerometer measures gravity only, along the vertical of the IMU
+/// quaternion.
 bool accelerometer_matches_quaternion(const ImuReading& imu) noexcept;
 
 }  // namespace surefoot

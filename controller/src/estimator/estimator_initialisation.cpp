@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the estimator begins: where the filter starts, and when it begins to look for biases.
+// Start of the estimator: initial state of the filter, and alignment of the tilt before biases are
+// estimated.
 #include <algorithm>
 
 #include "estimator/estimator_impl.hpp"
@@ -8,13 +9,12 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMinTiltSigma = 0.05;  // [rad] doubt about a tilt that two witnesses share
-constexpr double kRestTolerance = 0.1;  // of g by which what is felt at rest may be off
-constexpr double kMaxTiltDifference =
-    0.05;  // [rad] by which two that vouch for each other may differ
-constexpr double kAlignedTiltSigma = 0.035;  // [rad] of tilt, known well enough to look for biases
+constexpr double kMinTiltSigma = 0.05;  // [rad] smallest initial standard deviation of the tilt
+constexpr double kRestTolerance = 0.1;  // share of g by which the specific force at rest may differ
+constexpr double kMaxTiltDifference = 0.05;  // [rad] quaternion and accelerometer agree below this
+constexpr double kAlignedTiltSigma = 0.035;  // [rad] biases are estimated below this
 
-// Without its heading, which defines the world's.
+// Remove the heading: the world frame has the heading of the base at the first sample.
 Quaternion remove_yaw(const Quaternion& R) noexcept {
   const Vector3 x_axis = R * Vector3::UnitX();
   const double yaw = std::atan2(x_axis.y(), x_axis.x());
@@ -22,11 +22,11 @@ Quaternion remove_yaw(const Quaternion& R) noexcept {
 }
 
 Quaternion attitude_from_accelerometer(const Vector3& f_base) noexcept {
-  if (f_base.norm() < 1.0) return Quaternion::Identity();  // falls: nothing says where up is
+  if (f_base.norm() < 1.0) return Quaternion::Identity();  // free fall: no vertical
   return Quaternion::FromTwoVectors(f_base, Vector3::UnitZ());
 }
 
-// [rad] between the vertical that an accelerometer at rest shows and that of an attitude.
+// Compute the angle [rad] between the vertical of an accelerometer at rest and that of an attitude.
 double tilt_between(const Vector3& f_base, const Quaternion& R) noexcept {
   const Vector3 up = attitude_from_accelerometer(f_base).conjugate() * Vector3::UnitZ();
   return std::acos(std::clamp(up.dot(R.conjugate() * Vector3::UnitZ()), -1.0, 1.0));
@@ -74,12 +74,13 @@ void StateEstimator::Impl::reset() noexcept {
   normal = Vector3::UnitZ();
 }
 
-// The filter tracks the IMU's own point, where the accelerometer is right. Feet at height zero; the
-// legs say how fast the body moves if they stand.
+// The filter tracks the IMU point, because the accelerometer measures there. The mean height of the
+// feet is zero. The base velocity follows from the legs, as if all feet stood still.
 void StateEstimator::Impl::initialise() noexcept {
   Quaternion R =
       remove_yaw(imu.has_quaternion ? imu.R_world_base : attitude_from_accelerometer(imu.f_base));
-  // A field that is not filled, 1 0 0 0, is of unit length, too: gravity knows better at rest.
+  // An unfilled quaternion (1, 0, 0, 0) has unit length too. At rest, measured gravity replaces a
+  // quaternion that differs from it by more than start_tilt.
   if (measures_gravity(imu.f_base) && tilt_between(imu.f_base, R) > gains.start_tilt)
     R = attitude_from_accelerometer(imu.f_base);
   state.q.segment<4>(3) = R.coeffs();
@@ -93,7 +94,7 @@ void StateEstimator::Impl::initialise() noexcept {
   }
   const Vector3 arm = R * robot.config().p_base_imu;
   const Vector3 origin(0.0, 0.0, -p_feet.row(2).mean());
-  // The vendor's attitude and the accelerometer's vertical vouch for each other.
+  // The difference between quaternion and accelerometer measures the uncertainty of the tilt.
   const double tilt_difference = tilt_between(imu.f_base, R);
   const InitialSigmas sigmas{std::min(std::max(tilt_difference, kMinTiltSigma), gains.start_tilt),
                              gains.start_velocity, gains.noise_foot_position, 0.0, 0.0};
@@ -105,9 +106,9 @@ void StateEstimator::Impl::initialise() noexcept {
   aligned = false;
 }
 
-// An attitude that is far off makes the filter see a bias where there is none, and be sure of it.
-// So the biases rest until accelerometer and legs have found the tilt; then all doubt begins anew,
-// from there.
+// To the filter a large attitude error looks like a bias: it would estimate a wrong bias with a
+// small variance. So the biases start without variance. Once accelerometer and legs have determined
+// the tilt, the covariance is reset, this time with uncertain biases.
 void StateEstimator::Impl::align() noexcept {
   const auto& P = filter.covariance();
   if (aligned || P(0, 0) + P(1, 1) > kAlignedTiltSigma * kAlignedTiltSigma) return;
@@ -116,7 +117,7 @@ void StateEstimator::Impl::align() noexcept {
   aligned = true;
 }
 
-// As at the start: biases that were learnt with a wrong attitude are none.
+// Restore the initial uncertainty and discard the biases, which a wrong attitude has falsified.
 void StateEstimator::Impl::restart_alignment() noexcept {
   filter.reset_biases();
   filter.reset_covariance(

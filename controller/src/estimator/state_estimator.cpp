@@ -8,7 +8,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMaxTimeStep = 0.1;  // [s] longer steps say nothing about what happened meanwhile
+constexpr double kMaxTimeStep = 0.1;  // [s] one sample cannot describe a longer step
 }
 
 StateEstimator::StateEstimator(const Robot& robot) : impl_(std::make_unique<Impl>(robot)) {}
@@ -18,7 +18,7 @@ StateEstimator::StateEstimator(StateEstimator&&) noexcept = default;
 const RobotState& StateEstimator::state() const noexcept { return impl_->state; }
 const Dynamics& StateEstimator::dynamics() const noexcept { return impl_->dynamics; }
 bool StateEstimator::has_foot_force_est() const noexcept {
-  return impl_->contact.foot_force_est_alive();
+  return impl_->contact.foot_force_est_works();
 }
 Eigen::Vector4d StateEstimator::normal_forces_from_torques() const noexcept {
   return impl_->leg_forces.forces().transpose() * impl_->normal;
@@ -36,7 +36,8 @@ bool StateEstimator::adopt_gains(const Gains& gains) noexcept {
 }
 
 void StateEstimator::set_ground_normal(const Vector3& normal) noexcept {
-  // A foot that stands touches the ground elsewhere on its sole: nothing has moved.
+  // With another normal, a foot touches the ground at another point of its sole. The contact points
+  // move; the feet do not.
   const Vector3 displacement = -impl_->robot.config().foot_radius * (normal - impl_->normal);
   if (impl_->started) impl_->filter.move_feet(displacement.replicate<1, kLegs>());
   impl_->normal = normal;

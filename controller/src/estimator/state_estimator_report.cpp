@@ -7,8 +7,8 @@ namespace {
 
 using Covariance = Eigen::Matrix<double, 15, 15>;
 
-// From the filter's error, on the group and of the IMU's point, to plain errors of the base:
-// to first order x_estimate - x = xi_x + xi_R x x.
+// Convert the covariance of the filter's error, on the group and of the IMU point, to that of plain
+// errors of the base. To first order, x_estimate - x = xi_x + xi_R x x.
 Covariance base_covariance(const InvariantFilter& filter, const Vector3& p_base,
                            const Vector3& v_base, const Vector3& p_base_imu) noexcept {
   constexpr int kParts[] = {error_index::kRotation, error_index::kVelocity, error_index::kPosition,
@@ -26,7 +26,7 @@ Covariance base_covariance(const InvariantFilter& filter, const Vector3& p_base,
   Covariance T = Covariance::Identity();
   T.block<3, 3>(3, 0) = -skew(v_base);
   T.block<3, 3>(6, 0) = -skew(p_base);
-  // v of the base is v of the IMU less w x arm: a bias of the rate goes along.
+  // v_base = v_imu - w x arm: an error of the gyroscope bias enters through w.
   T.block<3, 3>(3, 9) = -filter.R_world_base() * skew(p_base_imu);
   return T * P * T.transpose();
 }
@@ -47,7 +47,8 @@ EstimatorReport StateEstimator::report() const noexcept {
   const Vector3 v_base = s.dynamics.R_world_base() * s.state.v.head<3>();
   out.covariance =
       base_covariance(s.filter, s.state.q.head<3>(), v_base, s.robot.config().p_base_imu);
-  // Wrong lengths repeat with every step: not a noise that the filter could know of.
+  // Wrong leg lengths cause the same error in every step. The filter's white noise does not model
+  // that.
   const double scale_error = s.gains.leg_scale * s.path_length;
   out.covariance.diagonal().segment<3>(6).array() += scale_error * scale_error;
   out.nis = s.filter.nis();

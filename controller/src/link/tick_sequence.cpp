@@ -6,10 +6,10 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRestartSamples = 5;           // reports in a row from behind: the robot began anew
-constexpr double kMinTickDuration = 0.5e-3;  // [s] of arrival a tick of theirs, at least
+constexpr int kRestartSamples = 5;           // old samples in a row that show a restart
+constexpr double kMinTickDuration = 0.5e-3;  // [s] least arrival time per tick of that row
 constexpr int kStepsToShortenPeriod = 2,
-              kStepsToLengthenPeriod = 8;  // equal steps in a row that make a new period
+              kStepsToLengthenPeriod = 8;  // equal steps in a row for a new period
 }  // namespace
 
 TickSequence::Arrival TickSequence::classify(std::uint32_t tick, double time) noexcept {
@@ -59,11 +59,11 @@ TickSequence::Arrival TickSequence::classify_behind(std::uint32_t tick, std::uin
     begin(tick);
     return Arrival::kRestarted;
   }
-  if (lost_ > 0) --lost_;  // it had been given up
+  if (lost_ > 0) --lost_;  // it was counted as lost
   return Arrival::kReordered;
 }
 
-// Lost reports lengthen a step, so a shorter one convinces sooner than a longer one.
+// Lost samples lengthen a step, so a shorter step needs fewer repetitions than a longer one.
 void TickSequence::update_period(std::uint32_t step) noexcept {
   step_repeats_ = step == step_ ? step_repeats_ + 1 : 1;
   step_ = step;

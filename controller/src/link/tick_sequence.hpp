@@ -6,20 +6,20 @@
 
 namespace surefoot {
 
-/// Tells from LowState::tick what became of the reports in between. Real-time: yes.
+/// Classifies samples by LowState::tick, and counts lost ones. Real-time: yes.
 ///
-/// Ticks count milliseconds, so how many of them make one report is learnt: the step that comes
-/// time after time. A robot that begins anew is told from reports that were held up on the way by
-/// coming in a row: ticks that rise, all of them behind what came before. Where they may be the
-/// last second's own, which a network delivers in a burst, they must come at the robot's pace, too.
+/// Ticks count milliseconds. The period of the samples is learnt: the step between ticks that
+/// repeats. Five rising ticks in a row, all older than the newest, mean that the robot has
+/// restarted. Old ticks of the last second may also be late samples that the network delivers in a
+/// burst, so they must also arrive at the pace of the robot.
 class TickSequence {
  public:
   enum class Arrival { kNewer, kDuplicate, kReordered, kRestarted };
 
-  /// Take in the tick of a valid report. @param time of its arrival [s], on any steady clock
+  /// Classify a valid sample by its tick. @param time of its arrival [s], on any steady clock
   Arrival classify(std::uint32_t tick, double time) noexcept;
 
-  /// Reports that should have come since classify() was first called, and have not (yet).
+  /// Number of samples that are missing since the first call of classify().
   std::uint64_t lost() const noexcept { return lost_; }
 
  private:
@@ -31,15 +31,15 @@ class TickSequence {
   static constexpr std::size_t kWindow = 1024;  // [ms]
 
   bool started_ = false;
-  std::uint32_t newest_tick_ = 0;        // the newest
-  std::bitset<kWindow> received_;        // bit k: has newest_tick_ - k come?
-  std::uint32_t period_ = 0;             // [ms] between reports; 0: not known yet
-  std::uint32_t step_ = 0;               // [ms] between the newest two
-  int step_repeats_ = 0;                 // how many of the same in a row
-  std::uint32_t behind_tick_ = 0;        // the newest of those in a row that are behind
-  int behind_count_ = 0;                 // how many
-  std::uint32_t behind_first_tick_ = 0;  // the first of them ...
-  double behind_start_time_ = 0.0;       // [s] ... and when it came
+  std::uint32_t newest_tick_ = 0;
+  std::bitset<kWindow> received_;        // bit k: newest_tick_ - k has arrived
+  std::uint32_t period_ = 0;             // [ms] between samples; 0: not known yet
+  std::uint32_t step_ = 0;               // [ms] between the newest two samples
+  int step_repeats_ = 0;                 // equal steps in a row
+  std::uint32_t behind_tick_ = 0;        // last tick of the present row of old samples
+  int behind_count_ = 0;                 // length of that row
+  std::uint32_t behind_first_tick_ = 0;  // first tick of that row
+  double behind_start_time_ = 0.0;       // [s] its arrival
   std::uint64_t lost_ = 0;
 };
 

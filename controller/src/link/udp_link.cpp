@@ -15,7 +15,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMinKd = 0.0625, kMaxKd = 50.0;  // [N.m.s/rad] Gains::damping_kd's range
+constexpr double kMinKd = 0.0625, kMaxKd = 50.0;  // [N.m.s/rad] range of Gains::damping_kd
 
 LowCmd checked_damping(double kd) {
   if (kd >= kMinKd && kd <= kMaxKd) return damping_low_cmd(kd);
@@ -38,7 +38,7 @@ struct UdpLink::Impl {
   UdpLinkOptions options;
   UdpSocket socket;
   LowCmd damping;
-  std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};  // room to see that a datagram is too long
+  std::array<std::uint8_t, 2 * kMaxFrameSize> buffer{};  // larger, to detect long datagrams
   Frame frame, damping_frame;
   LowState state = init_low_state(), incoming = state;
   FrameExtras extras, incoming_extras;
@@ -46,7 +46,7 @@ struct UdpLink::Impl {
   LinkCounts counts;
   FrameReport last_reject;
   bool has_state = false;
-  double arrived = 0.0;  // [s] of the newest, on monotonic_time()
+  double arrived = 0.0;  // [s] of the newest LowState, on monotonic_time()
 };
 
 UdpLink::UdpLink(const UdpLinkOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -71,7 +71,7 @@ bool UdpLink::receive() noexcept {
   return newer;
 }
 
-// One datagram of the peer. Is it newer than what there is?
+// Process a datagram of the peer. Return whether it is a newer LowState.
 bool UdpLink::Impl::accept_datagram(std::size_t size, double time) noexcept {
   ++counts.received;
   const FrameReport report = decode_low_state(buffer.data(), std::min(size, buffer.size()),

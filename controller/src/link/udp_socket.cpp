@@ -19,11 +19,12 @@ namespace surefoot {
 
 namespace {
 
-// Some hundred frames. When it is full the system drops what is new and keeps what is old, so that
-// a program that stood still finds the past first: arrival times tell.
+// [bytes] About a hundred frames. When the buffer is full, the system drops new datagrams and keeps
+// old ones. So a process that stalled reads old samples first; arrival times show their age.
 constexpr int kReceiveBuffer = 128 * 1024;
 
-// [s] since it came, on the wall clock, which the system stamps arrivals with; 0 without a stamp.
+// Return the age [s] of a datagram by the system's arrival stamp on the wall clock; 0 without a
+// stamp.
 double stamped_age(msghdr& message) noexcept {
   for (cmsghdr* c = CMSG_FIRSTHDR(&message); c != nullptr; c = CMSG_NXTHDR(&message, c)) {
     if (c->cmsg_level != SOL_SOCKET || c->cmsg_type != SCM_TIMESTAMPNS) continue;
@@ -51,14 +52,14 @@ in_addr resolve(const std::string& host) {
   const int problem = getaddrinfo(host.c_str(), nullptr, &hints, &found);
   if (problem != 0 || found == nullptr) {
     throw Error("host '" + host + "': " + gai_strerror(problem) +
-                "; expected an IPv4 address such as 127.0.0.1, or a name that has one");
+                "; expected an IPv4 address such as 127.0.0.1, or a name that resolves to one");
   }
   const in_addr address = reinterpret_cast<const sockaddr_in*>(found->ai_addr)->sin_addr;
   freeaddrinfo(found);
   return address;
 }
 
-// The first byte of an address on this machine's loopback.
+// Return whether an address is a loopback address, 127.x.x.x.
 bool is_loopback(const in_addr& address) { return (ntohl(address.s_addr) >> 24) == 127; }
 
 }  // namespace
@@ -73,9 +74,10 @@ UdpSocket::UdpSocket(const std::string& host, int port, int local_port, bool all
   const in_addr address = resolve(host);
   const bool loopback = is_loopback(address);
   if (!loopback && !allow_remote_peer) {
-    throw Error("host '" + host +
-                "': got a peer beyond this machine, expected 127.x.x.x; a real robot is talked to "
-                "behind arming checks alone: surefoot run --rise --real-robot");
+    throw Error(
+        "host '" + host +
+        "': got a peer beyond this machine, expected 127.x.x.x; for a real robot with arming "
+        "checks use: surefoot run --rise --real-robot");
   }
   peer_address_ = address.s_addr;
   peer_port_ = htons(static_cast<std::uint16_t>(port));
@@ -92,7 +94,7 @@ UdpSocket::UdpSocket(const std::string& host, int port, int local_port, bool all
     const std::string why = std::strerror(errno);
     close(fd_);
     throw Error("local port " + std::to_string(local_port) + ": " + why +
-                "; take another, or 0 for any");
+                "; use another port, or 0 for any free one");
   }
   socklen_t size = sizeof(local);
   getsockname(fd_, reinterpret_cast<sockaddr*>(&local), &size);

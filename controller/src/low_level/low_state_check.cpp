@@ -7,15 +7,15 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kUnitNormTolerance = 0.05;  // off unit length that is still renormalised
+constexpr double kUnitNormTolerance = 0.05;  // of the quaternion's norm from 1
 constexpr double kMaxMagnitude = 1e4;        // in any unit
-constexpr double kMaxAngularRate = 40.0;     // [rad/s] gyroscopes clip at 35
-constexpr double kMaxAcceleration = 200.0;   // [m/s^2] accelerometers clip at 157
-constexpr double kJointMargin = 1.0;         // [rad] a folded calf rests beyond its limit
-constexpr double kSpeedFactor = 2.0;         // of the motor's no-load speed
-constexpr double kTorqueFactor = 3.0;        // of the motor's greatest torque
+constexpr double kMaxAngularRate = 40.0;     // [rad/s] gyroscopes saturate at 35
+constexpr double kMaxAcceleration = 200.0;   // [m/s^2] accelerometers saturate at 157
+constexpr double kJointMargin = 1.0;         // [rad] a folded calf rests outside its range
+constexpr double kSpeedFactor = 2.0;         // times the motor's no-load speed
+constexpr double kTorqueFactor = 3.0;        // times the motor's largest torque
 
-// Keeps the worst that was seen; comparisons are written so that NaN fails them.
+// Keeps the worst status of all fields. The comparisons are written so that NaN fails them.
 struct FieldCheck {
   Status status = Status::kOk;
   void operator()(double value, double lower, double upper) noexcept {
@@ -31,7 +31,7 @@ struct FieldCheck {
 }  // namespace
 
 Status check_low_state(const LowState& state, const RobotConfig& config) noexcept {
-  // Packed fields are not aligned: copy them before indexing.
+  // Packed fields are not aligned: copy them before they are indexed.
   const std::array<float, 4> quaternion = state.imu.quaternion;
   const std::array<float, 3> gyroscope = state.imu.gyroscope;
   const std::array<float, 3> accelerometer = state.imu.accelerometer;
@@ -49,7 +49,7 @@ Status check_low_state(const LowState& state, const RobotConfig& config) noexcep
 }
 
 bool has_unit_quaternion(const IMU& imu) noexcept {
-  const std::array<float, 4> q = imu.quaternion;  // packed: copied
+  const std::array<float, 4> q = imu.quaternion;  // packed: not aligned
   return std::abs(std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) - 1.0) <=
          kUnitNormTolerance;
 }

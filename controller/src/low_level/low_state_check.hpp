@@ -6,14 +6,15 @@
 
 namespace surefoot {
 
-/// Judge every floating-point field that the controller uses. Real-time: yes.
+/// Check every floating-point field that the controller uses. Real-time: yes.
 ///
-/// @return kNonFinite for NaN, infinities and anything beyond 1e4 in any unit; kImplausible for
-/// what no such sensor or robot can say (rates over 40 rad/s, accelerations over 20 g, joints far
-/// outside their range or twice as fast as their motor); else kOk.
+/// @return kNonFinite if a value is NaN, infinite or larger than 1e4 in its unit; kImplausible if a
+/// value is larger than the sensor or the robot allows: angular rates over 40 rad/s, accelerations
+/// over 200 m/s^2, joints more than 1 rad outside their range, joint velocities over twice the
+/// motor's no-load speed, torques over three times its largest torque; else kOk.
 Status check_low_state(const LowState& state, const RobotConfig& config) noexcept;
 
-/// Is the IMU's quaternion one, within 5 % of unit length? Real-time: yes.
+/// Return whether the norm of the IMU's quaternion is 1 within 5 %. Real-time: yes.
 bool has_unit_quaternion(const IMU& imu) noexcept;
 
 }  // namespace surefoot

@@ -24,7 +24,7 @@ void store(std::uint8_t* to, T value) noexcept {
   std::memcpy(to, &value, sizeof(T));
 }
 
-// Keeps the first of the worst: what is not finite outweighs what is out of range.
+// Keep the first problem. A value that is not finite replaces a value out of range.
 void record_worst(FrameReport& report, FrameStatus status, const Field& field, int motor) noexcept {
   if (report.status == FrameStatus::kNotFinite || report.status == status) return;
   report.status = status;
@@ -32,7 +32,8 @@ void record_worst(FrameReport& report, FrameStatus status, const Field& field, i
   report.motor = motor;
 }
 
-// Fixed point, truncated toward zero as the vendor's code does, and saturated as it does not.
+// Convert to fixed point. Truncate towards zero as the vendor's code does, but saturate where it
+// wraps around.
 template <typename T>
 T to_fixed_point(double value, double unit, FrameStatus& status) noexcept {
   if (!std::isfinite(value)) {
@@ -50,7 +51,7 @@ std::uint8_t to_uint8(int value, FrameStatus& status) noexcept {
   return static_cast<std::uint8_t>(std::min(value, 255));
 }
 
-// One element from struct to wire; returns how it fitted, and moves both on.
+// Convert one element from struct to wire and advance both pointers.
 FrameStatus pack_one(FieldKind kind, double torque_unit, const std::uint8_t*& from,
                      std::uint8_t*& to) noexcept {
   FrameStatus status = FrameStatus::kOk;
@@ -94,6 +95,7 @@ FrameStatus pack_one(FieldKind kind, double torque_unit, const std::uint8_t*& fr
   return status;
 }
 
+// Convert one element from wire to struct and advance both pointers.
 FrameStatus unpack_one(FieldKind kind, double torque_unit, const std::uint8_t*& from,
                        std::uint8_t*& to) noexcept {
   FrameStatus status = FrameStatus::kOk;
@@ -131,7 +133,7 @@ FrameStatus unpack_one(FieldKind kind, double torque_unit, const std::uint8_t*& 
   return status;
 }
 
-// Calls move(field, offset in its struct, motor or -1) for every field, in the order of the wire.
+// Call move(field, offset in its struct, motor or -1) for every field, in the order of the wire.
 template <typename Move>
 void for_each_field(const FrameLayout& layout, Move&& move) noexcept {
   for (int s = 0; s < layout.count; ++s) {

@@ -5,46 +5,48 @@
 
 namespace surefoot {
 
-/// How a field changes between struct and wire.
+/// Conversion of a field between struct and wire.
 enum class FieldKind : std::uint8_t {
-  kBytes,         ///< as it is; the count is in bytes
-  kFloat,         ///< float, as it is, if finite
-  kTorque,        ///< float to int16, of the layout's unit
-  kStiffness,     ///< float to uint16, of 1/32
-  kDamping,       ///< float to uint16, of 1/16
+  kBytes,         ///< copied; the count is in bytes
+  kFloat,         ///< float, copied; must be finite
+  kTorque,        ///< float to int16, in the layout's torque unit
+  kStiffness,     ///< float to uint16, in units of 1/32
+  kDamping,       ///< float to uint16, in units of 1/16
   kInt16,         ///< float to int16
-  kCellVoltage,   ///< uint16 to uint8, of 32
+  kCellVoltage,   ///< uint16 [mV] to uint8, in units of 32 mV
   kUint16ToUint8  ///< uint16 to uint8
 };
 
-/// One field, or `count` of them in a row, in the order of the wire.
+/// One field, or `count` equal fields in a row, in the order of the wire.
 struct Field {
   const char* name;
   FieldKind kind;
   int count;
-  std::size_t offset;  ///< in its struct
-  bool extra = false;  ///< its struct is FrameExtras
+  std::size_t offset;  ///< [bytes] in its struct
+  bool extra = false;  ///< true if its struct is FrameExtras
 };
 
-/// Fields of one struct, for an array of them `repeat` times.
+/// Fields of one struct, or of an array of `repeat` structs.
 struct Section {
   const Field* fields;
   int count;
-  std::size_t offset = 0;  ///< of the first of the array, in LowCmd or LowState
+  std::size_t offset = 0;  ///< [bytes] of the array in LowCmd or LowState
   std::size_t stride = 0;
   int repeat = 1;
 };
 
-/// All of a frame but the CRC that ends it.
+/// Layout of a frame, without the CRC at its end.
 struct FrameLayout {
   std::array<Section, 5> sections;
   int count;
   std::size_t size;    ///< [bytes] with the CRC
-  bool has_header;     ///< begins with FE EF and has its level checked
-  double torque_unit;  ///< per N.m
+  bool has_header;     ///< begins with FE EF, and its levelFlag is checked
+  double torque_unit;  ///< counts per N.m
 };
 
+/// Return the layout of a LowCmd frame. Real-time: yes.
 const FrameLayout& low_cmd_layout(Generation generation) noexcept;
+/// Return the layout of a LowState frame. Real-time: yes.
 const FrameLayout& low_state_layout(Generation generation) noexcept;
 
 }  // namespace surefoot

@@ -52,19 +52,21 @@ std::string to_text(const FrameReport& report) {
     case FrameStatus::kOk:
       return "ok";
     case FrameStatus::kSaturated:
-      return field + ": out of range of a " + expected + " frame, put at its limit";
+      return field + ": out of range of a " + expected + " frame, set to its limit";
     case FrameStatus::kNotFinite:
-      return field + ": got a number that is not finite";
+      return field + ": got NaN or infinity, expected a finite number";
     case FrameStatus::kWrongLength:
-      return got + ", the length of no generation's frame; expected one of " + expected;
+      return got + ", the length of no generation's frame, expected a frame of " + expected;
     case FrameStatus::kWrongGeneration:
-      return got + ", a frame of " + to_string(report.detected) + "; expected one of " + expected;
+      return got + ", a frame of " + to_string(report.detected) + ", expected a frame of " +
+             expected;
     case FrameStatus::kBlank:
-      return got + ", all zero: what the vendor's SDK sends before its first command";
+      return got + ", all zero, as the vendor's SDK sends before its first command";
     case FrameStatus::kWrongHead:
-      return got + " that do not begin with FE EF, as frames of " + expected + " do";
+      return got + ", expected a " + expected + " frame, which begins with FE EF";
     case FrameStatus::kWrongLevel:
-      return got + " whose levelFlag is not LOWLEVEL (0xFF): the robot is in high-level mode";
+      return got +
+             " with a wrong levelFlag, expected LOWLEVEL (0xFF): the robot is in high-level mode";
     case FrameStatus::kWrongCrc:
       return got + " with a wrong CRC";
   }

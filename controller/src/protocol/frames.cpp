@@ -30,7 +30,8 @@ FrameReport encode(const FrameLayout& layout, Generation generation, Struct mess
   return report;
 }
 
-// The generation that has frames of this length, or the one wanted if it is among them.
+// Check the length, and find the generation that has frames of this length if it is not the
+// expected one.
 FrameStatus check_length(std::size_t size, LayoutFunction layout_of, FrameReport& report) noexcept {
   if (layout_of(report.expected).size == size) return FrameStatus::kOk;
   for (int g = 0; g < kGenerations; ++g) {

@@ -8,7 +8,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr float kMaxDeflection = 1.05F;  // of a stick; sticks are not calibrated to the last digit
+constexpr float kMaxDeflection = 1.05F;  // of a stick; their calibration is not exact
 
 struct Stick {
   std::size_t offset;

@@ -8,12 +8,11 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kLimitHoldTime = 0.1;     // [s] without a limit in the way before it is forgotten
-constexpr double kTargetTolerance = 1e-5;  // [m], [rad] from the target counts as there
-constexpr double kFootTolerance =
-    1e-4;                            // [m] of a foot, that the centre of mass is computed anew for
-constexpr double kProbeStep = 1e-3;  // [m], [rad] an axis is tried by
-constexpr double kMaxTarget = 10.0;  // [m], [rad] of a target; no robot reaches that far
+constexpr double kLimitHoldTime = 0.1;     // [s] without blocked axes before a limit is cleared
+constexpr double kTargetTolerance = 1e-5;  // [m], [rad] at the target, and [m/s], [rad/s] at rest
+constexpr double kFootTolerance = 1e-4;  // [m] foot displacement after which the pose is evaluated
+constexpr double kProbeStep = 1e-3;      // [m], [rad] displacement that tests an axis
+constexpr double kMaxTarget = 10.0;      // [m], [rad] bound of targets; beyond any robot's reach
 
 Vector6 to_vector(const BodyReference& r) noexcept {
   Vector6 v;
@@ -67,7 +66,7 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   if (at_limit()) probe_axis(gains, feet, gravity, dt);
   const Vector6 before = velocity_;
   velocity_ = before + limited_change(gains, desired_velocity(gains) - before, dt);
-  // It goes on only while it could still stop before anything is in the way.
+  // Continue only if the pose in which the body could stop is acceptable; brake otherwise.
   const double stopping = stopping_time(gains) + dt;
   if (acceptable(gains, position_ + stopping * velocity_, feet, gravity)) {
     v_com_ = (reach_check_.p_com() + com_offset_ - p_com_) / stopping;
@@ -82,23 +81,24 @@ void BodyMotion::update(const Gains& gains, const FeetMatrix& feet, const Vector
   p_com_ += v_com_ * dt;
 }
 
-// With the feet as they are now: what the next pose is measured by, and where the centre of mass
-// is.
+// Evaluate the present pose with the present feet: its violation, which the next pose must not
+// exceed, and its centre of mass.
 void BodyMotion::evaluate_current_pose(const Gains& gains, const FeetMatrix& feet,
                                        const Vector3& gravity) noexcept {
   const ReachResult current = reach_check_.evaluate(gains, p_base(), R_base(), feet, gravity);
   violation_ = current.violation;
   evaluated_feet_ = feet;
   if (current.status.limit == ReachLimit::kUnreachable) return;
-  // The latched joints and those that inverse kinematics finds for the latched pose differ by what
-  // the ground's normal was not known then; the body is not to move for that.
+  // The latched joint angles and the inverse kinematics of the latched pose differ, because the
+  // ground normal was not known exactly at the latch. The offset keeps the body from moving by
+  // that.
   if (just_latched_) com_offset_ = p_com_ - reach_check_.p_com();
   just_latched_ = false;
   p_com_ = reach_check_.p_com() + com_offset_;
 }
 
-// A pose that is no worse than the present one may be taken even if it is out of bounds: feet that
-// were pushed away must not nail the body to where it is.
+// A pose outside the limits is acceptable if it is no worse than the present one. Otherwise feet
+// that a push has displaced could lock the body in place.
 bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const FeetMatrix& feet,
                             const Vector3& gravity) noexcept {
   const ReachResult result = reach_check_.evaluate(gains, latched_.p_base + position.head<3>(),
@@ -110,7 +110,7 @@ bool BodyMotion::acceptable(const Gains& gains, const Vector6& position, const F
   return false;
 }
 
-// At a limit: which axes may still move, one of them a tick.
+// At a limit, test which axes may still move, one axis per tick.
 void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
                             double dt) noexcept {
   axis_ = (axis_ + 1) % 6;
@@ -118,12 +118,13 @@ void BodyMotion::probe_axis(const Gains& gains, const FeetMatrix& feet, const Ve
   Vector6 position = position_;
   position[axis_] += std::clamp(target_[axis_] - position_[axis_], -kProbeStep, kProbeStep);
   blocked_[axis_] = !acceptable(gains, position, feet, gravity);
-  // A limit is forgotten when nothing has been in the way for a while.
+  // Clear the limit when no axis has been blocked for kLimitHoldTime.
   unblocked_time_ = blocked_[axis_] ? 0.0 : unblocked_time_ + dt;
   limit_ = unblocked_time_ > kLimitHoldTime ? ReachStatus{} : reason;
 }
 
-// Straight towards the target on the axes that are free: limited in speed, slowing down before it.
+// Compute the velocity straight towards the target along the free axes, limited to the allowed
+// speed and to the speed from which the body can still brake before the target.
 Vector6 BodyMotion::desired_velocity(const Gains& gains) const noexcept {
   Vector6 to_target = target_ - position_;
   for (int axis = 0; axis < 6; ++axis) {
@@ -149,7 +150,7 @@ Vector6 BodyMotion::limited_change(const Gains& gains, Vector6 change, double dt
   return change;
 }
 
-// In which the present speed covers the way to a stop.
+// Compute the time in which the present speed covers the braking distance: v / (2 a).
 double BodyMotion::stopping_time(const Gains& gains) const noexcept {
   return 0.5 * std::max(velocity_.head<3>().norm() / gains.reference_acceleration,
                         velocity_.tail<3>().norm() / gains.reference_turn_acceleration);
@@ -171,7 +172,8 @@ Quaternion BodyMotion::orientation_at(const Vector6& position) const noexcept {
          exp_so3(position[3] * Vector3::UnitX()) * latched_.R_base;
 }
 
-// Angular velocity from the rates of roll, pitch and yaw: each turns what comes after it.
+// Convert the rates of roll, pitch and yaw to an angular velocity. Yaw rotates the pitch axis, yaw
+// and pitch rotate the roll axis.
 Vector3 BodyMotion::angular_velocity(const Vector3& rates) const noexcept {
   const Quaternion Rz = exp_so3(position_[5] * Vector3::UnitZ());
   const Quaternion Rzy = Rz * exp_so3(position_[4] * Vector3::UnitY());

@@ -7,34 +7,38 @@
 
 namespace surefoot {
 
-/// The pose that was latched, in the support frame.
+/// Latched pose of the base, in the support frame.
 struct LatchedPose {
   Vector3 p_base = Vector3::Zero();
   Quaternion R_base = Quaternion::Identity();
 };
 
-/// Moves the body from where it is asked to be now to where it is asked to go: limited in speed
-/// and in acceleration, and never faster than it could stop before a pose that the robot could not
-/// stand in. Real-time: yes.
+/// Trajectory generator of the body pose, from the latched pose to a requested target.
+///
+/// Speed and acceleration are limited by gains. In each tick ReachCheck tests the pose in which the
+/// body could come to a stop; if the robot could not stand there, the body brakes. At a limit, the
+/// axes that are still free continue. Real-time: yes.
 class BodyMotion {
  public:
   explicit BodyMotion(const Robot& robot) : reach_check_(robot) {}
 
-  /// Begin anew at a latched pose; q: the joints there.
+  /// Start at a latched pose, at rest.
+  /// @param q joint angles and base pose of the latch, shape (nq,), start of inverse kinematics
   void latch(const LatchedPose& pose, const Vector3& p_com, const Eigen::VectorXd& q) noexcept;
 
-  /// Back to the latched pose at once, and no request. p_com() is the last one's until latch().
+  /// Return to the latched pose at once and drop the target. p_com() is unchanged until latch().
   void reset() noexcept;
 
-  /// Ask for a pose; anything not finite leaves the last request standing.
+  /// Set the target. A target with NaN or infinity is rejected; the last one stays in force.
   void set_target(const BodyReference& target) noexcept;
 
-  /// Take one step of time. @param feet contact points @param gravity unit, support axes
+  /// Move by one tick.
+  /// @param feet contact points @param gravity direction, unit length; both in support axes
   void update(const Gains& gains, const FeetMatrix& feet, const Vector3& gravity,
               double dt) noexcept;
 
   BodyReference position() const noexcept;
-  /// kNotFinite until the next request; else what is in the way.
+  /// kNotFinite while the last target was rejected, else the limit that stops the motion.
   ReachStatus status() const noexcept {
     return request_rejected_ ? ReachStatus{ReachLimit::kNotFinite, -1} : limit_;
   }
@@ -42,10 +46,10 @@ class BodyMotion {
   // In the support frame:
   Vector3 p_base() const noexcept;
   Quaternion R_base() const noexcept;
-  const Vector3& p_com() const noexcept { return p_com_; }  ///< of the robot in this pose
+  const Vector3& p_com() const noexcept { return p_com_; }  ///< centre of mass in this pose
   const Vector3& v_com() const noexcept { return v_com_; }
   Vector3 w_base() const noexcept;      ///< [rad/s]
-  Vector3 alpha_base() const noexcept;  ///< [rad/s^2] as far as the rates' own change makes it
+  Vector3 alpha_base() const noexcept;  ///< [rad/s^2] from roll, pitch, yaw rates' change
 
  private:
   void stop() noexcept;
@@ -72,9 +76,9 @@ class BodyMotion {
   FeetMatrix evaluated_feet_ = FeetMatrix::Zero();
   ReachStatus limit_;
   bool request_rejected_ = false;
-  double violation_ = 0.0;         // of the present pose
-  double unblocked_time_ = 0.0;    // [s] since a limit was last in the way
-  std::array<bool, 6> blocked_{};  // axes that a limit is in the way of
+  double violation_ = 0.0;         // violation of the present pose
+  double unblocked_time_ = 0.0;    // [s] since an axis was last blocked
+  std::array<bool, 6> blocked_{};  // axes that a limit blocks
   int axis_ = 0;
 };
 

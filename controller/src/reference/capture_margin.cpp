@@ -37,7 +37,7 @@ double capture_margin(const Dynamics& dynamics, const Reference& reference,
 
 double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
                       const Vector3& dv_com) noexcept {
-  // Fewer than three feet have no edge to be near.
+  // Fewer than three feet have no inside, so there is no margin.
   const SupportPolygon polygon(contact_points(dynamics), stance);
   return polygon.is_valid() ? polygon.margin(capture_point(dynamics, dv_com))
                             : std::numeric_limits<double>::infinity();

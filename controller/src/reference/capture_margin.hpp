@@ -7,21 +7,25 @@
 
 namespace surefoot {
 
-/// Where the robot would have to step to come to rest, p_com + v_com / omega on the ground [m],
-/// world. Real-time: yes.
-/// @param dv_com [m/s] velocity of the centre of mass besides the one it has, world
-/// Source: Pratt et al. 2006, eq. 4.
+/// Compute the capture point of the linear inverted pendulum, p_com + v_com / omega with
+/// omega = sqrt(g / h): the ground point over which the robot would come to rest [m], world x and
+/// y. Real-time: yes.
+/// @param dv_com [m/s] added to the velocity of the centre of mass, world axes
+/// Source: Pratt, Carff, Drakunov, Goswami 2006, "Capture point: a step toward humanoid push
+/// recovery", eq. 4.
 Eigen::Vector2d capture_point(const Dynamics& dynamics,
                               const Vector3& dv_com = Vector3::Zero()) noexcept;
 
-/// The polygon of the feet that a reference stands on. Real-time: yes.
+/// Return the support polygon: stance feet of the reference with a planned load above zero.
+/// Real-time: yes.
 SupportPolygon support_polygon(const Dynamics& dynamics, const Reference& reference) noexcept;
 
-/// Distance of the capture point inside the support polygon's nearest edge [m]; negative outside,
-/// infinite with fewer than three stance feet: no edge to be near. Real-time: yes.
+/// Compute the distance [m] from the capture point to the nearest edge of the support polygon:
+/// positive inside, negative outside, infinite with fewer than three stance feet. Real-time: yes.
+/// @param dv_com [m/s] added to the velocity of the centre of mass, world axes
 double capture_margin(const Dynamics& dynamics, const std::array<bool, kLegs>& stance,
                       const Vector3& dv_com = Vector3::Zero()) noexcept;
-/// @param dv_com [m/s] velocity of the centre of mass besides the one it has, world
+/// The same, with the stance feet of a reference.
 double capture_margin(const Dynamics& dynamics, const Reference& reference,
                       const Vector3& dv_com = Vector3::Zero()) noexcept;
 

@@ -8,12 +8,12 @@
 
 namespace surefoot {
 
-/// How far ball feet that bear have rolled lately.
+/// Displacement of the contact points by rolling of the spherical feet within the last seconds.
 ///
-/// A foot of radius r turns with its shank, and its contact point moves by r w x n without slipping
-/// (w: of the shank, n: the ground's normal): by a tenth of the body's way. Feet that bear nothing
-/// do not, and have no reason to go along. It is forgotten within seconds, for a robot that leans
-/// for good stands on what it has rolled to, and bounded, for w has the gyroscope's errors.
+/// A loaded foot of radius r rotates with its shank, and its contact point moves at r w x n without
+/// slip (w: angular velocity of the shank, n: ground normal). This is about a tenth of the body's
+/// displacement. The displacement decays within seconds, because a robot that leans permanently
+/// stands on its new contact points. It is bounded, because w has the gyroscope's errors.
 /// Real-time: yes.
 class FootRolling {
  public:
@@ -21,7 +21,8 @@ class FootRolling {
 
   void reset() noexcept { displacement_.setZero(); }
 
-  /// @param contact belief per foot, 0 .. 1: how much of it rolls
+  /// Integrate one tick.
+  /// @param contact contact confidence per foot, 0 .. 1; scales the rolling
   void update(const Dynamics& dynamics, const Vector3& normal, const Eigen::Vector4d& contact,
               double dt) noexcept {
     displacement_ *= 1.0 - dt / (dt + kDecayTime);
@@ -37,8 +38,8 @@ class FootRolling {
   }  ///< [m] FR FL RR RL, world axes
 
  private:
-  static constexpr double kDecayTime = 2.0;  // [s] much longer than a push is answered for
-  static constexpr double kMaxAngle = 0.4;   // [rad] that shanks turn under pushes that are stood
+  static constexpr double kDecayTime = 2.0;  // [s] much longer than a reaction to a push
+  static constexpr double kMaxAngle = 0.4;   // [rad] shanks rotate less under survivable pushes
 
   double radius_;
   FeetMatrix displacement_ = FeetMatrix::Zero();

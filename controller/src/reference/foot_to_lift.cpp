@@ -10,11 +10,11 @@ namespace surefoot {
 
 int foot_to_lift(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
                  const std::array<bool, kLegs>& loaded, const Eigen::Vector2d& capture,
-                 double swing, double min_gain) noexcept {
+                 double swing, double min_margin) noexcept {
   const SupportPolygon support(p_world_feet, loaded);
   int best_leg = -1;
   if (support.is_valid() && support.margin(capture) > 0.0) return best_leg;
-  double best = min_gain;
+  double best = min_margin;
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!loaded[leg]) continue;
     std::array<bool, kLegs> remaining = loaded;

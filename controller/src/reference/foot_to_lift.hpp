@@ -7,20 +7,23 @@
 
 namespace surefoot {
 
-/// Which foot that bears is to step for a capture point that has left the support; -1: none.
+/// Select the loaded foot that should step when the capture point has left the support polygon.
 ///
-/// While a foot is in the air the capture point runs away from what the others span, by e in
-/// sqrt(h / g). The foot with which it is furthest inside when it lands is the one, if that is by
-/// more than `min_gain`. Two that bear stay, at least. Real-time: yes.
-/// Source: Koolen et al. 2012, of the capture point's way in one step.
-/// @param p_world_feet (3, 4) contact points, FR FL RR RL [m]
-/// @param p_world_goals (3, 4) where each would land [m]
-/// @param loaded which of them bear
-/// @param capture where the capture point is now, world [m]
-/// @param swing from now until it is pressed down [sqrt(h / g)]; it lands a little later
-/// @param min_gain by how much it must be inside then [m]
+/// While a foot swings, the capture point xi moves away from the nearest point r of the remaining
+/// support: xi(t) = r + exp(t sqrt(g / h)) (xi(0) - r). The function selects the foot after whose
+/// landing the capture margin is largest. At least two loaded feet stay on the ground. Real-time:
+/// yes.
+/// Source: Koolen, de Boer, Rebula, Goswami, Pratt 2012, "Capturability-based analysis and control
+/// of legged locomotion, part 1", IJRR, for the capture point during a step.
+/// @param p_world_feet contact points, shape (3, 4), FR FL RR RL [m]
+/// @param p_world_goals landing position of each foot, shape (3, 4) [m]
+/// @param loaded which feet are loaded
+/// @param capture present capture point, world [m]
+/// @param swing duration until the foot is pressed down [sqrt(h / g)]; it lands a little later
+/// @param min_margin capture margin after landing that a step must exceed [m]
+/// @return leg, or -1 if no foot should step
 int foot_to_lift(const FeetMatrix& p_world_feet, const FeetMatrix& p_world_goals,
                  const std::array<bool, kLegs>& loaded, const Eigen::Vector2d& capture,
-                 double swing, double min_gain) noexcept;
+                 double swing, double min_margin) noexcept;
 
 }  // namespace surefoot

@@ -9,9 +9,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kViolationPerMetre =
-    5.0;  // how bad an edge or a high foot is, beside a joint limit
-}
+// [rad/m] Converts violations of distances to a scale comparable with joint limits.
+constexpr double kViolationPerMetre = 5.0;
+}  // namespace
 
 const char* to_string(ReachLimit limit) noexcept {
   switch (limit) {

@@ -11,26 +11,25 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kNearEdge = 0.65;  // share of edge_margin inside the edge from which on feet step
-constexpr double kMovingDistance =
-    0.1;  // [h] that the capture point is ahead of a body to step for
-constexpr double kOffGroundConfidence = 0.3;  // belief under which a foot has left the ground
-constexpr double kContactConfidence = 0.5;    // and over which it is back
-constexpr double kSwingTime = 0.6;    // [sqrt(h / g)] until it is pressed down; h: of the body
-constexpr double kLiftHeight = 0.08;  // [h] that it is lifted by
-constexpr double kPressDepth = 0.1;   // [h] under the ground that it is pressed to
-constexpr double kMinMarginGain =
-    0.01;                           // [h] that a step must bring the capture point further inside
-constexpr double kFootSpeed = 2.0;  // [sqrt(g h)] of a foot's goal
-constexpr double kNominalFootTime =
-    0.05;                            // [s] how slowly a place comes to a foot that has stepped
-constexpr double kReturnTime = 0.2;  // [s] how slowly feet come back that are not to step
+// Units: h is the height of the centre of mass above the feet.
+constexpr double kNearEdge = 0.65;            // share of edge_margin: feet step closer to the edge
+constexpr double kMovingDistance = 0.1;       // [h] capture point ahead of a moving centre of mass
+constexpr double kOffGroundConfidence = 0.3;  // contact confidence after lift-off, at most
+constexpr double kContactConfidence = 0.5;    // contact confidence after landing, at least
+constexpr double kSwingTime = 0.6;            // [sqrt(h / g)] from lift-off to pressing down
+constexpr double kLiftHeight = 0.08;          // [h] height of a swing foot
+constexpr double kPressDepth = 0.1;           // [h] desired depth below the ground at landing
+constexpr double kMinMargin = 0.01;           // [h] capture margin after landing that a step needs
+constexpr double kFootSpeed = 2.0;            // [sqrt(g h)] speed of a foot's desired position
+// [s] Time constant with which a nominal foot position moves to a foot that has stepped.
+constexpr double kNominalFootTime = 0.05;
+constexpr double kReturnTime = 0.2;  // [s] time constant with which feet return after stop()
 
 double height_over(const FeetMatrix& p_world_feet, const Dynamics& dynamics) noexcept {
   return std::max(dynamics.p_world_com().z() - p_world_feet.row(2).mean(), 0.05);
 }
 
-// Its share in the plane of the feet.
+// Return the component of a vector in the plane of the feet.
 Vector3 project_to_plane(const Vector3& vector, const Vector3& normal) noexcept {
   return vector - normal.dot(vector) * normal;
 }
@@ -47,7 +46,7 @@ void RecoverySteps::update(const Gains& gains, const Dynamics& dynamics,
   const Eigen::Vector2d capture = capture_point(dynamics);
   moving_ = (capture - dynamics.p_world_com().head<2>()).norm() > kMovingDistance * height;
   update_stride(gains, support, nominal_feet, capture);
-  select_foot_to_lift(p_world_feet, nominal_feet, contact, capture, kMinMarginGain * height);
+  select_foot_to_lift(p_world_feet, nominal_feet, contact, capture, kMinMargin * height);
   const double phase_step = dt / std::sqrt(height / kGravity);
   for (int leg = 0; leg < kLegs; ++leg) {
     phase_time_[leg] += phase_step;
@@ -78,7 +77,8 @@ void RecoverySteps::mask_swing_feet(const SupportFrame& support, FeetMatrix& p_w
   }
 }
 
-// How near the capture point is to the edge of the places, and the stride that this asks for.
+// Compute how close the capture point is to the edge of the nominal support, and the stride that
+// this requires.
 void RecoverySteps::update_stride(const Gains& gains, const SupportFrame& support,
                                   const FeetMatrix& p_world_nominal_feet,
                                   const Eigen::Vector2d& capture) noexcept {
@@ -90,8 +90,8 @@ void RecoverySteps::update_stride(const Gains& gains, const SupportFrame& suppor
   stride_ *= std::min(1.0, gains.foot_step / std::max(stride_.norm(), 1e-6));
 }
 
-// A foot that bears steps too if that helps, with the capture point outside; one is unloaded at a
-// time.
+// With the capture point outside, select a loaded foot for a step if the step would bring the
+// capture point back inside. Only one foot is unloaded at a time.
 void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
                                         const FeetMatrix& p_world_nominal_feet,
                                         const Eigen::Vector4d& contact,
@@ -112,7 +112,7 @@ void RecoverySteps::select_foot_to_lift(const FeetMatrix& p_world_feet,
   phase_time_[leg] = 0.0;
 }
 
-// Has it left the ground, or landed? Where it landed it stays.
+// Detect lift-off and landing of a foot. After landing, its desired position is where it landed.
 void RecoverySteps::update_phase(int leg, double contact, const Vector3& from_nominal) noexcept {
   FootPhase& phase = phase_[leg];
   if (phase == FootPhase::kStance && moving_ && contact < kOffGroundConfidence &&
@@ -137,7 +137,7 @@ void RecoverySteps::update_swing(int leg, const Vector3& from_nominal, const Vec
     const Vector3 remaining = stride_ - along;
     const double most = kFootSpeed * std::sqrt(kGravity * height) * dt;
     along += remaining * std::min(1.0, most / std::max(remaining.norm(), most));
-    // Lower as it comes to where it is to land; one that still stands goes up.
+    // A swing foot descends as it approaches its landing position; a foot still in contact rises.
     const double lift = kLiftHeight * height;
     up = is_lifting_off(leg)
              ? lift

@@ -9,40 +9,39 @@
 
 namespace surefoot {
 
-/// Where feet are put down that a push threw off the ground, and which that bear step by
-/// themselves.
+/// Recovery steps: moves feet towards the capture point when a push is about to topple the robot.
 ///
-/// While it can be afforded, a foot belongs to its place. With the capture point near the support's
-/// edge the feet that stand have nothing left to brake with: a foot that bears next to nothing is
-/// lifted, goes the way that the capture point has gone, by foot_step at most, and is pressed to
-/// the ground before the body has got much further. Where it lands it stays, and its place in the
-/// support comes to it. With the capture point outside, a foot that bears is unloaded and steps
-/// likewise, if that brings the capture point back inside: one is unloaded at a time
-/// (foot_to_lift). All free feet are given the same stride; nothing keeps a leg from meeting one
-/// that stands. Real-time: yes.
-/// Source: Pratt et al. 2006, of stepping where the capture point is.
+/// Far from the support edge each foot stays at its nominal position. With the capture point near
+/// an edge, the stance feet can hardly brake any more. Then a foot that has lost contact swings by
+/// the displacement of the capture point, foot_step at most, and is pressed to the ground. It stays
+/// where it lands, and its nominal position moves there. With the capture point outside, a loaded
+/// foot is unloaded and steps likewise, if that brings the capture point back inside
+/// (foot_to_lift()); only one foot is unloaded at a time. All swing feet get the same stride. Legs
+/// are not checked for collisions with each other. Real-time: yes.
+/// Source: Pratt et al. 2006, for stepping to the capture point.
 class RecoverySteps {
  public:
   void reset() noexcept { *this = {}; }
 
-  /// @param p_world_feet contact points, less what they rolled
-  /// @param contact belief per foot, 0 .. 1
-  /// @param support its places are moved to where feet have landed
+  /// Update phases and desired offsets of all feet.
+  /// @param p_world_feet contact points without their displacement by rolling
+  /// @param contact contact confidence per foot, 0 .. 1
+  /// @param support its nominal foot positions move to feet that have landed
   void update(const Gains& gains, const Dynamics& dynamics, const FeetMatrix& p_world_feet,
               const Eigen::Vector4d& contact, SupportFrame& support, double dt) noexcept;
 
-  /// Of a robot that hangs in the air, or has lost a leg: no foot swings, and those that do come
-  /// back to their places.
+  /// Stop stepping, for a robot that is lifted or has lost a leg: offsets decay to zero.
   void stop(double dt) noexcept;
 
-  /// [m] from each foot's place to where it belongs now, world
+  /// Offset [m] of each foot's desired position from its nominal position, world axes.
   const FeetMatrix& foot_offsets() const noexcept { return foot_offsets_; }
 
-  /// What the feet tell of the support: those that swing nothing, they are not where they belong.
+  /// Prepare feet and contact confidences for SupportFrame::update(): remove the offsets, and
+  /// exclude feet that lift off or swing.
   void mask_swing_feet(const SupportFrame& support, FeetMatrix& p_world_feet,
                        Eigen::Vector4d& contact) const noexcept;
 
-  /// Is it a foot that bore, and is to bear nothing now, so as to leave the ground?
+  /// Return whether the foot is in contact and is being unloaded for a step.
   bool is_lifting_off(int leg) const noexcept { return phase_[leg] == FootPhase::kLiftingOff; }
 
  private:
@@ -59,13 +58,13 @@ class RecoverySteps {
                     double dt) noexcept;
 
   FeetMatrix foot_offsets_ = FeetMatrix::Zero();
-  Vector3 stride_ = Vector3::Zero();  // [m] that the capture point asks for, world, in the support
-  double edge_proximity_ = 0.0;       // share: 1 with the capture point at the edge, 0 far inside
-  bool moving_ = false;               // fast enough that where it goes is not where it is
+  Vector3 stride_ = Vector3::Zero();  // [m] required stride, world axes, in the support plane
+  double edge_proximity_ = 0.0;       // 1: capture point at the edge or outside, 0: far inside
+  bool moving_ = false;               // the capture point is well ahead of the centre of mass
   std::array<FootPhase, kLegs> phase_{};
-  std::array<bool, kLegs>
-      lift_failed_{};  // was to leave the ground and did not; until edge_proximity_ < 1
-  std::array<double, kLegs> phase_time_{};  // [sqrt(h / g)] since it was to leave the ground
+  // Feet that failed to lift off; cleared when the capture point is inside again.
+  std::array<bool, kLegs> lift_failed_{};
+  std::array<double, kLegs> phase_time_{};  // [sqrt(h / g)] since the step began
 };
 
 }  // namespace surefoot

@@ -9,11 +9,10 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kAirborneTime =
-    0.2;  // [s] how slowly legs that hang in the air come to their pose
-constexpr double kLiftedShare =
-    0.8;  // share in the air from which on a robot is carried, not thrown
-constexpr double kAirborneExtension = 0.15;  // of the standing height that they reach further down
+constexpr double kAirborneTime = 0.2;  // [s] time constant of airborne_share_
+constexpr double kLiftedShare = 0.8;   // airborne share from which the robot counts as lifted
+// Share of the standing height by which airborne legs extend further.
+constexpr double kAirborneExtension = 0.15;
 
 }  // namespace
 
@@ -50,7 +49,7 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   three_leg_stance_.update(support_.nominal_feet(), motion_.p_com(), dt);
   update_airborne_share(contact, dt);
   Vector3 p_base = motion_.p_base();
-  p_base.z() *= 1.0 + kAirborneExtension;  // a landing needs way to brake in
+  p_base.z() *= 1.0 + kAirborneExtension;  // leaves travel to brake a landing
   support_.follow_body(dynamics.p_world_base(), p_base, airborne_share_);
 
   reference_.p_com = support_.origin() + R * (motion_.p_com() + three_leg_stance_.com_offset());
@@ -71,8 +70,8 @@ const Reference& StandReference::update(const Gains& gains, const Dynamics& dyna
   return reference_;
 }
 
-// A leg that cannot follow must not be expected to: what its foot was accelerated by would be
-// counted on to push the body back.
+// Set the desired motion of a lost leg's foot to its measured motion. Otherwise the QP would count
+// on a reaction force from accelerating a leg that cannot follow.
 void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   FootReference& foot = reference_.feet[leg];
   foot.stance = false;
@@ -81,7 +80,8 @@ void StandReference::release_leg(int leg, const Dynamics& dynamics) noexcept {
   foot.v_world = dynamics.legs()[leg].v_world_contact;
 }
 
-// Slowly off the ground, for feet that hung behind are not to be thrown; at once back on it.
+// The share rises slowly, so that feet that lag behind are not accelerated abruptly; it falls at
+// once on contact.
 void StandReference::update_airborne_share(const Eigen::Vector4d& contact, double dt) noexcept {
   const double in_air = std::clamp(1.0 - contact.sum(), 0.0, 1.0);
   const double filtered = airborne_share_ + dt / (dt + kAirborneTime) * (in_air - airborne_share_);

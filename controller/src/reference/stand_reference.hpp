@@ -10,21 +10,20 @@
 
 namespace surefoot {
 
-/// Makes the Reference that holds the body where it stood when latched, or where a BodyReference
-/// asks it to be from there.
+/// Reference for standing: holds the body in its latched pose, or in the pose that a BodyReference
+/// requests relative to it.
 ///
-/// Everything is kept in the support frame, which joint angles determine, but for what the feet
-/// rolled in the last seconds: base pose, centre of mass and the feet's own places. The IMU's slow
-/// errors move that frame and the body together and so cannot lean the robot. While no foot bears
-/// anything the frame goes with the body, and the legs of a robot that is lifted come back to its
-/// standing pose. Near the edge of balance feet step, see RecoverySteps.
-/// Real-time: yes.
+/// Base pose, centre of mass and nominal foot positions are kept in the support frame. The joint
+/// angles determine this frame, apart from the rolling of the feet in the last seconds. Slow errors
+/// of the IMU move the frame and the body together, so they cannot make the robot lean. While no
+/// foot is loaded, the frame follows the body, and the legs of a lifted robot return to the
+/// standing pose. Close to a support edge the feet step, see RecoverySteps. Real-time: yes.
 class StandReference {
  public:
   explicit StandReference(const Robot& robot)
       : motion_(robot), foot_rolling_(robot.config().foot_radius) {}
 
-  /// Remember how the robot stands; q: its joints.
+  /// Latch the present pose. @param q configuration, shape (nq,)
   void latch(const Dynamics& dynamics, const Eigen::VectorXd& q) noexcept;
 
   void reset() noexcept {
@@ -34,12 +33,12 @@ class StandReference {
     recovery_steps_.reset();
     airborne_share_ = 0.0;
   }
-  /// From now on this leg's foot bears nothing; until reset().
+  /// Declare a leg lost until reset(): its foot carries no load.
   void give_up_leg(int leg) noexcept { three_leg_stance_.give_up_leg(leg); }
   int lost_leg() const noexcept { return three_leg_stance_.lost_leg(); }
   void set_target(const BodyReference& target) noexcept { motion_.set_target(target); }
 
-  /// Express what is asked in today's world frame.
+  /// Compute the reference of this tick in the present world frame.
   const Reference& update(const Gains& gains, const Dynamics& dynamics,
                           const Eigen::Vector4d& contact_confidence, double dt) noexcept;
 
@@ -55,7 +54,7 @@ class StandReference {
   FootRolling foot_rolling_;
   RecoverySteps recovery_steps_;
   ThreeLegStance three_leg_stance_;
-  double airborne_share_ = 0.0;  // share by which the frame goes with the body
+  double airborne_share_ = 0.0;  // share by which the frame follows the body
   Reference reference_;
 };
 

@@ -8,17 +8,18 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kGroundTime = 0.5;  // [s] how slowly the ground's normal follows the feet
-// [s] for which it follows at once: the attitude is still being found, and what it finds out about
-// the vertical is no reason to move.
+constexpr double kGroundTime = 0.5;  // [s] time constant of the ground normal
+// [s] after the latch in which the normal follows without delay: the estimator's attitude is still
+// converging, and its corrections must not move the body.
 constexpr double kInitialTime = 0.15;
-constexpr double kNominalFootTime = 0.5;  // [s] how slowly a place follows a foot that has moved
-constexpr double kSlopeRegularisation =
-    1e-4;  // [m^2] keeps the normal where the feet in contact do not say
-constexpr double kDetrendRegularisation =
-    1e-6;  // [m^2] the same, where only what is left over counts
+constexpr double kNominalFootTime = 0.5;  // [s] time constant of the nominal foot positions
+// [m^2] Keeps the normal where the feet in contact do not determine it.
+constexpr double kSlopeRegularisation = 1e-4;
+// [m^2] The same for update_nominal_feet(), where only the residual of the fit counts.
+constexpr double kDetrendRegularisation = 1e-6;
 
-// Heading of the line from the rear feet's middle to the front's, about z.
+// Compute the heading about z of the line from the centre of the rear feet to that of the front
+// feet.
 double heading(const FeetMatrix& p) noexcept {
   const Vector3 forward = p.col(FR_) + p.col(FL_) - p.col(RR_) - p.col(RL_);
   return std::atan2(forward.y(), forward.x());
@@ -28,7 +29,8 @@ Matrix3 rotation_z(double angle) noexcept {
   return exp_so3(angle * Vector3::UnitZ()).toRotationMatrix();
 }
 
-// Least squares for the two slopes of heights over d's x and y, both about their weighted mean.
+// Fit the two slopes of the heights over x and y of d by weighted least squares; both inputs have
+// zero weighted mean.
 Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
                       const Eigen::Vector4d& weight, double regularisation) noexcept {
   Eigen::Matrix2d S = regularisation * Eigen::Matrix2d::Identity();
@@ -41,7 +43,7 @@ Eigen::Vector2d slope(const FeetMatrix& d, const Eigen::RowVector4d& heights,
   return S.inverse() * r;
 }
 
-// Shortest rotation that brings R's third axis to `normal`.
+// Apply the shortest rotation that brings the z axis of R to `normal`.
 Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
   return Quaternion::FromTwoVectors(R.col(2), normal).toRotationMatrix() * R;
 }
@@ -51,10 +53,10 @@ Matrix3 aligned(const Matrix3& R, const Vector3& normal) noexcept {
 void SupportFrame::latch(const FeetMatrix& p) noexcept {
   time_since_latch_ = 0.0;
   origin_ = p.rowwise().mean();
-  // Normal to both diagonals: of the plane closest to the four points.
+  // Normal to both diagonals: that of the plane closest to the four points.
   const Vector3 normal = (p.col(FL_) - p.col(RR_)).cross(p.col(RL_) - p.col(FR_));
   R_ = rotation_z(heading(p));
-  // Feet in one line span no plane: keep the vertical.
+  // Feet in one line span no plane: then keep the vertical.
   if (normal.norm() > 1e-3 && normal.z() > 0.0) R_ = aligned(R_, normal.normalized());
   nominal_feet_ = R_.transpose() * (p.colwise() - origin_);
   const Matrix3 turn = rotation_z(heading(nominal_feet_));
@@ -63,7 +65,7 @@ void SupportFrame::latch(const FeetMatrix& p) noexcept {
 }
 
 void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, double dt) noexcept {
-  // All in the air: nothing says more than the shape of the feet as a whole.
+  // The offset gives all feet equal weight when all are in the air.
   Eigen::Vector4d weight = contact.cwiseMax(0.0).array() + 1e-6;
   weight /= weight.sum();
   const Vector3 mean = p * weight, mean_nominal = nominal_feet_ * weight;
@@ -77,7 +79,7 @@ void SupportFrame::update(const FeetMatrix& p, const Eigen::Vector4d& contact, d
   update_nominal_feet(p, contact, weight, dt);
 }
 
-// Towards the two slopes that bring the places' heights to the feet's.
+// Rotate the normal towards the slopes that fit the nominal heights to those of the feet.
 void SupportFrame::update_normal(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
                                  const Eigen::Vector4d& weight, double blend) noexcept {
   const FeetMatrix d = R_.transpose() * from_mean;
@@ -87,7 +89,7 @@ void SupportFrame::update_normal(const FeetMatrix& from_mean, const FeetMatrix& 
   R_ = aligned(R_, R_ * (Vector3::UnitZ() + blend * (normal - Vector3::UnitZ())).normalized());
 }
 
-// The turn about z that fits the places to the feet best (Procrustes in the plane).
+// Rotate about z to the best fit of the nominal positions to the feet (planar Procrustes problem).
 void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix& nominal_feet,
                                   const Eigen::Vector4d& weight) noexcept {
   const FeetMatrix d = R_.transpose() * from_mean;
@@ -99,9 +101,10 @@ void SupportFrame::update_heading(const FeetMatrix& from_mean, const FeetMatrix&
   R_ = R_ * rotation_z(std::atan2(sine, cosine));
 }
 
-// A foot's place follows it, and the frame moves so that the places keep their centroid at its
-// origin and their heading. What tilts all feet alike is the IMU's or the ground's: it belongs to
-// update_normal(), and places that took it in would keep a share of it for good.
+// Move the nominal positions towards the feet, and the frame so that they keep their centroid at
+// the origin and their heading. A tilt that all feet share comes from the IMU or the ground and
+// belongs to update_normal(); it is removed here, because the nominal positions would keep a part
+// of it.
 void SupportFrame::update_nominal_feet(const FeetMatrix& p, const Eigen::Vector4d& contact,
                                        const Eigen::Vector4d& weight, double dt) noexcept {
   const FeetMatrix feet = R_.transpose() * (p.colwise() - origin_);

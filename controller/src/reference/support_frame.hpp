@@ -5,30 +5,33 @@
 
 namespace surefoot {
 
-/// Where the feet are: the frame that standing refers to. Its origin is the centroid of the feet,
-/// x points from the rear feet's middle to the front's, z out of the plane of the feet.
+/// Support frame: the frame that standing refers to. Its origin is the centroid of the feet, x
+/// points from the centre of the rear feet to that of the front feet, z along the normal of their
+/// plane.
 ///
-/// World x, y and yaw of a legged robot drift; a reference that stayed there would lean the robot
-/// off its feet. The feet themselves do not drift. Each foot has its place in the frame, and the
-/// frame is where it fits these places to the feet that stand: a foot in the air, or one that
-/// slides, moves the frame by as much as it is believed, and a foot that stands elsewhere for good
-/// takes the frame along slowly. Real-time: yes.
+/// World x, y and yaw of a legged robot drift. A reference fixed in the world would slowly move the
+/// body off its feet; the stance feet do not drift. Each foot has a nominal position in the frame.
+/// The frame is the weighted least-squares fit of these positions to the measured feet, with the
+/// contact confidences as weights. The nominal position of a loaded foot follows the foot slowly.
+/// Real-time: yes.
 class SupportFrame {
  public:
-  /// Take the feet as they are now, all of them standing.
+  /// Latch the present feet as nominal positions; assumes that all feet stand.
   void latch(const FeetMatrix& p_world_feet) noexcept;
 
-  /// Follow the feet. @param contact belief per foot, 0 .. 1
+  /// Fit the frame to the feet. @param contact contact confidence per foot, 0 .. 1
   void update(const FeetMatrix& p_world_feet, const Eigen::Vector4d& contact, double dt) noexcept;
 
-  /// Go with the body by a share of the way, 0 .. 1: the feet of a robot that is held in the air
-  /// have no other place. @param p_support_body of the body in the frame
+  /// Move the origin towards the body, for a robot in the air, whose feet have no ground to refer
+  /// to.
+  /// @param p_support_body desired position of the body in the frame
+  /// @param share share of the displacement, 0 .. 1
   void follow_body(const Vector3& p_world_body, const Vector3& p_support_body,
                    double share) noexcept {
     origin_ += share * (p_world_body - R_ * p_support_body - origin_);
   }
 
-  /// Move a foot's place. @param displacement world
+  /// Move a nominal foot position. @param displacement world axes [m]
   void move_nominal_foot(int leg, const Vector3& displacement) noexcept {
     nominal_feet_.col(leg) += R_.transpose() * displacement;
   }
@@ -52,7 +55,7 @@ class SupportFrame {
   Vector3 origin_ = Vector3::Zero();
   Matrix3 R_ = Matrix3::Identity();
   FeetMatrix nominal_feet_ = FeetMatrix::Zero();
-  double time_since_latch_ = 0.0;  // [s] since it was latched
+  double time_since_latch_ = 0.0;  // [s]
 };
 
 }  // namespace surefoot

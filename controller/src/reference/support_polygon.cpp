@@ -8,7 +8,7 @@ namespace surefoot {
 
 namespace {
 
-// Round the robot, counter-clockwise from above.
+// Legs in counter-clockwise order, seen from above.
 constexpr int kCounterClockwise[kLegs] = {FR_, FL_, RL_, RR_};
 
 }  // namespace

@@ -7,16 +7,16 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kInradiusShare = 0.5;  // of the triangle's incircle: how far inside its long edge
-constexpr double kShiftTime = 0.2;      // [s] how slowly the body goes there
+// Distance to keep from the long edge, as a share of the triangle's inradius.
+constexpr double kInradiusShare = 0.5;
+constexpr double kShiftTime = 0.2;  // [s] time constant of the shift
 
 }  // namespace
 
-// The lost foot's neighbours span the edge that the body stands near.
+// The body stands near the edge between the lateral and the longitudinal neighbour of the lost leg.
 void ThreeLegStance::update(const FeetMatrix& nominal_feet, const Vector3& p_com,
                             double dt) noexcept {
   if (lost_leg_ == kNone) return;
-  // FR FL RR RL: the lowest bit is the side, the next the end.
   const Eigen::Vector2d a = nominal_feet.col(lateral_neighbor(lost_leg_)).head<2>();
   const Eigen::Vector2d b = nominal_feet.col(longitudinal_neighbor(lost_leg_)).head<2>();
   const Eigen::Vector2d c = nominal_feet.col(diagonal_leg(lost_leg_)).head<2>();

@@ -5,22 +5,26 @@
 
 namespace surefoot {
 
-/// Brings the body over three feet once a leg is given up. Real-time: yes.
+/// Shifts the centre of mass into the support triangle of three feet after a leg is lost.
+/// Real-time: yes.
 class ThreeLegStance {
  public:
   static constexpr int kNone = -1;
 
+  /// Declare a leg lost until reset().
   void give_up_leg(int leg) noexcept { lost_leg_ = leg; }
   void reset() noexcept {
     lost_leg_ = kNone;
     com_offset_.setZero();
   }
-  int lost_leg() const noexcept { return lost_leg_; }  ///< the leg, or kNone
+  int lost_leg() const noexcept { return lost_leg_; }  ///< or kNone
 
-  /// @param nominal_feet of the feet and @param p_com wanted over all of them, support axes
+  /// Update the shift.
+  /// @param nominal_feet nominal foot positions, support axes [m]
+  /// @param p_com desired centre of mass of four-legged stance, support axes [m]
   void update(const FeetMatrix& nominal_feet, const Vector3& p_com, double dt) noexcept;
 
-  /// [m] by which the centre of mass is to go from there, support axes.
+  /// Shift of the desired centre of mass, support axes [m].
   const Vector3& com_offset() const noexcept { return com_offset_; }
 
  private:

@@ -6,17 +6,18 @@
 
 namespace surefoot {
 
-/// Share of robot.friction that the force of each foot may use. Real-time: yes.
+/// Share of RobotConfig::friction that the contact force of each foot may use.
 ///
-/// The ground is not known to hold what robot.friction says, and feet that push to their cone's
-/// edge slide where it does not. So three tenths are kept for what takes them: the capture point,
-/// now or after a tenth of a second more of what pushes the body, near the support's edge. They are
-/// given at once and taken back in a tenth of a second, for forces must not step.
+/// The ground may have less friction than RobotConfig::friction, and feet that use the whole
+/// friction cone would then slip. So 30 % are kept in reserve. The reserve is used when the capture
+/// point, now or after 0.1 s more of the present external force, is near a support edge. It is
+/// released at once and withdrawn within 0.1 s, because contact forces must not step.
+/// Real-time: yes.
 class UsableFriction {
  public:
-  /// Take one step of time.
+  /// Compute the share of this tick.
   /// @param mass [kg] of the robot
-  /// @returns FR FL RR RL, 0 .. 1, no more than state.friction
+  /// @return FR FL RR RL, 0 .. 1, at most state.friction
   Eigen::Vector4d update(const Dynamics& dynamics, const RobotState& state,
                          const Reference& reference, double mass, double dt) noexcept;
   void reset() noexcept { share_ = 1.0; }

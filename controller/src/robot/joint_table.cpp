@@ -24,7 +24,7 @@ JointRow motor_row(const Robot& robot, int motor) {
   return row;
 }
 
-// A URDF without a limit says 0 or infinity; the program wants a number.
+// A URDF without a limit gives 0 or infinity, but the QP needs a finite number.
 double or_unlimited(double limit) { return limit > 0.0 && limit < 1e4 ? limit : 1e4; }
 
 }  // namespace

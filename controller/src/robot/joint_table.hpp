@@ -7,20 +7,20 @@
 
 namespace surefoot {
 
-/// One joint as the program sees it.
+/// One joint of the QP: its indices and limits, in SI units.
 struct JointRow {
   int v = 0;       ///< index in v
-  int q = -1;      ///< index in q; -1: no angle that could be limited or held
-  int motor = -1;  ///< SDK motor, or -1 for a joint beyond the twelve
-  int group = 0;   ///< leg 0 .. 3; 4 for joints beyond
+  int q = -1;      ///< index in q; -1: no single angle to limit or to hold
+  int motor = -1;  ///< SDK motor, or -1 for a further joint
+  int group = 0;   ///< leg 0 .. 3; 4 for further joints
   double q_lower = 0.0, q_upper = 0.0, dq_max = 0.0, tau_max = 0.0, q_standing = 0.0;
 };
 
-/// The joints in the program's order: SDK motors first, then any others of the model.
+/// Joints in the order of the QP: SDK motors first, then further joints of the model.
 using JointTable = std::vector<JointRow>;
 
-/// Limits of the twelve come from the configuration, ranges as motion_range() has them, of the
-/// others from the model.
+/// Build the joint table of a robot. The limits of the twelve motors come from the configuration,
+/// with the ranges of motion_range(); the limits of further joints come from the model.
 JointTable make_joint_table(const Robot& robot);
 
 }  // namespace surefoot

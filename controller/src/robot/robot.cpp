@@ -7,10 +7,19 @@
 #include <pinocchio/serialization.hpp>
 
 #include "common/text.hpp"
-#include "robot/robot_data.hpp"
 #include "surefoot/error.hpp"
 
 namespace surefoot {
+
+// Data of a Robot, shared by its copies.
+struct Robot::Data {
+  pinocchio::Model model;
+  RobotConfig config;
+  std::array<int, kMotors> motor_to_v;
+  std::array<int, kMotors> motor_to_q;
+  std::array<int, kLegs> foot_frame_ids;
+  double mass;
+};
 
 namespace {
 
@@ -45,7 +54,7 @@ void match_joints(const pinocchio::Model& model, const RobotConfig& config, Robo
   }
 }
 
-// Each leg must be one chain, base to foot; with two hips swapped it would be two.
+// Each leg must be one chain from base to foot. Names in a wrong order would mix two legs.
 void check_chains(const pinocchio::Model& model, const RobotConfig& config) {
   for (int leg = 0; leg < kLegs; ++leg) {
     for (int k = 1; k < kLegJoints; ++k) {
@@ -53,8 +62,9 @@ void check_chains(const pinocchio::Model& model, const RobotConfig& config) {
       const std::string& below = config.joint_names[3 * leg + k];
       const auto& chain = model.supports[model.getJointId(below)];
       if (std::find(chain.begin(), chain.end(), model.getJointId(above)) == chain.end()) {
-        throw Error("robot '" + config.name + "': joint '" + below + "' does not hang on joint '" +
-                    above + "'; expected hip, thigh and calf of one leg, in this order");
+        throw Error("robot '" + config.name + "': joint '" + below +
+                    "' is not a descendant of joint '" + above +
+                    "', expected hip, thigh and calf of one leg, in this order");
       }
     }
   }
@@ -63,7 +73,7 @@ void check_chains(const pinocchio::Model& model, const RobotConfig& config) {
 void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot::Data& data) {
   for (int leg = 0; leg < kLegs; ++leg) {
     const std::string& name = config.foot_frames[leg];
-    // Bodies and joints may share a name, so look for the first frame of that name ourselves.
+    // A body and a joint may share a name: take the first frame of that name.
     int id = -1;
     std::vector<std::string> names;
     for (std::size_t k = 0; k < model.frames.size(); ++k) {
@@ -75,7 +85,7 @@ void match_feet(const pinocchio::Model& model, const RobotConfig& config, Robot:
                   suggestion(name, names) + "; the model has: " + join(names));
     }
     if (model.frames[id].parentJoint != model.getJointId(config.joint_names[3 * leg + 2])) {
-      throw Error("robot '" + config.name + "': foot frame '" + name + "' hangs on joint '" +
+      throw Error("robot '" + config.name + "': foot frame '" + name + "' is attached to joint '" +
                   model.names[model.frames[id].parentJoint] + "', expected the calf joint '" +
                   config.joint_names[3 * leg + 2] + "'");
     }
@@ -95,8 +105,8 @@ Robot::Robot(const pinocchio::Model& model, const RobotConfig& config) {
   for (int i = 0; i < kMotors; ++i) data->model.armature[data->motor_to_v[i]] = config.armature[i];
   for (const auto& inertia : data->model.inertias) data->mass += inertia.mass();
   if (!(data->mass > 0.0)) {
-    throw Error("robot '" + config.name + "': total mass is " + to_text(data->mass) +
-                " kg, expected more than 0");
+    throw Error("robot '" + config.name + "': total mass: got " + to_text(data->mass) +
+                " kg, expected > 0");
   }
   data_ = std::move(data);
 }

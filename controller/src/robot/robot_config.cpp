@@ -63,7 +63,8 @@ void check_positions(const RobotConfig& config) {
     const JointRange range = motion_range(config, i);
     if (!(q >= range.lower && q <= range.upper)) {
       fail(config, "hip_inward", to_text(config.hip_inward),
-           "at least " + to_text(std::abs(q)) + ", where " + config.joint_names[i] + " stands");
+           "at least " + to_text(std::abs(q)) + ", the angle of " + config.joint_names[i] +
+               " in the standing pose");
     }
     if (!(config.corner_speed[i] < config.no_load_speed[i])) {
       fail(config, "corner_speed of " + config.joint_names[i], to_text(config.corner_speed[i]),
@@ -91,7 +92,8 @@ void RobotConfig::validate() const {
   if (!(std::isfinite(friction) && friction > 0.0 && friction <= 2.0)) {
     fail(*this, "friction", to_text(friction), "0 < friction <= 2");
   }
-  if (!p_base_imu.allFinite()) fail(*this, "IMU position", "a non-finite value", "metres");
+  if (!p_base_imu.allFinite())
+    fail(*this, "IMU position", "NaN or infinity", "finite numbers, in m");
   if (!(std::abs(quat_base_imu.norm() - 1.0) < 1e-6)) {
     fail(*this, "IMU quaternion norm", to_text(quat_base_imu.norm()), "1");
   }
@@ -101,7 +103,7 @@ void RobotConfig::validate() const {
 JointRange motion_range(const RobotConfig& config, int i) noexcept {
   JointRange range{config.q_lower[i], config.q_upper[i]};
   if (i % kLegJoints != 0) return range;
-  // About the axis that points forward a left leg comes under the trunk by negative angles.
+  // The hip axis points forward, so a left leg moves under the trunk at negative angles.
   const bool left = i / kLegJoints % 2 == 1;
   if (left) {
     range.lower = std::max(range.lower, -config.hip_inward);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The .robot file: one line of magic and version, the configuration as "key values" lines, then the
-// serialised Pinocchio model, then a checksum over all that stands before it.
+// Format of a .robot file: one line with magic word and version, the configuration as "key values"
+// lines, the serialised Pinocchio model, and a CRC-32 checksum of everything before it.
 #include <boost/crc.hpp>
 #include <filesystem>
 #include <fstream>
@@ -19,8 +19,8 @@ namespace {
 constexpr char kMagic[] = "surefoot-robot";
 constexpr int kVersion = 1;
 
-// One configuration field: how to write it and how to read it back. Both directions of the file
-// go through the same table, so they cannot drift apart.
+// A field of the configuration, with functions that write and read it. Saving and loading use the
+// same table of fields, so that they agree.
 struct Field {
   std::string key;
   std::function<void(std::ostream&)> write;
@@ -91,7 +91,7 @@ std::uint32_t checksum(const std::string& text) {
 }
 
 std::string read_all(const std::string& path) {
-  if (std::filesystem::is_directory(path)) fail(path, "is a folder");
+  if (std::filesystem::is_directory(path)) fail(path, "got a folder, expected a file");
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, "cannot be opened");
   return {std::istreambuf_iterator<char>(file), {}};
@@ -117,7 +117,7 @@ void read_config(const std::string& path, std::istream& in, RobotConfig& config)
     words >> key;
     if (key != field.key) {
       fail(path, "got field '" + key + "', expected '" + field.key +
-                     "'; if another version wrote it, write it again with 'surefoot export'");
+                     "'; write a file of another version again with 'surefoot export'");
     }
     field.read(words);
     if (words.fail()) fail(path, "field '" + key + "' cannot be read: '" + line + "'");

@@ -6,15 +6,16 @@
 
 namespace surefoot {
 
-/// Counts durations in bins of 1/16 octave, from 0.25 us to 1 s. Real-time: yes.
+/// Histogram of durations in bins of 1/16 octave, from 0.25 us to 1 s. Real-time: yes.
 class LatencyHistogram {
  public:
   void add(double microseconds) noexcept;
 
   std::uint64_t count() const noexcept { return count_; }
-  /// Upper edge of the bin in which the share lies [us]; 0 with nothing counted.
+  /// Return the quantile for `share`, 0 .. 1, as the upper edge of its bin [us]; 0 without
+  /// durations.
   double quantile(double share) const noexcept;
-  double greatest() const noexcept { return greatest_; }  ///< [us] exact
+  double greatest() const noexcept { return greatest_; }  ///< [us] largest duration, exact
 
  private:
   static constexpr int kBins = 16 * 22;

@@ -5,19 +5,19 @@
 
 namespace surefoot {
 
-/// One letter at a time from any thread to the loop; a newer one takes the place of an older.
+/// Slot for one message from other threads to the loop. A newer message replaces an older one.
 template <typename T>
 class Mailbox {
  public:
-  /// From any thread but the loop's.
+  /// Store a message. Call it from any thread but the loop's. Real-time: no.
   void put(const T& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
     message_ = message;
     has_message_ = true;
   }
 
-  /// Take what is there. @return false: nothing, or someone is just writing; the next tick will do.
-  /// Real-time: yes, it never waits.
+  /// Take the message out. Never waits. Real-time: yes.
+  /// @return false if there is none, or another thread is writing one: try again in the next tick
   bool take(T& message) noexcept {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
     if (!lock.owns_lock() || !has_message_) return false;

@@ -17,7 +17,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kPriority = 80;  // below the kernel's own threads, above everything else
+constexpr int kPriority = 80;  // below the kernel's threads, above ordinary ones
 
 timespec to_timespec(double seconds) noexcept {
   timespec t;
@@ -38,7 +38,7 @@ RealTimeScope::RealTimeScope() {
                                  std::strerror(error_code) + ")";
   rlimit memory_limit{};
   getrlimit(RLIMIT_MEMLOCK, &memory_limit);
-  // Under a limit, locking what is to come would make later allocations fail.
+  // With a limit on locked memory, MCL_FUTURE would make later allocations fail.
   const int lock_flags = MCL_CURRENT | (memory_limit.rlim_cur == RLIM_INFINITY ? MCL_FUTURE : 0);
   locked_ = mlockall(lock_flags) == 0;
   const char* locked_text =

@@ -5,8 +5,8 @@
 
 namespace surefoot {
 
-/// Real-time priority and locked memory for the calling thread, as far as the system permits; given
-/// back at the end. Not in the tick.
+/// Real-time priority and locked memory for the calling thread, as far as the system permits. The
+/// destructor releases both. Real-time: no.
 class RealTimeScope {
  public:
   RealTimeScope();
@@ -14,21 +14,22 @@ class RealTimeScope {
   RealTimeScope(const RealTimeScope&) = delete;
   RealTimeScope& operator=(const RealTimeScope&) = delete;
 
-  const std::string& scheduling() const noexcept { return scheduling_; }  ///< what was got
-  const std::string& memory() const noexcept { return memory_; }          ///< what was got
+  const std::string& scheduling() const noexcept { return scheduling_; }  ///< obtained, in words
+  const std::string& memory() const noexcept { return memory_; }          ///< obtained, in words
 
  private:
   bool scheduled_ = false, locked_ = false;
   std::string scheduling_, memory_;
 };
 
-/// Wakes at absolute times, one period apart. A period that has been missed is left out: two ticks
-/// are never run back to back to catch up. Real-time: yes.
+/// Timer with absolute deadlines, one period apart. Missed periods are left out: ticks never run
+/// back to back to catch up. Real-time: yes.
 class PeriodicTimer {
  public:
+  /// @param period [s]
   explicit PeriodicTimer(double period);
 
-  /// Sleep until the next deadline. @return [us] how late it woke
+  /// Sleep until the next deadline. @return delay from the deadline to waking up [us]
   double wait() noexcept;
   long missed() const noexcept { return missed_; }  ///< periods left out
 

@@ -8,8 +8,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kForward = 0.04, kSideways = 0.03, kHeight = 0.03;  // [m] at full deflection
-constexpr double kRoll = 0.15, kPitch = 0.15, kYaw = 0.2;            // [rad] the same
-constexpr float kDeadZone = 0.05F;
+constexpr double kRoll = 0.15, kPitch = 0.15, kYaw = 0.2;            // [rad] at full deflection
+constexpr float kDeadZone = 0.05F;                                   // of full deflection
 
 double beyond_dead_zone(float stick) noexcept { return std::abs(stick) > kDeadZone ? stick : 0.0; }
 

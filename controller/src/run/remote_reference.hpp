@@ -6,9 +6,9 @@
 
 namespace surefoot {
 
-/// Where the remote asks the body to be: the left stick shifts it, the right one pitches and turns
-/// it, up and down raise and lower it, left and right roll it. At rest it asks for the latched
-/// pose. Real-time: yes.
+/// Convert the remote's sticks and buttons to a body reference. The left stick shifts the body, the
+/// right stick pitches and turns it. The buttons up and down change its height, left and right roll
+/// it. With the remote at rest, the result is the latched pose. Real-time: yes.
 BodyReference remote_reference(const WirelessRemote& remote) noexcept;
 
 }  // namespace surefoot

@@ -13,7 +13,7 @@ void write_robot_snapshot(const StandController& controller, const LowState& sta
   const Eigen::VectorXd& q = estimated.q;
   std::copy_n(q.data(), std::min<std::size_t>(snapshot.q.size(), q.size()), snapshot.q.begin());
   snapshot.height = q[2];
-  const double sine = std::hypot(q[3], q[4]);  // of half the tilt
+  const double sine = std::hypot(q[3], q[4]);  // sin(tilt / 2)
   snapshot.tilt = 2.0 * std::asin(std::min(sine, 1.0));
   snapshot.position_error = (desired.p_base - q.head<3>()).norm();
   const Quaternion R_world_base(q[6], q[3], q[4], q[5]);

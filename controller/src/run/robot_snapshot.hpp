@@ -5,8 +5,8 @@
 
 namespace surefoot {
 
-/// Write into a snapshot what can be seen of the robot: pose, forces, how far it is from where it
-/// should be, how hard its motors work. Real-time: yes.
+/// Write the robot's pose, desired forces, contacts, tracking errors, torques and power into a
+/// snapshot. Real-time: yes.
 void write_robot_snapshot(const StandController& controller, const LowState& state,
                           const Vector12& tau_max, RunSnapshot& snapshot) noexcept;
 

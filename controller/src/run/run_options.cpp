@@ -16,15 +16,14 @@ void RunOptions::validate() const {
   check("rate", rate, 100.0, 1000.0, " [Hz]");
   check("power_level", power_level, 0, 10, " (0 switches the protection off)");
   if (start == Start::kLying) {
-    check("power_level", power_level, 1, 10, " for a robot that is to get up");
+    check("power_level", power_level, 1, 10, " with start 'lying'");
   }
   check("connect_timeout", connect_timeout, 0.0, 1e6, " [s]");
   check("log_time", log_time, 0.0, 600.0, " [s]");
   check("operator_timeout", operator_timeout, 0.01, std::numeric_limits<double>::infinity(),
         " [s]");
   if (!(duration > 0.0)) {
-    throw Error("option 'duration' out of range: got " + to_text(duration) +
-                ", expected above 0 [s]");
+    throw Error("option 'duration' out of range: got " + to_text(duration) + ", expected > 0 [s]");
   }
 }
 

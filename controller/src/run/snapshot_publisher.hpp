@@ -9,18 +9,18 @@
 
 namespace surefoot {
 
-/// Where the loop shows how it is, and others look.
+/// Passes snapshots of the loop to other threads.
 class SnapshotPublisher {
  public:
-  /// From the loop; skipped while someone looks. Real-time: yes.
+  /// Publish a snapshot from the loop; skipped while another thread reads. Real-time: yes.
   void publish(const RunSnapshot& snapshot, const LatencyHistogram& tick_latencies,
                const LatencyHistogram& wake_latencies, long missed) noexcept;
-  /// At the end of the loop; waits for whoever looks.
+  /// Publish the last snapshot at the end of the loop; waits for threads that read. Real-time: no.
   void publish_final(const RunSnapshot& snapshot, const LatencyHistogram& tick_latencies,
                      const LatencyHistogram& wake_latencies, long missed);
   void set_real_time(const std::string& words);
 
-  /// From other threads: what was published last, with the percentiles of then.
+  /// Return the last published snapshot with its latency quantiles. Call it from other threads.
   RunSnapshot snapshot() const;
   std::string real_time() const;
 

@@ -16,8 +16,8 @@ const RunOptions& checked_options(const RunOptions& options, const UdpLinkOption
   options.validate();
   if (link.real_robot && options.start != Start::kLying) {
     throw Error(
-        "a real robot: got start 'standing', expected 'lying': it is not moved but behind arming "
-        "checks (surefoot run --rise --real-robot)");
+        "start: got 'standing' with a real robot, expected 'lying': arming checks must pass before "
+        "it moves (surefoot run --rise --real-robot)");
   }
   return options;
 }
@@ -48,7 +48,7 @@ void StandLoop::tick(double time, double elapsed) noexcept {
   apply_requests();
   const bool has_new_state = link_.receive();
   if (stop_requested_.load()) end(RunReason::kRequested);
-  // Damped for something before, and asked for now: this is how it was wanted.
+  // Damping is requested while the robot already damps: the request becomes the reason.
   if (damp_requested_.exchange(false) && snapshot_.phase == RunPhase::kDamping)
     snapshot_.reason = RunReason::kRequested;
   if (ended()) {
@@ -93,7 +93,7 @@ void StandLoop::send(const LowCmd& command, bool has_new_state) noexcept {
   log(command, has_new_state);
 }
 
-// The supervisor gets the newest report of a tick; the link heard them all.
+// The supervisor gets only the newest sample of a tick, so it also gets the link's counts of all.
 void StandLoop::count_samples() noexcept {
   const LinkCounts& counts = link_.counts();
   supervisor_.count_samples(static_cast<double>(counts.valid - counted_valid_),
@@ -119,7 +119,7 @@ const LowCmd& StandLoop::control(const LowState& state) noexcept {
   return command;
 }
 
-// No new report: the command before, then damping, then that for good.
+// Without a new sample: repeat the last command, then damp, then latch damping.
 const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexcept {
   snapshot_.ticks_without_state += snapshot_.phase != RunPhase::kDamping;
   const LowCmd& command = supervisor_.update_without_state(age);
@@ -133,7 +133,7 @@ const LowCmd& StandLoop::update_without_state(double age, double elapsed) noexce
   return command;
 }
 
-// The robot is heard again.
+// Samples arrive again after a silence: resume control if the robot's clock paused too.
 void StandLoop::resume_or_report_lost() noexcept {
   if (supervisor_.armed() &&
       silence_detector_.robot_clock_paused(snapshot_.time, link_.state().tick)) {
@@ -158,13 +158,13 @@ void StandLoop::sit_down_and_end() noexcept {
       (!is_up && !supervisor_.fading())) {
     end(RunReason::kRequested);
   } else if (mode == Mode::kRise || mode == Mode::kStand) {
-    supervisor_.request(Mode::kSit);  // refused while torques fade: the next tick asks again
+    supervisor_.request(Mode::kSit);  // refused while torques fade: repeated in the next tick
   }
 }
 
 void StandLoop::end(RunReason why) noexcept {
-  // What it ended for counts, unless it was damping for something before; and with no robot it has
-  // controlled nothing, whoever asked for the end.
+  // If the robot already damps, the reason for that stays. Without a robot, nothing was controlled:
+  // the reason is kNoState even if the end was requested.
   if (snapshot_.phase == RunPhase::kWaiting && why == RunReason::kRequested)
     why = RunReason::kNoState;
   if (snapshot_.phase != RunPhase::kDamping) snapshot_.reason = why;

@@ -9,21 +9,23 @@
 
 namespace surefoot {
 
-/// What a StandRunner does in a tick: which commands leave, and why. It knows no clock of its own.
+/// One tick of a StandRunner: receives samples, chooses the command to send, and keeps the reason.
+/// It has no clock of its own.
 ///
-/// What the robot does is the Supervisor's to decide; here it is decided whether the robot is
-/// heard, and when to end.
+/// The Supervisor decides what the robot does. The loop decides whether the link to the robot
+/// works, and when the run ends.
 class StandLoop {
  public:
-  /// Throws surefoot::Error.
+  /// Throws surefoot::Error, see StandRunner.
   StandLoop(const Robot& robot, const Gains& gains, const StandOptions& stand,
             const UdpLinkOptions& link, const RunOptions& options);
 
-  /// Receive, think, send. Real-time: yes.
-  /// @param time [s] since the loop began @param elapsed [s] since the tick before
+  /// Receive samples, compute the command and send it. Real-time: yes.
+  /// @param time since the loop began [s]
+  /// @param elapsed time since the last tick [s]
   void tick(double time, double elapsed) noexcept;
   bool ended() const noexcept { return snapshot_.phase == RunPhase::kEnded; }
-  /// Nothing but damping. Real-time: yes.
+  /// Send damping. Real-time: yes.
   void send_damping() noexcept { link_.send(damping_); }
 
   // From any thread, and from a signal handler:
@@ -39,9 +41,10 @@ class StandLoop {
   void set_gains(const Gains& gains);  ///< throws surefoot::Error
   void set_body_reference(const BodyReference& target) { reference_mailbox_.put(target); }
 
-  /// How it is, but for what only the clock knows. Real-time: yes.
+  /// Return the state of the loop; SnapshotPublisher adds missed periods and latencies. Real-time:
+  /// yes.
   const RunSnapshot& snapshot() noexcept;
-  /// Has its phase changed since this was asked last? Real-time: yes.
+  /// Return whether the phase has changed since the last call. Real-time: yes.
   bool take_phase_change() noexcept;
   int local_port() const noexcept { return link_.local_port(); }
   const RunLog& log() const noexcept { return log_; }
@@ -69,22 +72,22 @@ class StandLoop {
   Supervisor supervisor_;
   UdpLink link_;
   Vector12 tau_max_;  // [N.m]
-  LowCmd damping_;    // before the robot is known, and at the end
+  LowCmd damping_;    // sent before the first LowState, and at the end
   Gains gains_;
-  BodyReference requested_pose_;  // besides what the remote asks for
+  BodyReference requested_pose_;  // without the part of the remote's sticks
   Mailbox<Gains> gains_mailbox_;
   Mailbox<BodyReference> reference_mailbox_;
   SilenceDetector silence_detector_;
-  bool robot_silent_ = false;                      // the robot is; it may yet be forgiven
-  RunReason link_loss_reason_ = RunReason::kNone;  // why, when the supervisor damps for a lost link
+  bool robot_silent_ = false;                      // the robot is silent, and control may resume
+  RunReason link_loss_reason_ = RunReason::kNone;  // reason to report for FaultId::kLink
   RunSnapshot snapshot_;
   RunLog log_;
   double last_driven_time_ = -1.0;      // [s] when motors were last driven; negative: never
   double duration_start_ = -1.0;        // [s] when the duration began; negative: it has not
-  std::uint64_t counted_restarts_ = 0;  // of the robot, that were taken in
-  std::uint64_t counted_valid_ = 0, counted_lost_ = 0;  // reports that the supervisor was told of
+  std::uint64_t counted_restarts_ = 0;  // restarts of the robot already handled
+  std::uint64_t counted_valid_ = 0, counted_lost_ = 0;  // samples already counted by the supervisor
   bool phase_changed_ = false;
-  bool stood_as_requested_ = false;  // it stands, or lay down because it was asked to
+  bool stood_as_requested_ = false;  // it stands, or has lain down on request
   std::atomic<bool> stop_requested_{false}, damp_requested_{false}, finish_requested_{false};
   std::atomic<std::uint64_t> refused_rearms_{0};
 };

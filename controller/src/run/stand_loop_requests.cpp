@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What others ask of a loop, from other threads and by the sticks.
+// Requests to the loop, from other threads and from the remote's sticks.
 #include <cmath>
 
 #include "run/remote_reference.hpp"
@@ -32,14 +32,15 @@ void StandLoop::set_gains(const Gains& gains) {
 
 void StandLoop::apply_requests() noexcept {
   if (gains_mailbox_.take(gains_)) {
-    supervisor_.set_gains(gains_);  // valid: see set_gains()
+    supervisor_.set_gains(gains_);  // validated in set_gains()
     damping_ = damping_low_cmd(gains_.damping_kd);
   }
   BodyReference requested_pose;
   if (!reference_mailbox_.take(requested_pose)) return;
-  supervisor_.set_body_reference(requested_pose);  // which refuses what is not finite ...
-  if (is_finite(requested_pose))
-    requested_pose_ = requested_pose;  // ... and would what the sticks add to it
+  supervisor_.set_body_reference(requested_pose);
+  // The supervisor refuses a pose that is not finite. Keep the last finite pose, to which the
+  // sticks add.
+  if (is_finite(requested_pose)) requested_pose_ = requested_pose;
 }
 
 void StandLoop::apply_remote_sticks() noexcept {

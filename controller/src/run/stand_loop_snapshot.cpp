@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a loop says of itself.
+// Phase, reasons, log and snapshot of the loop.
 #include <algorithm>
 
 #include "run/robot_snapshot.hpp"
@@ -7,7 +7,8 @@
 
 namespace surefoot {
 
-// A robot that brakes until somebody comes must not push out of the log why it does.
+// Log until log_tail after the robot was last driven: a long damping must not overwrite the ticks
+// that led to it.
 void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
   const Mode mode = supervisor_.mode();
   const double log_tail = std::min(5.0, 0.5 * options_.log_time);  // [s]
@@ -19,7 +20,7 @@ void StandLoop::log(const LowCmd& command, bool has_new_state) noexcept {
       {snapshot_.time, has_new_state, mode, supervisor_.damping_fault(), link_.state(), command});
 }
 
-// What has become of it in this tick?
+// Update the phase, its reason and the counts after a tick.
 void StandLoop::update_phase() noexcept {
   const Mode before = snapshot_.mode;
   snapshot_.mode = supervisor_.mode();
@@ -39,7 +40,7 @@ void StandLoop::update_phase() noexcept {
   snapshot_.phase = phase;
 }
 
-// Who lies already may well be damped.
+// A robot that already lies may damp and still count as having stood as requested.
 void StandLoop::update_stood_as_requested(Mode before) noexcept {
   if (snapshot_.mode == before) return;
   const bool damped_while_driven = snapshot_.mode == Mode::kDamping && before != Mode::kPassive;
@@ -103,9 +104,9 @@ const RunSnapshot& StandLoop::snapshot() noexcept {
 }
 
 bool StandLoop::take_phase_change() noexcept {
-  const bool news = phase_changed_;
+  const bool changed = phase_changed_;
   phase_changed_ = false;
-  return news;
+  return changed;
 }
 
 }  // namespace surefoot

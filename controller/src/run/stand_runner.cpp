@@ -14,10 +14,10 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFinalDampingTime = 0.2;  // [s] of damping frames at the end: UDP may lose some
-constexpr double kPublishPeriod = 0.05;    // [s] between looks from outside
+constexpr double kFinalDampingTime = 0.2;  // [s] of damping frames at the end, as UDP may lose some
+constexpr double kPublishPeriod = 0.05;    // [s] between published snapshots
 
-/// Says that the loop runs, until it is left by whatever way.
+/// Flag that is set while the loop runs, and cleared also if an exception ends it.
 class RunningFlag {
  public:
   explicit RunningFlag(std::atomic<bool>& flag) : flag_(flag) { flag_.store(true); }
@@ -46,7 +46,7 @@ struct StandRunner::Impl {
 void StandRunner::run() {
   Impl& s = *impl_;
   if (s.started.exchange(true))
-    throw Error("run: got a second call, expected one for every StandRunner: make another");
+    throw Error("run: got a second call, expected one per StandRunner: create a new StandRunner");
   const RunningFlag running(s.running);
   const RealTimeScope scope;
   s.publisher.set_real_time(scope.scheduling() + ", " + scope.memory());
@@ -91,7 +91,7 @@ void StandRunner::set_body_reference(const BodyReference& target) {
 int StandRunner::local_port() const noexcept { return impl_->loop.local_port(); }
 const RunLog& StandRunner::log() const {
   if (impl_->running.load())
-    throw Error("log: got a run that goes on, expected one that has ended");
+    throw Error("log: got a call while run() is running, expected one after its end");
   return impl_->loop.log();
 }
 RunSnapshot StandRunner::snapshot() const { return impl_->publisher.snapshot(); }

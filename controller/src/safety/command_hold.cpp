@@ -4,7 +4,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRounding = 1e-9;  // [s] ticks are whole milliseconds, their sums nearly so
+constexpr double kRounding = 1e-9;  // [s] for sums of periods, which are whole milliseconds
 }
 
 const LowCmd& CommandHold::accept(const LowCmd& command) noexcept {

@@ -6,31 +6,34 @@
 
 namespace surefoot {
 
-/// Bridges a gap between good commands by what stands in for them, then damps and latches.
+/// Command hold: continues for a short time without a good command, then latches damping.
 ///
-/// Damping is the motors' own (Kd > 0, dq = 0): it goes on when the program has died. A robot that
-/// was never under control is damped without latching. Real-time: yes.
+/// Until kHoldTime after the last good command, it repeats the last command or passes on a fallback
+/// command. The motors damp by themselves (Kd > 0, dq = 0), so damping continues if this process
+/// dies. Before the first good command it damps without latching. Real-time: yes.
 class CommandHold {
  public:
-  /// A tick that ended well: this is what leaves.
+  /// Return the good command of this tick; its age is 0.
   const LowCmd& accept(const LowCmd& command) noexcept;
 
-  /// A tick that did not: the last command until kHoldTime after the last good one, then damping,
-  /// latched.
-  /// @param elapsed [s] this tick's share of time
+  /// Return the command of a tick without a good one: the last command until kHoldTime after the
+  /// last good one, then damping, latched.
+  /// @param elapsed duration of this tick [s]
+  /// @param damping_kd Kd of damping [N.m.s/rad]
   const LowCmd& repeat_or_damp(double elapsed, double damping_kd) noexcept;
 
-  /// The same with a command made from today's state in the place of the last one.
+  /// Do the same with a fallback command, computed from the present state, instead of the last
+  /// command.
   const LowCmd& substitute(const LowCmd& command, double elapsed, double damping_kd) noexcept;
 
-  /// Damping while there is nothing to make a command from. The last good one gets no younger by
-  /// it.
+  /// Return damping without latching it, for a period without a sample. The age of the last good
+  /// command does not change.
   const LowCmd& damp(double damping_kd) noexcept;
 
-  double age() const noexcept { return age_; }  ///< [s] that bad ticks have added to the last good
-  const LowCmd& last() const noexcept { return command_; }  ///< that left
+  double age() const noexcept { return age_; }  ///< [s] of ticks since the last good command
+  const LowCmd& last() const noexcept { return command_; }  ///< last command returned
   bool latched() const noexcept { return latched_; }
-  /// Is what left something else than damping?
+  /// Return whether a good command was accepted and damping is not latched.
   bool in_control() const noexcept { return has_command_ && !latched_; }
   void reset() noexcept { *this = CommandHold(); }
 

@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kShareIterations = 10;  // that a wrench is shared out: once, then what clamping took
+constexpr int kShareIterations = 10;  // the wrench once, then what clamping lost
 
 Vector3 clamp_to_cone(const Vector3& force, const Vector3& normal, double friction,
                       double normal_max) noexcept {
@@ -102,7 +102,7 @@ bool FallbackChain::try_forces(const Dynamics& dynamics, const RobotState& state
   return try_torques(torques, state);
 }
 
-// All twelve, or none: a vector of parts that do not belong together pushes the robot over.
+// Accept all twelve torques or none: a part of them would push the robot over.
 bool FallbackChain::try_torques(const Vector12& torques, const RobotState& state) noexcept {
   const RobotConfig& config = robot_.config();
   Vector12 clipped;
@@ -110,7 +110,7 @@ bool FallbackChain::try_torques(const Vector12& torques, const RobotState& state
     const double dq = state.v[robot_.motor_to_v()[i]];
     clipped[i] = within_motor_limits(config, i, torques[i], dq, torque_share_[i]);
   }
-  // False of NaN too; an infinity was no torque either, whatever clipping makes of it.
+  // The comparison is false for NaN. Clipping makes infinities finite, so check before it too.
   if (!torques.allFinite() || !(clipped.array().abs() <= config.tau_max.array()).all()) {
     return false;
   }

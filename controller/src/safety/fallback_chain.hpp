@@ -9,44 +9,45 @@
 
 namespace surefoot {
 
-/// Contact forces [N] world axes, one column a foot, and the wrench that they were made for.
+/// Contact forces [N], world axes, one column per foot, and the wrench that they were planned for.
 struct PlannedForces {
   FeetMatrix forces = FeetMatrix::Zero();
   FeetWrench wrench{Vector3::Zero(), Vector3::Zero()};
 };
 
-/// The rungs below the whole-body program: torques from today's state where no solve succeeded.
+/// Levels of the fallback chain that need no QP: torques computed from the present state if both
+/// solves have failed.
 ///
-/// They know of the program only what it planned last, and nothing of tasks of the user's own. How
-/// long they may act is CommandHold's business. Real-time: yes.
+/// They start from the contact forces of the last solution and ignore custom tasks. CommandHold
+/// limits how long they may act. Real-time: yes.
 class FallbackChain {
  public:
   explicit FallbackChain(const Robot& robot)
       : robot_(robot), unloaded_state_(robot.nq(), robot.nv()) {}
 
-  /// A tick was solved: note its forces, and the wrench that the body's tasks wanted.
+  /// Store the forces of a solved tick, and the wrench that the body tasks desired in it.
   void remember(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                 const Reference& reference, const FeetMatrix& forces) noexcept;
 
-  /// Take the first of these rungs whose torques are numbers, all twelve:
-  ///   kForces:     tau = h_leg - J_leg^T f; f as it was solved last, and what the body's tasks
-  ///   want
-  ///                more than then, as evenly as it can be shared. So torques do not jump where
-  ///                limits are active. Where nothing was solved: f for all that the tasks want
-  ///   kLastForces: the same, f as it was solved last
-  ///   kGravity:    holding_torques() of a robot with nothing on its back; the motors damp too
-  /// @return kHold where none has numbers
+  /// Compute the torques of the first level that gives twelve finite ones:
+  ///   kForces:     tau = h_leg - J_leg^T f, where f are the forces of the last solution plus the
+  ///                change of the desired wrench since then, shared by add_wrench(). So torques
+  ///                do not jump while constraints are active. Without a last solution, f
+  ///                produces the whole desired wrench.
+  ///   kLastForces: the same, where f are the forces of the last solution
+  ///   kGravity:    holding_torques() of a robot without payload; the motors damp too
+  /// @return the level, or kHold if none gives finite torques
   FallbackLevel compute_fallback(const Gains& gains, const Dynamics& dynamics,
                                  const RobotState& state, const Reference& reference) noexcept;
 
-  /// [N.m] SDK motor order, within the motors' limits; of the last rung that was found.
+  /// Torques of the last level found, SDK motor order, within the motor limits [N.m].
   const Vector12& torques() const noexcept { return torques_; }
-  /// [N.m.s/rad] that the motors are to add by themselves.
+  /// Motor-side damping to add to these torques [N.m.s/rad].
   double damping() const noexcept { return damping_; }
 
   /// See WholeBodyController::set_torque_share().
   void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }
-  /// Forget what was solved.
+  /// Discard the last solution.
   void reset() noexcept { has_last_solution_ = false; }
 
  private:
@@ -55,27 +56,29 @@ class FallbackChain {
   bool try_torques(const Vector12& torques, const RobotState& state) noexcept;
 
   Robot robot_;
-  RobotState unloaded_state_;  // comes from outside
+  RobotState unloaded_state_;  // no external wrench
   PlannedForces last_solution_;
-  bool has_last_solution_ = false;  // is there a last?
+  bool has_last_solution_ = false;
   Vector12 torque_share_ = Vector12::Ones();
   Vector12 torques_ = Vector12::Zero();
   double damping_ = 0.0;
 };
 
-/// What each foot's force may be, FR FL RR RL.
+/// Friction cones and largest normal forces of the feet, FR FL RR RL.
 struct ForceCones {
-  Vector3 normal;              ///< unit, out of the ground, world axes
-  Eigen::Vector4d friction;    ///< coefficients
+  Vector3 normal;              ///< unit ground normal, upwards, world axes
+  Eigen::Vector4d friction;    ///< friction coefficients
   Eigen::Vector4d normal_max;  ///< [N]
 };
 
-/// Share more wrench (about the centre of mass) out among feet that bear forces already:
-///   minimise sum |df_i|^2 / share_i   subject to   sum df_i = force,  sum (p_i - p_com) x df_i =
-///   moment
-/// clamped to the cones foot by foot; what that took is shared out again, nine times.
-/// @param forces where it begins @param share how much of the load each foot may take, 0 .. 1
-/// @return forces + df, [N] world axes. Real-time: yes.
+/// Change contact forces so that their wrench about the centre of mass changes by `wrench_change`:
+///   minimise    sum |df_i|^2 / share_i
+///   subject to  sum df_i = force,  sum (p_i - p_com) x df_i = moment   of wrench_change
+/// Then each force is clamped to its cone. The wrench lost by clamping is shared out again, nine
+/// times. Real-time: yes.
+/// @param forces contact forces to change, world axes [N]
+/// @param share share of its even load that each foot may take, 0 .. 1
+/// @return forces + df, clamped, world axes [N]
 FeetMatrix add_wrench(const Dynamics& dynamics, const FeetMatrix& forces,
                       const FeetWrench& wrench_change, const Eigen::Vector4d& share,
                       const ForceCones& cones) noexcept;

@@ -7,13 +7,13 @@
 
 namespace surefoot {
 
-/// Gains on their way from those in force to those asked for, so that torques do not jump.
+/// Linear ramp from the gains in force to the requested gains, so that torques do not jump.
 ///
-/// Straight, over kRampTime: ranges are convex, so what lies between valid gains is valid but for
-/// rounding. Real-time: yes.
+/// The ranges of the gains are convex, so gains between valid gains are valid up to rounding.
+/// Real-time: yes.
 class GainRamp {
  public:
-  static constexpr double kRampTime = 0.1;  ///< [s] long beside a tick, short beside a hand
+  static constexpr double kRampTime = 0.1;  ///< [s] many ticks, but short for an operator
 
   void start(const Gains& from, const Gains& to) noexcept {
     start_ = from;
@@ -23,7 +23,7 @@ class GainRamp {
   bool moving() const noexcept { return remaining_ > 0.0; }
   const Gains& target() const noexcept { return target_; }
 
-  /// Go on by dt [s] and return the gains of now; the last are exactly those asked for.
+  /// Advance by dt [s] and return the present gains; the last ones equal the requested gains.
   const Gains& step(double dt) noexcept {
     remaining_ = std::max(remaining_ - dt, 0.0);
     current_ = target_;

@@ -7,16 +7,16 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kBisections = 50;  // of [0, 1]: what a double can tell apart there
+constexpr int kBisections = 50;  // of [0, 1]: about the resolution of a double
 
-/// Power along the way: motor i takes a_i + s b_i [W].
+/// Power as a function of s: motor i takes a_i + s b_i [W].
 struct PowerLine {
   Vector12 a, b;
   double at(double s) const noexcept { return (a + s * b).cwiseAbs().sum(); }
 };
 
-// A convex function of straight pieces is least at an end or at a kink, where some motor's power
-// changes its sign.
+// Return the s of least power. A convex piecewise linear function is smallest at an end or at a
+// kink, where the power of a motor changes its sign.
 double min_power_scale(const PowerLine& line) noexcept {
   double best = 0.0;
   const auto consider = [&](double s) {
@@ -30,7 +30,8 @@ double min_power_scale(const PowerLine& line) noexcept {
   return best;
 }
 
-// From the least power up P never falls, so the limit is met up to one point and not beyond it.
+// Return the largest s within the limit. Above the s of least power P never falls, so it crosses
+// the limit once.
 double max_scale(const PowerLine& line, double limit, double least) noexcept {
   if (line.at(1.0) <= limit) return 1.0;
   double within = least, beyond = 1.0;
@@ -49,7 +50,7 @@ LimitedTorques limit_power(const Vector12& tau, const Vector12& hold, const Vect
   out.torques = tau;
   const PowerLine line{(hold - damping * dq).cwiseProduct(dq), (tau - hold).cwiseProduct(dq)};
   out.power = line.at(1.0);
-  // All finite and within the limit: not a bit is changed.
+  // Finite and within the limit: return the torques without a change of any bit.
   if (out.power <= limit && std::isfinite(out.power)) return out;
   if (!(line.a.allFinite() && line.b.allFinite())) {
     out.torques = hold.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });

@@ -8,18 +8,19 @@
 
 namespace surefoot {
 
-/// Sees legs that their own torques fling: by how much the power rises that such a leg takes.
+/// Detector of runaway legs: predicts how much the power of a leg will rise.
 ///
-/// A leg whose foot slides off, or has lost the ground, takes within 15 ms what all four may. A
-/// limit of what it takes now comes too late: it is known 5 ms later, and acts another 5 ms after.
-/// Real-time: yes.
+/// A leg whose foot slips off or loses contact can take the power allowed for all four legs within
+/// 15 ms. A limit on its present power acts too late: the power is measured 5 ms late, and the
+/// command acts another 5 ms later. So the joint velocities are extrapolated. Real-time: yes.
 class RunawayLegs {
  public:
-  /// Look at the joints, once a tick.
-  /// @param dq shape (12,), motor order [rad/s] @param dt [s] since the last
+  /// Update the joint accelerations; call it once per tick.
+  /// @param dq joint velocities, shape (12,), motor order [rad/s]
+  /// @param dt time since the last call [s]
   void update(const Vector12& dq, double dt) noexcept {
-    // Over a longer gap, which is told as this one, nothing is known of what they do now; speeds
-    // that leap there, and back in the next report, are a lie.
+    // A dt of kMaxStep may stand for a longer gap, over which the acceleration is unknown. A larger
+    // jump of a velocity is a sensor error.
     const bool is_continuous = has_dq_ && dt > 0.0 && dt < TickClock::kMaxStep;
     if (is_continuous && (dq - dq_).cwiseAbs().maxCoeff() < kMaxSpeedStep) {
       ddq_ += dt / (dt + kSmoothingTime) * ((dq - dq_) / dt - ddq_);
@@ -29,9 +30,9 @@ class RunawayLegs {
     dq_ = dq;
     has_dq_ = dq.allFinite();
   }
-  /// [W] by which a leg's power rises within kLookahead if it goes on gathering speed, counting
-  /// where its torques drive it, not where they brake.
-  /// @param tau shape (12,), motor order, the motors' own damping included [N.m]
+  /// Compute by how much the power of a leg rises within kLookahead at its present acceleration
+  /// [W]. Only power that drives a joint counts, not power that brakes it.
+  /// @param tau torques, shape (12,), motor order, motor-side damping included [N.m]
   double power_rise(const Vector12& tau, int leg) const noexcept {
     double watts = 0.0;
     for (int i = kLegJoints * leg; i < kLegJoints * (leg + 1); ++i) {
@@ -44,12 +45,12 @@ class RunawayLegs {
 
  private:
   static constexpr double kLookahead = 0.015;      // [s]
-  static constexpr double kSmoothingTime = 0.002;  // [s] of the encoders' noise
-  static constexpr double kMaxSpeedStep = 5.0;     // [rad/s] in a period: what a free leg can
+  static constexpr double kSmoothingTime = 0.002;  // [s] filters the encoders' noise
+  static constexpr double kMaxSpeedStep = 5.0;  // [rad/s] largest change of a free leg per period
 
   Vector12 dq_ = Vector12::Zero();   // [rad/s]
   Vector12 ddq_ = Vector12::Zero();  // [rad/s^2]
-  bool has_dq_ = false;              // is dq_?
+  bool has_dq_ = false;              // true if dq_ is valid
 };
 
 }  // namespace surefoot

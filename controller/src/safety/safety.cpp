@@ -8,13 +8,15 @@ namespace surefoot {
 
 namespace {
 
-// As measured on the vendor's library: net calls above the limit.
-constexpr int kTripCount = 5;  // it trips above this ...
-constexpr int kMaxCount = 10;  // ... and remembers no more than these
+// Measured on the vendor's library: the counter rises with calls above the limit and falls with
+// others.
+constexpr int kTripCount = 5;  // trips above this
+constexpr int kMaxCount = 10;  // largest value of the counter
 constexpr int kMaxLevel = 10;
-constexpr float kMinPositionOff = 1e9F;  // [rad] from here on q says that there is no position
+constexpr float kMinPositionOff = 1e9F;  // [rad] a larger |q| means no position command
 
-// What is not finite stays so in a sum of absolute values.
+// Compute sum |tauEst dq| [W]. The sum of absolute values propagates NaN and infinity, so one check
+// covers all twelve motors.
 double motor_power(const LowState& state) noexcept {
   double power = 0.0;
   for (int i = 0; i < kMotors; ++i) {
@@ -32,7 +34,7 @@ Safety::Safety(const Robot& robot)
 int Safety::power_protect(const LowCmd&, const LowState& state, int level) noexcept {
   power_ = motor_power(state);
   const double limit = kWattsPerLevel * std::clamp(level, 1, kMaxLevel);
-  const bool within_limit = power_ <= limit;  // NaN is not
+  const bool within_limit = power_ <= limit;  // false for NaN
   counter_ = within_limit ? std::max(counter_ - 1, 0) : std::min(counter_ + 1, kMaxCount);
   return counter_ > kTripCount || !std::isfinite(power_) ? -1 : 1;
 }
@@ -42,7 +44,7 @@ int Safety::position_protect(const LowCmd&, const LowState& state, double limit)
   angle_ = 0.0;
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
-    // Written so that NaN, of the angle or of the limit, is outside.
+    // Written so that a NaN angle or a NaN limit counts as outside.
     if (q >= q_lower_[i] + limit && q <= q_upper_[i] - limit) continue;
     motor_ = i;
     angle_ = q;

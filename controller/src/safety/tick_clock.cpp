@@ -8,9 +8,10 @@ namespace surefoot {
 namespace {
 
 constexpr double kRounding = 1e-9;    // [s]
-constexpr double kJumpPeriods = 5.0;  // that a step may last
+constexpr double kJumpPeriods = 5.0;  // longest step that is not a jump
 
-// Unsigned subtraction wraps as the counter does; read as signed, half the range is the past.
+// Unsigned subtraction wraps around as the counter does. Read as signed, an earlier tick gives a
+// negative time.
 double seconds_between(std::uint32_t from, std::uint32_t to) noexcept {
   return 1e-3 * static_cast<std::int32_t>(to - from);
 }

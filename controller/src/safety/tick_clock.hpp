@@ -6,33 +6,36 @@
 
 namespace surefoot {
 
-/// Time from LowState::tick: milliseconds modulo 2^32, of which only differences mean anything.
-/// Real-time: yes.
+/// Clock that reads LowState::tick: milliseconds modulo 2^32, of which only differences have a
+/// meaning. Real-time: yes.
 class TickClock {
  public:
-  /// @param jump [s] a step beyond it, and beyond five periods, is a leap
+  /// @param jump [s] a step longer than this, and than five periods, is a jump
   explicit TickClock(double jump = kJumpTime) : jump_threshold_(jump) {}
 
-  /// Take in a tick. @return seconds since the last good one; 0 for the first; negative when the
-  /// tick stands still, runs backwards, or leaps to where the next tick does not
-  /// confirm it. A leap that is confirmed counts as kMaxStep.
+  /// Process a tick.
+  ///
+  /// A tick that repeats, runs backwards or jumps is bad. A second tick shortly after a jump
+  /// confirms the jump; it is good and counts as kMaxStep.
+  /// @return time since the last good tick [s]; 0 for the first tick; negative for a bad tick
   double advance(std::uint32_t tick) noexcept;
 
-  /// What advance() just told, before it was cut down to kMaxStep: how long no good tick came [s].
+  /// Result of the last advance() [s], but with the whole time of a confirmed jump; 0 if the tick
+  /// was bad or the first.
   double gap() const noexcept { return gap_; }
 
-  /// What a tick that tells no time is taken to last [s], at most kMaxStep: the second longest of
-  /// the last four steps. Reports may jitter, and an old command must not live longer for it; but
-  /// one that was lost must not make the next age twice as fast.
+  /// Assumed duration of a bad tick [s], at most kMaxStep: the second longest of the last four
+  /// steps. A short step after jitter must not prolong the life of an old command. One lost sample
+  /// must not double the speed at which the command ages.
   double period() const noexcept;
 
   void reset() noexcept { *this = TickClock(jump_threshold_); }
 
-  static constexpr double kMaxStep = 0.010;   ///< [s] a longer gap is integrated as this
-  static constexpr double kJumpTime = 0.100;  ///< [s]
+  static constexpr double kMaxStep = 0.010;   ///< [s] longest time that is integrated
+  static constexpr double kJumpTime = 0.100;  ///< [s] default of `jump`
 
  private:
-  double jump_threshold_;  // [s] step that is no leap
+  double jump_threshold_;  // [s] longest step that is not a jump
   bool started_ = false;
   bool jump_pending_ = false;
   std::uint32_t last_ = 0;

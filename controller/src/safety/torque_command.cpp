@@ -13,9 +13,9 @@ namespace surefoot {
 
 namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr double kFadeTime = 0.02;  // [s] of a lost leg's damping: a moving leg gets no jolt
+constexpr double kFadeTime = 0.02;  // [s] fade-in of a lost leg's damping, without a jolt
 
-// The float next to it towards zero: a limit that is rounded up is exceeded.
+// Round to a float towards zero: rounding up could exceed the torque limit.
 float to_float_towards_zero(double x) noexcept {
   const float nearest = static_cast<float>(x);
   return std::abs(double{nearest}) > std::abs(x) ? std::nextafter(nearest, 0.0F) : nearest;
@@ -41,23 +41,24 @@ bool TorqueCommand::take(const Vector12& tau, double damping, const Dynamics& dy
   const auto limit_power_to = [&](const Eigen::Vector4d& contact, double watts) {
     const Eigen::Vector4d share = load_shares(gains, contact, reference);
     Vector12 hold = holding_torques(dynamics, robot_.mass(), state, share);
-    // Less power is nearer to it, and must not be more torque than the motors have. Not by speed:
-    // a report that lies about that lets go of nothing.
+    // The power limit scales towards the holding torques, so they must be within the torque limits.
+    // The limits at zero speed are used: a wrong speed measurement must not drop the robot.
     for (int i = 0; i < kMotors; ++i) {
       const double limit = torque_share_[i] * robot_.config().tau_max[i];
-      hold[i] = std::clamp(hold[i], -limit, limit);  // what is no number stays none
+      hold[i] = std::clamp(hold[i], -limit, limit);  // NaN stays NaN
     }
     limited_ = limit_power(tau, hold, dq, watts, damping_);
   };
   limit_power_to(state.contact, power_limit_);
-  // A foot that is light for a moment bears its share again when the others yield.
+  // Over the limit: hold the robot on all four feet. A foot that is unloaded for a moment takes its
+  // share of the load again when the others yield.
   if (limited_.limit_exceeded) limit_power_to(Eigen::Vector4d::Ones(), power_limit_);
-  // Holding alone takes more than the limit: a robot let go of now falls, and takes several times
-  // the power on its way. The command goes as it is; the protection is there for the rest.
+  // The holding torques alone exceed the limit. A robot that is released falls and takes several
+  // times that power, so the command is not scaled. The power protection remains as the last limit.
   if (limited_.limit_exceeded) limit_power_to(state.contact, kUnlimited);
   const bool limited_any = limit_runaway_legs(dq);
   if (limited_.scale == 1.0 && !limited_any) return false;
-  // What was mixed in may be more than a motor has left at its speed.
+  // The holding torques in the mix may exceed what a motor can produce at its speed.
   for (int i = 0; i < kMotors; ++i) {
     double& torque = limited_.torques[i];
     torque = within_motor_limits(robot_.config(), i, torque, dq[i], torque_share_[i]);
@@ -71,8 +72,9 @@ Vector12 TorqueCommand::joint_speeds(const RobotState& state) const noexcept {
   return dq;
 }
 
-// The last word, whatever holding takes: none alone may gain more than its share of the power.
-// By the speeds measured, with a delay too, for it is what they were that tells. @return did any?
+// Limit runaway legs last, whatever holding takes: the power of one leg may rise by at most its
+// share of the limit. The rise is computed from measured joint velocities, not from predicted ones.
+// Return whether a leg was limited.
 bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
   const double share = power_limit_ / kLegs;
   const Vector12 total_torque = limited_.torques - damping_ * dq;
@@ -87,7 +89,7 @@ bool TorqueCommand::limit_runaway_legs(const Vector12& dq) noexcept {
   return limited_any;
 }
 
-// What is left of the leg moves as little as it can, whichever of its motors is the dead one.
+// All motors of a lost leg damp, not only the failed ones, so that the leg moves little.
 LowCmd TorqueCommand::command(double dt) noexcept {
   Vector12 tau = limited_.torques, kd = Vector12::Constant(damping_);
   if (lost_leg_ >= 0) {

@@ -10,39 +10,43 @@
 
 namespace surefoot {
 
-/// Torques [N.m], motor order, in torque mode exactly; with the motors' own damping
-/// (kd > 0 [N.m.s/rad]) the velocity loop is on and asks for rest. Real-time: yes.
+/// Return a command with these torques [N.m], motor order: pure torque mode if kd is 0, else with
+/// motor-side damping (Kd = kd [N.m.s/rad], dq = 0). Real-time: yes.
 LowCmd torque_low_cmd(const Vector12& torques, const Vector12& kd) noexcept;
 
-/// From what the program decided to what the motors are told: the torques within the power that is
-/// allowed, in torque mode. Real-time: yes.
+/// Converts the torques of the QP or of the fallback chain to a LowCmd in torque mode.
+///
+/// It limits the power of the command, then the torques of runaway legs, and lets a lost leg damp.
+/// Real-time: yes.
 class TorqueCommand {
  public:
-  /// @param motor_damping [N.m.s/rad] added to every command @param power_limit [W] most it may
-  /// take
+  /// @param motor_damping motor-side damping in every command [N.m.s/rad]
+  /// @param power_limit largest power of a command [W]
   TorqueCommand(const Robot& robot, double motor_damping, double power_limit)
       : robot_(robot), motor_damping_(motor_damping), power_limit_(power_limit) {}
 
-  /// Look at the joints, with every estimate. @param dt [s] since the last
+  /// Update the joint velocities; call it after each estimate. @param dt time since the last [s]
   void observe_joints(const RobotState& state, double dt) noexcept {
     runaway_legs_.update(joint_speeds(state), dt);
   }
 
-  /// @param leg whose motors get no torques and damp from now on, from 0 on; -1: none
+  /// Set the lost leg, 0 .. 3: its motors get no torques and damp. -1: none.
   void set_lost_leg(int leg) noexcept { lost_leg_ = leg; }
 
-  /// Take the torques of a usable solution, less of them where the power is limited:
-  /// limited().scale is the share of the planned motion that is left, but for legs that are flung.
-  /// @return the solution's status, kSaturated where it was limited
+  /// Take the torques of a usable solution and limit their power. limited().scale is the share of
+  /// the planned motion that is left, without the limit on runaway legs.
+  /// @return the status of the solution, or kSaturated if the torques were limited
   Status take(const Solution& solution, const Dynamics& dynamics, const RobotState& state,
               const Reference& reference, const Gains& gains) noexcept;
 
-  /// The same for torques in motor order [N.m], to which the motors add damping [N.m.s/rad] beyond
-  /// the option's. @return were they limited?
+  /// Do the same for torques in motor order.
+  /// @param tau [N.m]
+  /// @param damping motor-side damping besides that of the option [N.m.s/rad]
+  /// @return whether the torques were limited
   bool take(const Vector12& tau, double damping, const Dynamics& dynamics, const RobotState& state,
             const Reference& reference, const Gains& gains) noexcept;
 
-  /// @param dt [s] since the last
+  /// Return the command for the torques last taken. @param dt time since the last call [s]
   LowCmd command(double dt) noexcept;
 
   /// See WholeBodyController::set_torque_share().
@@ -66,10 +70,10 @@ class TorqueCommand {
   LimitedTorques limited_;  // motor order
   RunawayLegs runaway_legs_;
   int lost_leg_ = -1;
-  Vector12 torque_share_ = Vector12::Ones();  // of each motor
+  Vector12 torque_share_ = Vector12::Ones();  // of each motor's limit
   double damping_ = 0.0;                      // [N.m.s/rad]
   double lost_damping_ = 0.0,
-         lost_damping_share_ = 0.0;  // [N.m.s/rad] of the lost leg; its share by now
+         lost_damping_share_ = 0.0;  // [N.m.s/rad] of the lost leg; share reached
 };
 
 }  // namespace surefoot

@@ -6,9 +6,9 @@
 namespace surefoot {
 
 namespace {
-constexpr int kCapacity = 64;  // commands that may be on their way: 50 ms at 1 kHz, and some
-constexpr double kDefaultDelayPeriods = 2.0;  // periods on the way where no delay was told of
-constexpr double kTimeTolerance = 1e-6;       // [s] periods are whole milliseconds
+constexpr int kCapacity = 64;                 // commands: more than kMaxDelay at 1 kHz
+constexpr double kDefaultDelayPeriods = 2.0;  // [periods] assumed if the option is 0
+constexpr double kTimeTolerance = 1e-6;  // [s] for sums of periods, which are whole milliseconds
 }  // namespace
 
 DelayPredictor::DelayPredictor(int nv, double delay)
@@ -46,7 +46,7 @@ const SentCommand* DelayPredictor::acting_command(double period) const noexcept 
 RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
   dv_.setZero();
   dq_ = delay_ * state.v;
-  // Backwards from the command that stops acting when the next one starts.
+  // Go backwards from the newest command, which acts until the next one starts to act.
   double end = delay_;
   for (int k = 1; k <= count_ && end > 0.0; ++k) {
     const SentCommand& sent = sent_[(next_ - k + kCapacity) % kCapacity];
@@ -55,7 +55,7 @@ RobotState& DelayPredictor::predict(const RobotState& state) noexcept {
     dq_ += duration * (delay_ - end + 0.5 * duration) * sent.accelerations;
     end -= duration;
   }
-  // dq is in base axes for the base, as v is.
+  // The base part of dq is in base axes, as in v.
   const Quaternion R(state.q[6], state.q[3], state.q[4], state.q[5]);
   const Quaternion turned = (R * exp_so3(dq_.segment<3>(3))).normalized();
   predicted_.q = state.q;

@@ -7,49 +7,53 @@
 
 namespace surefoot {
 
-/// A command on its way to the motors, or past them.
+/// A command that was sent, with the motion that it is planned to cause.
 struct SentCommand {
-  Eigen::VectorXd accelerations;     ///< that it is to make, Pinocchio's axes, shape (nv,)
-  Vector12 tau = Vector12::Zero();   ///< [N.m] SDK motor order
-  Vector3 f_push = Vector3::Zero();  ///< [N] push that it counted with, world axes
-  double dt = 0.0;                   ///< [s] for which it acts
+  Eigen::VectorXd accelerations;     ///< planned, Pinocchio's axes, shape (nv,)
+  Vector12 tau = Vector12::Zero();   ///< [N.m] commanded torques, SDK motor order
+  Vector3 f_push = Vector3::Zero();  ///< [N] push that the plan accounts for, world axes
+  double dt = 0.0;                   ///< [s] time for which it acts
 };
 
-/// Carries the state forward to when the next command acts, with the motion that the commands on
-/// their way will make: the accelerations of the last solutions, integrated over the delay.
+/// Predictor of the state at the time when the next command acts.
 ///
-/// Real-time: all but the constructor yes.
+/// It integrates the planned accelerations of the commands already sent over the delay:
+///   v(t + delay) = v(t) + sum over the commands k of dt_k a_k
+/// Real-time: yes, except the constructor.
 class DelayPredictor {
  public:
   static constexpr double kMaxDelay = 0.05;  ///< [s]
 
-  /// @param delay from a measurement to the action of the command made from it [s]
+  /// @param delay time from a measurement to the action of the command computed from it [s]
   DelayPredictor(int nv, double delay);
 
   bool active() const noexcept { return delay_ > 0.0; }
 
-  /// Time goes on, and the command sent last has `dt` more of it.
+  /// Advance the time by `dt` [s]: the last command sent acts for that much longer.
   void advance(double dt) noexcept;
 
-  /// Note what the command sent now will make from when it acts until the next one does.
-  /// @param accelerations shape (nv,) @param f_push [N] that they count with, world axes
-  /// @param scale of both that is made @param tau [N.m] SDK motor order
+  /// Record the command that is sent now, and its planned motion.
+  /// @param accelerations planned, shape (nv,)
+  /// @param scale share of `accelerations` and `f_push` that the command produces, 0 .. 1
+  /// @param tau commanded torques, SDK motor order [N.m]
+  /// @param f_push push that the accelerations account for, world axes [N]
   void record(const Eigen::VectorXd& accelerations, double scale, const Vector12& tau,
               const Vector3& f_push) noexcept;
 
-  /// The command that the newest report tells of; null while none has acted. Where there is nothing
-  /// to predict, a report and a command are taken to be on their way for a period each.
-  /// @param period of commands [s]
+  /// Return the command that acted when the newest sample was measured, or null if none did. With
+  /// a delay of 0, the sample and the command are assumed to take one period each.
+  /// @param period of the commands [s]
   const SentCommand* acting_command(double period) const noexcept;
 
-  /// A state of the same size as `state`, `delay` later; the caller's until the next call.
+  /// Predict the state `delay` after `state`. The result has the size of `state`; the caller may
+  /// change it until the next call.
   RobotState& predict(const RobotState& state) noexcept;
 
   void reset() noexcept { count_ = 0; }
 
  private:
   double delay_;
-  std::vector<SentCommand> sent_;  // a ring, the newest at next_ - 1
+  std::vector<SentCommand> sent_;  // ring buffer; the newest is at next_ - 1
   int next_ = 0, count_ = 0;
   Eigen::VectorXd dv_, dq_;
   RobotState predicted_;

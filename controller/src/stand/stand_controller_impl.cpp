@@ -14,8 +14,8 @@ const Robot& twelve_joints(const Robot& robot) {
   if (robot.nv() == 6 + kMotors && robot.nq() == 7 + kMotors) return robot;
   throw Error("robot '" + robot.config().name + "': got nq = " + std::to_string(robot.nq()) +
               ", nv = " + std::to_string(robot.nv()) +
-              ", expected 19 and 18 for a StandController: LowState reports twelve joints; make "
-              "others fixed, or use WholeBodyController with a state of your own");
+              ", expected 19 and 18 for a StandController: a LowState has twelve joints; make "
+              "other joints fixed, or use a WholeBodyController with your own state");
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ StandController::Impl::Impl(const Robot& r, const Gains& g, const StandOptions& 
       fallback_chain(r),
       torque_command(r, o.motor_damping, o.power_limit) {
   estimator.set_gains(g);
-  state = estimator.state();  // of its size, that no tick allocates
+  state = estimator.state();  // sets its size, so that ticks do not allocate
 }
 
 void StandController::Impl::apply_gains(const Gains& gains) noexcept {
@@ -40,31 +40,33 @@ void StandController::Impl::apply_gains(const Gains& gains) noexcept {
 
 const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
   const double step = clock.advance(low_state.tick);
-  // Who was away for long commands a robot that has damped by itself, and is elsewhere by now.
+  // After a gap of more than 100 ms the robot has already damped by itself, so the old plan does
+  // not apply: latch damping.
   const bool robot_timed_out = step > 0.0 && clock.gap() > kRobotWatchdogTime;
   const double elapsed = robot_timed_out ? clock.gap() : step > 0.0 ? step : clock.period();
-  // Time in bad reports is not lost to the estimator; a tick that stands still adds none, for the
-  // next good one counts from the last.
+  // The time of unusable samples counts for the next estimate. A bad tick adds no time: the next
+  // good tick is measured from the last good one.
   if (step >= 0.0) {
     time_since_estimate += elapsed;
     predictor.advance(elapsed);
   }
   Status status = Status::kStaleTick;
-  fallback_level = FallbackLevel::kHold;  // all there is, until the tick comes to its program
+  fallback_level = FallbackLevel::kHold;  // until this tick computes a command
   if (command_hold.latched()) {
     status = Status::kDamping;
     if (gain_ramp.moving()) apply_gains(gain_ramp.step(GainRamp::kRampTime));
   } else if (step >= 0.0 && !(robot_timed_out && command_hold.in_control())) {
     status = estimate_and_solve(low_state, std::min(time_since_estimate, TickClock::kMaxStep));
   }
-  // An estimate that begins anew is no longer the one that the reference was latched by.
+  // After a divergence the estimator restarts, and the latched reference does not fit the new
+  // estimate. An elapsed time of 100 ms ends the hold at once.
   const LowCmd& command =
       select_command(status, status == Status::kDiverged ? kRobotWatchdogTime : elapsed);
   ++fallback_counts[static_cast<int>(fallback_level)];
   return command;
 }
 
-// A command that was solved, or what stands in for one, for as long as it may.
+// Choose the command to send: solved, computed without the QP, repeated, or damping.
 const LowCmd& StandController::Impl::select_command(Status tick, double elapsed) noexcept {
   const double kd = controller.gains().damping_kd;
   if (is_usable(tick)) {
@@ -78,9 +80,9 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
   status = command_hold.latched() ? Status::kDamping : tick;
   if (!command_hold.in_control()) fallback_level = FallbackLevel::kDamping;
   if (is_fresh(fallback_level)) {
-    // What stands in for a solution makes the last one's motion, or nearly; torques that were
-    // limited make as much less of it as they are nearer to holding. A leg that is flung makes less
-    // of its share, for as long as its foot gives no hold anyway.
+    // A fallback command produces about the motion of the last solution. Torques scaled by the
+    // power limit produce the same share of it. The smaller motion of a limited runaway leg is
+    // neglected, because its foot carries no load.
     const LimitedTorques& sent = torque_command.limited();
     predictor.record(controller.solution().accelerations, sent.scale, sent.torques,
                      state.f_external - state.f_sustained);
@@ -88,9 +90,9 @@ const LowCmd& StandController::Impl::select_command(Status tick, double elapsed)
   return command_hold.last();
 }
 
-// Estimate, refer, solve: each stage hands one struct to the next.
+// Estimate the state, update the reference, solve the QP.
 Status StandController::Impl::estimate_and_solve(const LowState& low_state, double dt) noexcept {
-  // A robot that stands goes on without the vendor's attitude; none is started without it.
+  // Only the start needs the quaternion of the IMU; a standing robot continues without it.
   if (pose_latches == 0 && !has_unit_quaternion(low_state.imu)) return Status::kBadQuaternion;
   const SentCommand* acting_command = predictor.acting_command(clock.period());
   if (acting_command != nullptr) {
@@ -108,8 +110,8 @@ Status StandController::Impl::estimate_and_solve(const LowState& low_state, doub
   if (dynamics.R_world_base()(2, 2) < std::cos(controller.gains().fall_tilt)) {
     return Status::kFallen;
   }
-  // The contact points hang on the ground's normal, which is known once they are: latch a few
-  // times.
+  // The contact points depend on the ground normal, which is computed from the contact points:
+  // latch a few times, so that both converge.
   if (pose_latches < kPoseLatches) {
     reference.latch(dynamics, estimator.state().q);
     ++pose_latches;
@@ -130,7 +132,7 @@ Status StandController::Impl::solve_predicted(const Reference& desired, double d
   return solve(predicted_dynamics, predicted_state, desired);
 }
 
-// The program, if need be anew from nothing, then the power that its torques may take.
+// Solve the QP, with a cold start if the first solve fails, and limit the power of its torques.
 Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& used_state,
                                     const Reference& desired) noexcept {
   const Solution& solution = controller.solve(dynamics, used_state, desired);
@@ -147,7 +149,7 @@ Status StandController::Impl::solve(const Dynamics& dynamics, const RobotState& 
   return solution.status;
 }
 
-// Where there is no solution: torques without the program, within the same power.
+// Compute torques without the QP, within the same power limit.
 void StandController::Impl::compute_fallback(const Dynamics& dynamics, const RobotState& used_state,
                                              const Reference& desired) noexcept {
   const Gains& gains = controller.gains();

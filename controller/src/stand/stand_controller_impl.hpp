@@ -15,7 +15,8 @@
 
 namespace surefoot {
 
-/// The whole tick, from a report to a command.
+/// One tick, from LowState to LowCmd: estimates the state, updates the reference, solves the QP,
+/// limits the torques, and chooses the command to send.
 struct StandController::Impl {
   Impl(const Robot& r, const Gains& g, const StandOptions& o);
 
@@ -29,8 +30,8 @@ struct StandController::Impl {
   StandReference reference;
   UsableFriction friction;
   DelayPredictor predictor;
-  Dynamics predicted_dynamics;  // at the state when the command acts
-  RobotState state;             // as estimated, but for the friction: what may be used of it
+  Dynamics predicted_dynamics;  // at the state predicted over the delay
+  RobotState state;             // as estimated; friction: the share that the QP may use
   WholeBodyController controller;
   FallbackChain fallback_chain;
   TorqueCommand torque_command;

@@ -17,7 +17,7 @@ void StandOptions::validate() const {
   }
   if (!(power_limit > 0.0)) {
     throw Error("option 'power_limit' out of range: got " + to_text(power_limit) +
-                ", expected > 0 [W]; infinite is off");
+                ", expected > 0 [W]; infinite switches the limit off");
   }
 }
 

@@ -11,6 +11,8 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 }
 
+// Ranges: power levels of the SDK; temperatures of LowState (int8, deg C); others are sanity
+// limits.
 void SupervisorOptions::validate() const {
   const auto expect = [](const char* name, double got, double lower, double upper) {
     if (got >= lower && got <= upper) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What leaves: of the springs, the program or the motors' damping, and of two of them in a fade.
+// Commands from the joint impedance, the StandController or damping; during a fade from two of
+// them.
 #include "safety/torque_command.hpp"
 #include "supervisor/common/motor_measurements.hpp"
 #include "supervisor/supervisor_impl.hpp"
@@ -8,8 +9,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRateLimitedTime = 0.008;  // [s] that torques lag before it is told: pushes are
-                                            // believed over 6 ms, and may hold torques back as long
+// [s] of limited torques before it is a fault. Derived: one period more than the 6 ms over which
+// the estimator accepts a push, when torques may be limited. Above: the 10 ms of fault_table().
+constexpr double kRateLimitedTime = 0.008;
 
 }  // namespace
 
@@ -38,7 +40,8 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     demand.tau = (1.0 - w) * before.tau + w * demand.tau;
     demand.kd = (1.0 - w) * before.kd + w * demand.kd;
   }
-  // One that has not solved once since it was begun bridges nothing, and latches nothing.
+  // A StandController without a solution since its reset has no command to hold and never latches
+  // its own damping: time it here.
   const bool program = fade.uses(TorqueSource::kController);
   const bool idle =
       unsolved.update(program && stand.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
@@ -48,8 +51,8 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
     latch(why);
     return command_hold.accept(damping_low_cmd(damping_kd));
   }
-  // Springs of a leg that slips off what it leant on change as fast as it does, and a blow takes a
-  // tick or two to answer: that is no fault.
+  // Only the StandController's torques can be a fault, and only if limited for long. Impedance
+  // torques of a slipping leg change as fast as the leg moves; an impact takes a tick or two.
   const bool limited =
       rate_limiter.limit(demand.tau, demand.kd, measured_velocities(state), clock.period());
   log.set(FaultId::kTorqueRate,

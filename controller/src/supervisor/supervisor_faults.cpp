@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is found wrong in a good report, and what is done about it.
+// Fault detection on a usable sample, and the reactions.
 #include <cmath>
 
 #include "supervisor/common/tilt.hpp"
@@ -9,15 +9,22 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFallTilt = 0.7;        // [rad] while rising and sitting ...
-constexpr double kRollTilt = 0.8;        // [rad] ... but for who lies yet: see RolloverMonitor
-constexpr double kTiltPrediction = 0.1;  // [s] that the tilt is foreseen
-constexpr double kBatteryTime = 1.0;     // [s]
-// Of the height of the centre of mass: how far the capture point may be outside three feet. What is
-// left of the fourth leg, braking, bears that much for long enough.
+// Chosen by hand.
+// [rad] 40 degrees while rising and sitting. Below: slopes to 8 degrees
+// (benchmarks/false_trips.py); above: 60 degrees, where the row body_tilt expects damping within 10
+// ms.
+constexpr double kFallTilt = 0.7;
+constexpr double kRollTilt = 0.8;  // [rad] while the body lies: above RolloverMonitor's 0.74
+// [s] for which the tilt is predicted. Below: no gain; above: false trips in pushes, which end.
+constexpr double kTiltPrediction = 0.1;
+constexpr double kBatteryTime = 1.0;  // [s] of the 2 s of fault_table(); below: wrong samples
+// Of the height of the centre of mass: distance of the capture point outside the other three feet.
+// The damping of the lost leg carries that much for long enough
+// (tests/closed_loop/test_lost_leg.py).
 constexpr double kMaxOutside = 0.03;
-constexpr double kMaxPush = 0.1;   // of the weight: who is pushed will be elsewhere in a moment
-constexpr double kMaxLoss = 0.05;  // share of reports
+constexpr double kMaxPush = 0.1;  // of the weight: a larger push moves the capture point on
+// Share of samples: the rows packet_loss must pass at 4 % and report at 8 %.
+constexpr double kMaxLoss = 0.05;
 
 }  // namespace
 
@@ -42,8 +49,8 @@ void Supervisor::Impl::judge(const LowState& state, double dt) noexcept {
   judge_rest(state, dt);
 }
 
-// A robot that stands, its centre of mass over three feet or as good as, goes on without the
-// fourth.
+// Give up the leg of a failed motor if the robot stands with its capture point over, or nearly
+// over, the other three feet.
 void Supervisor::Impl::judge_legs() noexcept {
   const int lost = stand.lost_leg();
   if (lost >= 0) {
@@ -57,7 +64,7 @@ void Supervisor::Impl::judge_legs() noexcept {
     const Reference& wanted = stand.reference();
     const double height = wanted.p_com.z() - wanted.feet[diagonal_leg(leg)].p_world.z();
     const double push = stand.state().f_external.head<2>().norm();
-    // What is no number is no reason to.
+    // Written so that NaN keeps the leg.
     const bool quiet = push <= kMaxPush * kGravity * robot.mass();
     if (!quiet || !(stand.capture_margin_without(leg) >= -kMaxOutside * height)) continue;
     stand.give_up_leg(leg);
@@ -79,13 +86,13 @@ void Supervisor::Impl::judge_rest(const LowState& state, double dt) noexcept {
   log.set(FaultId::kOperator, operator_silence > options.operator_timeout);
 }
 
-// With the rate at which it goes on: a body that falls fast is let go of early.
+// Predict the tilt by its rate, so that a fast fall damps early.
 void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   if (!applies_torque()) {
     log.set(FaultId::kTilt, false);
     return;
   }
-  // A controller that stands knows better than the IMU, and judges by its own gain.
+  // A standing robot has its own estimate of attitude and its own limit, the gain fall_tilt.
   Quaternion R = impedance.R_world_base();
   double most = is_raising_body() ? kFallTilt : kRollTilt;
   if (is_standing()) {
@@ -96,10 +103,11 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
   const Vector3 w = impedance.R_base_imu() * Vector3(gyroscope[0], gyroscope[1], gyroscope[2]);
   const Vector3 up = R.conjugate() * Vector3::UnitZ();  // in base axes
   const double tilt = tilt_angle(up);
-  const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);
-  // d(up)/dt = up x w; the tilt grows as its z falls.
+  const double sine = std::max(std::hypot(up.x(), up.y()), 1e-6);  // no division by zero if level
+  // d(up)/dt = up x w; the tilt grows as up.z falls.
   const double rate = -up.cross(w).z() / sine;
-  // While the body lies it may roll off a leg.
+  // A lying body may roll off a leg: do not predict its tilt. Below half the limit nothing is
+  // predicted: pushes of a level body are fast and end.
   const double ahead = is_standing() || is_raising_body() ? kTiltPrediction : 0.0;
   log.set(FaultId::kTilt, tilt > most || (tilt > 0.5 * most && tilt + ahead * rate > most));
 }
@@ -109,7 +117,7 @@ void Supervisor::Impl::react() noexcept {
     if (log.report().has(asked)) latch(asked);
   }
   if (!applies_torque()) return;
-  // What is wrong with the report alone is bridged first: see tick().
+  // For a sample fault tick() holds the last command before it latches.
   const FaultId worst = log.report().first_active(FaultReaction::kDamp, sample_fault);
   if (worst != FaultId::kNone) latch(worst);
   const bool up = context.mode == Mode::kStand || context.mode == Mode::kRise;

@@ -28,7 +28,23 @@
 
 namespace surefoot {
 
-/// The mode machine. What is not published, asked for or atomic belongs to the tick.
+/// The mode machine of the Supervisor.
+///
+/// Modes: passive -> rise -> stand -> sit -> passive; any mode -> damping. A rise runs through the
+/// stages of RiseStage: hold legs, fold, weigh, press, up. Only arm() leaves damping. Passive and
+/// damping send damping only; rise and sit use JointImpedance; stand uses StandController.
+/// TorqueFade blends the torques when the mode changes, except into damping, which starts at once.
+///
+/// A tick has five steps:
+///   1. read_sample() checks the LowState; an unusable one is a sample fault.
+///   2. judge() runs the fault detectors on a usable sample; react() sits or damps for a fault.
+///   3. handle_request() takes the request that another thread posted.
+///   4. step_motion() moves the joint reference of rise or sit.
+///   5. command() makes the LowCmd. Without a usable sample CommandHold repeats the last one for
+///      10 ms, then damps and latches.
+///
+/// Threads: `requests`, Seqlock members and atomics are shared with other threads. `plan` and
+/// `options` are constant. All other members belong to the thread of the tick.
 struct Supervisor::Impl {
   Impl(const Robot& robot, const Gains& gains, const SupervisorOptions& options);
 
@@ -59,7 +75,9 @@ struct Supervisor::Impl {
   bool fresh = false;
 
  private:
-  /// [s] After it no command lives: a longer step must be confirmed, for a tick may be mad.
+  /// [s] A longer step of the tick needs a second sample to confirm it, for one tick may be wrong.
+  /// Longer than kHoldTime: no command is repeated for such a step. Chosen: above samples at 100 Hz
+  /// with 3 ms of jitter; a step of 17 ms latches (tests/cpp/test_supervisor_link.cpp).
   static constexpr double kLongestStep = 0.015;
 
   bool read_sample(const LowState& state, double step, double dt) noexcept;
@@ -91,9 +109,7 @@ struct Supervisor::Impl {
   bool active() const noexcept {
     return context.mode != Mode::kPassive && context.mode != Mode::kDamping;
   }
-  bool applies_torque() const noexcept {
-    return active() || fade.active();
-  }  ///< torques, not damping alone
+  bool applies_torque() const noexcept { return active() || fade.active(); }  ///< not damping alone
   bool is_raising_body() const noexcept { return stage == RiseStage::kUp; }
   bool is_standing() const noexcept { return context.mode == Mode::kStand && !fade.active(); }
 
@@ -101,7 +117,7 @@ struct Supervisor::Impl {
   TickClock clock{kLongestStep};
   CommandHold command_hold;
   TorqueFade fade;
-  JointReference reference;  // of the springs
+  JointReference reference;  // of the joint impedance
   RiseStage stage = RiseStage::kHoldLegs;
   LightLegCheck light_leg_check;
   FaultLog log;
@@ -110,18 +126,17 @@ struct Supervisor::Impl {
   TorqueRateLimiter rate_limiter;
   RepeatedSample repeated;
   std::uint32_t last_tick = 0;
-  bool state_received = false;  // since the link was lost
-  double bad_time = 0.0;        // [s] in which every report was bad
-  double unchecked_time =
-      0.0;  // [s] in which no report's numbers could be looked at, up to the last
+  bool state_received = false;  // a usable one, since the link was lost
+  double bad_time = 0.0;        // [s] of consecutive unusable samples
+  double unchecked_time = 0.0;  // [s] since the last sample with plausible numbers
   ImuMonitor imu;
   JointMonitor joints;
   EncoderMonitor encoders;
   ClockMonitor clock_monitor;
   Debounce battery, rate_limited, unsolved;
-  FaultId sample_fault = FaultId::kNone;  // what is wrong with the report itself
-  unsigned last_heartbeats = 0;           // heartbeats
-  double operator_silence = 0.0;          // [s] since the last of them
+  FaultId sample_fault = FaultId::kNone;  // of the last sample, or kNone
+  unsigned last_heartbeats = 0;           // heartbeats at the last tick
+  double operator_silence = 0.0;          // [s] since the last heartbeat
   double damping_kd;
 };
 

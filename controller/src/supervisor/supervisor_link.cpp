@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What becomes of a supervised robot that is not heard.
+// Periods without a sample, and loss of the link.
 #include "supervisor/supervisor_impl.hpp"
 
 namespace surefoot {
@@ -13,15 +13,15 @@ const LowCmd& Supervisor::Impl::update_without_state(double age) noexcept {
   const bool known_age = age >= 0.0;  // neither negative nor NaN
   if (!known_age || age > kStaleTime) invalidate_state();
   publish();
-  // Reports that were bad have not made the last command any younger.
+  // The age of the last command includes the time of unusable samples before this gap.
   if (applies_torque() && known_age && age + command_hold.age() <= kHoldTime)
     return command_hold.last();
   motors.skip_command();
-  rate_limiter.set_damping_only(damping_kd);  // torques come back from nothing
+  rate_limiter.set_damping_only(damping_kd);  // later torques start from zero
   return command_hold.damp(damping_kd);
 }
 
-// Nothing valid has come for a while: what was asked of another moment is void.
+// No valid sample has come for a while: pending requests no longer apply.
 void Supervisor::Impl::invalidate_state() noexcept {
   context.state_valid = false;
   requests.take();
@@ -34,7 +34,7 @@ void Supervisor::Impl::report_link_lost() noexcept {
   }
   invalidate_state();
   arming.clear_ready();
-  // What was before says nothing of what comes.
+  // Later samples must not be compared with samples from before the loss.
   clock.reset();
   joints = {};
   encoders = {};

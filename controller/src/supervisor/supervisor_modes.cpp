@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How modes are entered, and what moves in them.
+// Entering a mode, and the motion within it.
 #include <cmath>
 
 #include "supervisor/supervisor_impl.hpp"
@@ -7,8 +7,11 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRestTime = 0.03;          // [s]
-constexpr double kUprightTolerance = 0.35;  // [rad] that joints may be off the end of the way up
+// Chosen by hand. [s] time constant in which a fading reference stops: far below TorqueFade::kTime.
+constexpr double kRestTime = 0.03;
+// [rad] 20 degrees, joint error up to which the robot stands. Below: poses that BodyReference asks
+// for; above: a robot that has sunk. start_rise() and the arming checks have the same.
+constexpr double kUprightTolerance = 0.35;
 }  // namespace
 
 void Supervisor::Impl::enter_mode(Mode mode) noexcept {
@@ -17,7 +20,7 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     motors.reset();
     fade.start(TorqueSource::kImpedance);
   } else if (mode == Mode::kSit && context.mode == Mode::kStand) {
-    // Who was armed again where it had sunk is not to come up first.
+    // A robot that sank and was armed again must not rise first: begin at its present height.
     const Vector12& q = impedance.q();
     const bool upright = (q - plan.joints_at(1.0)).cwiseAbs().maxCoeff() < kUprightTolerance;
     motion.start(upright ? 1.0 : plan.nearest(q), q);
@@ -27,7 +30,7 @@ void Supervisor::Impl::enter_mode(Mode mode) noexcept {
     if (mode == Mode::kStand) gave_up = false;
     motion.go_to(mode == Mode::kSit ? 0.0 : 1.0);
   }
-  // Standing is asked for on the way down: that is a rise from where it is.
+  // A request to stand while sitting is a rise from the present position.
   context.mode = mode == Mode::kStand ? Mode::kRise : mode;
 }
 
@@ -37,7 +40,7 @@ void Supervisor::Impl::step_motion(const LowState& state, double dt) noexcept {
   impedance.reduce_damping(lies ? Vector3(w[0], w[1], w[2]).norm() : 0.0, dt);
   if (context.mode == Mode::kRise) rise(state, dt);
   if (context.mode == Mode::kSit) sit(dt);
-  // Springs that only fade out come to rest.
+  // The impedance is fading out: stop its reference.
   if (context.mode == Mode::kPassive) {
     reference.dq *= std::exp(-dt / kRestTime);
     reference.q += dt * reference.dq;
@@ -49,16 +52,15 @@ void Supervisor::Impl::sit(double dt) noexcept {
   if (!is_raising_body() || motion.arrived()) enter_passive();
 }
 
-// On the ground, or as good as: the motors' own damping takes over.
+// The robot lies or is nearly down: fade to the motors' own damping.
 void Supervisor::Impl::enter_passive() noexcept {
   context.mode = Mode::kPassive;
-  context.checks_waived =
-      false;  // the one that was taken over as it stood: it lies now, and must be armed
-  // Nothing tells a robot that lies whether what its estimator found is over: the operator must.
+  context.checks_waived = false;  // a robot taken over standing now lies and must be armed
+  // While the robot lies no estimator shows that such a fault has ended: the operator must arm.
   if (estimator_faults.must_sit_down()) context.armed = false;
   log.set(FaultId::kHanging, false);
   fade.start(TorqueSource::kDamping);
-  if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // three legs do not rise
+  if (stand.lost_leg() >= 0) latch(FaultId::kLegLost);  // three legs cannot rise
 }
 
 }  // namespace surefoot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stages of a rise: what is looked at before the body leaves the ground, and the way up.
+// Stages of a rise: folding and checks while the body lies on the ground, then raising the body.
 #include <algorithm>
 
 #include "supervisor/common/motor_measurements.hpp"
@@ -8,16 +8,19 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMinHeight = 0.2;       // of the way: feet below the body, on level ground
-constexpr double kPathTolerance = 0.35;  // [rad] that each joint may be off it
-constexpr double kMinLoadShare = 0.35;   // of the weight that legs bear which stand on something
+// Chosen by hand. [1] of the path: from here on feet are below the body on level ground.
+constexpr double kMinHeight = 0.2;
+constexpr double kPathTolerance = 0.35;  // [rad] 20 degrees, error of each joint from the path
+// Share of the weight on legs that stand on something. Between hung legs (0) and a robot on its
+// feet (1): the row hanging and every rise of `surefoot faults`.
+constexpr double kMinLoadShare = 0.35;
 
 bool any(const std::array<bool, kLegs>& legs) noexcept {
   return std::any_of(legs.begin(), legs.end(), [](bool leg) { return leg; });
 }
 }  // namespace
 
-// Who is on the way already, standing or crouching, goes on from there; anybody else folds first.
+// A robot that crouches or stands on the planned path continues from there; others fold first.
 void Supervisor::Impl::start_rise() noexcept {
   const Vector12& q = impedance.q();
   const double s = plan.nearest(q);
@@ -52,8 +55,8 @@ void Supervisor::Impl::rise(const LowState& state, double dt) noexcept {
   }
 }
 
-// Legs bear themselves before they move: those of a smaller robot than this one is taken for would
-// be thrown about by its springs.
+// The legs carry only themselves before they move: the impedance of a larger model would throw the
+// legs of a smaller robot.
 void Supervisor::Impl::hold_legs(const LowState& state, double dt) noexcept {
   light_leg_check.update(measured_torques(state), impedance.leg_gravity_torques(), dt);
   if (!light_leg_check.done()) return;
@@ -119,7 +122,7 @@ void Supervisor::Impl::raise_body(const LowState& state, double dt) noexcept {
     log.set(FaultId::kHanging, true);
     enter_mode(Mode::kSit);
   } else if (motion.arrived() && imu.accelerometer_bad()) {
-    enter_mode(Mode::kSit);  // an estimator has nothing to begin with
+    enter_mode(Mode::kSit);  // the estimator cannot start without it
   } else if (motion.arrived()) {
     stand.reset();
     context.mode = Mode::kStand;

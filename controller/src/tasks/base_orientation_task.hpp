@@ -5,13 +5,13 @@
 
 namespace surefoot {
 
-/// Angular acceleration that turns the base to its reference, world axes [rad/s^2]:
+/// Compute the desired angular acceleration of the base, world axes [rad/s^2]:
 ///   alpha = alpha_ref + kp log(R_ref R') + kd (w_ref - w)
-/// with one stiffness about the horizontal axes and another about the vertical. Real-time: yes.
+/// The horizontal axes (tilt) and the vertical axis (yaw) have separate gains. Real-time: yes.
 Vector3 base_angular_acceleration(const Gains& gains, const Reference& reference,
                                   const Dynamics& dynamics) noexcept;
 
-/// Rows of the base's orientation, in world axes like its gains: R a_ang = alpha.
+/// Compute the rows of the orientation task, R a_ang = alpha, world axes. Real-time: yes.
 BodyRows base_orientation_task(const Gains& gains, const Vector3& angular_acceleration_world,
                                const Dynamics& dynamics) noexcept;
 

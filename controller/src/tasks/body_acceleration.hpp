@@ -5,26 +5,28 @@
 
 namespace surefoot {
 
-/// What the tasks of the body want of it, world axes.
+/// Desired acceleration of the body, world axes.
 struct BodyAcceleration {
   Vector3 a;      ///< [m/s^2] of the reference's body point
   Vector3 alpha;  ///< [rad/s^2] of the base
 };
 
-/// Read it from the reference; what of a push is not leant against moves the body, and is no error
-/// of the tasks. Real-time: yes.
+/// Compute the desired acceleration from reference and state:
+///   a = (1 - push_resist) f_external / m + a_task,   alpha = alpha_task
+/// The feet resist the share push_resist of the external force; the rest accelerates the body and
+/// is no task error. Real-time: yes.
 BodyAcceleration body_acceleration(const Gains& gains, double mass, const Dynamics& dynamics,
                                    const RobotState& state, const Reference& reference) noexcept;
 
-/// Wrench of the feet about the centre of mass, world axes.
+/// Sum of the contact forces, and their moment about the centre of mass, world axes.
 struct FeetWrench {
   Vector3 force;   ///< [N]
   Vector3 moment;  ///< [N.m]
 };
 
-/// The wrench that makes this motion of the locked robot, which leaves out the legs' own inertia:
+/// Compute the contact wrench that produces this acceleration of the robot with locked joints:
 ///   force = m (a + g up) - f_external,   moment = I alpha + w x I w - moment_external
-/// Real-time: yes.
+/// The motion of the legs relative to the base is neglected. Real-time: yes.
 FeetWrench feet_wrench(const BodyAcceleration& desired, double mass, const Dynamics& dynamics,
                        const RobotState& state) noexcept;
 

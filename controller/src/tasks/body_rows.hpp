@@ -10,8 +10,8 @@ namespace surefoot {
 using Matrix3x12 = Eigen::Matrix<double, 3, 3 * kLegs>;
 using Matrix6x12 = Eigen::Matrix<double, 6, 3 * kLegs>;
 
-/// Three rows of the cost: A_base a_b + A_force f = b is wanted, and missed as cheaply as `weight`
-/// says. Every task of the body is of this kind, in either form of the program.
+/// Task of the body, three rows A_base a_b + A_force f = b. Both forms of the QP minimise
+///   1/2 sum_i weight_i (scale (A_base a_b + A_force f - b)_i)^2
 ///
 /// a_b: acceleration of the base, Pinocchio's local axes. f: contact forces [N], FR FL RR RL, world
 /// axes. b: an acceleration [m/s^2], [rad/s^2] or a moment [N.m].
@@ -20,7 +20,7 @@ struct BodyRows {
   Matrix3x12 A_force = Matrix3x12::Zero();
   Vector3 b = Vector3::Zero();
   Vector3 weight = Vector3::Zero();
-  double scale = 1.0;  ///< brings the rows to length one, so that a weight means the same for all
+  double scale = 1.0;  ///< brings the rows to length one, so that weights of tasks compare
 };
 
 }  // namespace surefoot

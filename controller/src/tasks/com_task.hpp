@@ -5,14 +5,14 @@
 
 namespace surefoot {
 
-/// Acceleration that pulls the centre of mass to its reference, world axes [m/s^2]:
+/// Compute the desired acceleration of the centre of mass, world axes [m/s^2]:
 ///   a = a_ref + kp (p_ref - p) + kd (v_ref - v)
 /// Real-time: yes.
 Vector3 com_acceleration(const Gains& gains, const Reference& reference,
                          const Dynamics& dynamics) noexcept;
 
-/// Rows of the centre of mass: (sum(f) + f_external) / m + g = a, exact for any motion of the
-/// joints.
+/// Compute the rows of the centre of mass task, (sum f_i + f_external) / m - g up = a, world axes.
+/// They are exact for any motion of the joints. Real-time: yes.
 BodyRows com_task(const Gains& gains, const Vector3& acceleration, const Vector3& f_external,
                   double mass) noexcept;
 

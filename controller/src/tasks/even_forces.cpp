@@ -6,13 +6,14 @@
 namespace surefoot {
 
 Vector12 even_forces(const Matrix6x12& A, const Vector6& b, const Eigen::Vector4d& share) noexcept {
-  // Rows of one length, whatever they measure.
+  // Scale the rows to length one, because their units differ.
   const Vector6 scale = A.rowwise().norm().cwiseInverse();
   const Matrix6x12 rows = scale.asDiagonal() * A;
   Matrix6x12 shared = rows;
   for (int leg = 0; leg < kLegs; ++leg) shared.middleCols<3>(3 * leg) *= share[leg];
   Matrix6 gram = shared * rows.transpose();
-  // Two feet leave a direction without authority; a little damping keeps the answer finite there.
+  // Forces at two feet give no moment about the line between them. The damping keeps the result
+  // finite.
   gram.diagonal().array() += 1e-9;
   return shared.transpose() * gram.ldlt().solve(scale.cwiseProduct(b));
 }

@@ -5,20 +5,23 @@
 
 namespace surefoot {
 
-/// Most even contact forces that meet six rows, such as two tasks of the body:
+/// Compute the most even contact forces that meet six rows, such as those of two body tasks:
 ///   minimise sum |f_i|^2 / share_i   subject to   A f = b
-/// Drawn towards them the program meets these tasks exactly while no limit is active, so the weight
-/// of this pull is free to serve the program's conditioning.
-/// @param share how much of the load each foot may take, 0 .. 1, FR FL RR RL
-/// Real-time: yes.
+/// The cost of the QP pulls the forces towards these. Because they meet the tasks, the pull causes
+/// no task error while no constraint is active. Its weight can therefore be chosen for the
+/// conditioning of the QP.
+/// @param share share of its even load that each foot may take, 0 .. 1, FR FL RR RL
+/// @return forces [N], FR FL RR RL, world axes. Real-time: yes.
 Vector12 even_forces(const Matrix6x12& A, const Vector6& b, const Eigen::Vector4d& share) noexcept;
 
-/// The same for a wrench about the centre of mass:
-///   sum f_i = force,  sum (p_i - p_com) x f_i = moment
+/// Compute the most even contact forces for a wrench about the centre of mass, world axes:
+///   sum f_i = force [N],  sum (p_i - p_com) x f_i = moment [N.m]
+/// Real-time: yes.
 Vector12 even_forces(const Dynamics& dynamics, const Vector3& force, const Vector3& moment,
                      const Eigen::Vector4d& share) noexcept;
 
-/// Moment about the centre of mass that turns the locked robot: I alpha + w x I w [N.m].
+/// Compute the moment about the centre of mass that turns the robot with locked joints, world axes:
+/// I alpha + w x I w [N.m]. Real-time: yes.
 Vector3 turning_moment(const Dynamics& dynamics, const Vector3& alpha_world) noexcept;
 
 }  // namespace surefoot

@@ -8,21 +8,27 @@
 
 namespace surefoot {
 
-/// Share of a foot's load that it is meant to bear, 0 .. 1; none in swing. Real-time: yes.
+/// Return the planned load of a foot, 0 .. 1; 0 for a swing foot. Real-time: yes.
 inline double planned_load(const FootReference& foot) noexcept {
   return foot.stance ? std::clamp(foot.load, 0.0, 1.0) : 0.0;
 }
 
-/// Greatest normal force of each foot [N], FR FL RR RL. Real-time: yes.
+/// Compute the largest normal force of each foot [N], FR FL RR RL:
+///   weight * planned load * (lost + contact (max - lost))
+/// with the gains max = force_max_contact and lost = force_lost_contact.
 ///
-/// It goes smoothly with the planned load and the belief that the foot is on the ground, never to
-/// nothing while it is meant to stand: a foot wrongly believed lifted must be able to show its
-/// load. 0 in swing.
+/// 0 for a swing foot. Positive for a loaded stance foot even with a contact confidence of 0: a
+/// foot that is wrongly estimated as lifted must be able to carry load, so that the estimator sees
+/// it. Real-time: yes.
+/// @param weight of the robot [N]
+/// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL
 Eigen::Vector4d normal_force_limits(const Gains& gains, double weight,
                                     const Eigen::Vector4d& contact,
                                     const Reference& reference) noexcept;
 
-/// Share of the even load each foot is offered, 0 .. 1, by the same belief. Real-time: yes.
+/// Compute the share of its even load that each foot may take, 0 .. 1, FR FL RR RL:
+///   planned load * (share_lost_contact + contact (1 - share_lost_contact))
+/// Real-time: yes.
 Eigen::Vector4d load_shares(const Gains& gains, const Eigen::Vector4d& contact,
                             const Reference& reference) noexcept;
 

@@ -7,9 +7,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMinDamping = 1.0;  // [1/s] for which a foot that is not damped is taken
+constexpr double kMinDamping = 1.0;  // [1/s] used in the bound if foot_kd is smaller
 
-// No more than what damping balances at foot_speed.
+// The bound is the acceleration that damping balances at foot_speed.
 Vector3 stiffness_acceleration(const Gains& gains, const Vector3& offset) noexcept {
   const Vector3 pull = gains.foot_kp * offset;
   const double most = std::max(gains.foot_kd, kMinDamping) * gains.foot_speed;

@@ -6,7 +6,8 @@
 
 namespace surefoot {
 
-/// Gains of whichever point the position task moves, world axes: sway in x and y, height in z.
+/// Gains of the position task, for the centre of mass or the base's origin, world axes: sway in x
+/// and y, height in z.
 struct PositionGains {
   explicit PositionGains(const Gains& g)
       : kp(g.com_kp_horizontal, g.com_kp_horizontal, g.com_kp_vertical),

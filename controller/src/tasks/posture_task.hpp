@@ -6,9 +6,13 @@
 
 namespace surefoot {
 
-/// Joint accelerations that pull the joints to the posture, in the rows of a JointTable [rad/s^2]:
+/// Compute the desired joint accelerations of the posture task, in the order of a JointTable
+/// [rad/s^2]:
 ///   a = kp (q_ref - q) - kd dq
-/// @param out shape (table.size(),). Real-time: yes.
+/// Joints without a scalar angle have no stiffness term.
+/// @param posture q_ref, shape (nv - 6,), order of v[6:]; empty: the standing pose
+/// @param out shape (joints.size(),)
+/// Real-time: yes.
 void posture_accelerations(const Gains& gains, const JointTable& joints, const RobotState& state,
                            const Eigen::VectorXd& posture, Eigen::VectorXd& out) noexcept;
 

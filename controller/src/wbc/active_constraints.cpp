@@ -7,7 +7,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMinIndependent = 1e-9;  // of a row's squared length: less than that is new in it
+constexpr double kMinIndependent = 1e-9;  // a row with less, in its squared norm, is dependent
 }
 
 ActiveConstraints::ActiveConstraints(int n, int n_eq)
@@ -26,7 +26,7 @@ ActiveConstraints::ActiveConstraints(int n, int n_eq)
 
 bool ActiveConstraints::start(const QpProblem& problem) noexcept {
   count_ = 0;
-  if (!problem.H.allFinite()) return false;  // half of it would not be looked at
+  if (!problem.H.allFinite()) return false;  // the factorisation reads only one triangle
   H_.compute(problem.H);
   if (H_.info() != Eigen::Success) return false;
   w_ = -problem.g;
@@ -43,7 +43,7 @@ bool ActiveConstraints::start_equalities(const RowMatrix& A, const Eigen::Vector
   H_.matrixL().solveInPlace(V);
   auto R = R_.topLeftCorner(count_, count_);
   R.noalias() = V.transpose() * V;
-  // A row of nothing (a soft foot's) has no multiplier, and is none that others depend on.
+  // Zero rows (of a soft foot) get a unit pivot: their multiplier is zero and affects no other row.
   for (Eigen::Index k = 0; k < count_; ++k) {
     if (R(k, k) == 0.0) R(k, k) = 1.0;
   }

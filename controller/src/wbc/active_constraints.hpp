@@ -8,51 +8,56 @@
 
 namespace surefoot {
 
-/// The rows of a program that are taken as equalities, each as  side c'x = bound, and what solves
-/// with them:  H x + g + sum_k m_k side_k c_k = 0.
+/// The active constraints of a QP, and the optimum with all of them as equalities.
 ///
-/// With H = L L', w = -L^-1 g and a column L^-1 side c of V per row it is  V'V m = V'w - bounds,
-/// x = L'^-1 (w - V m); of V'V there is the Cholesky factor R. Real-time: yes.
+/// Constraint k is  side_k c_k'x = bound_k  with multiplier m_k. The optimum satisfies
+///   H x + g + sum_k m_k side_k c_k = 0.
+/// With H = L L', w = -L^-1 g and one column L^-1 side_k c_k of V per constraint:
+///   V'V m = V'w - bounds,   x = L'^-1 (w - V m)
+/// R is the lower Cholesky factor of V'V, updated when a constraint joins or leaves.
+/// Real-time: all but the constructor.
 class ActiveConstraints {
  public:
-  /// @param n unknowns @param n_eq equalities, of which some may be rows of nothing: there are no
-  /// more than n others that do not depend on each other
+  /// @param n number of variables
+  /// @param n_eq number of equalities; some may be zero rows, so there is room for n_eq + n
+  ///   constraints
   ActiveConstraints(int n, int n_eq);
 
-  /// Take a program, without rows. @return is H positive definite?
+  /// Start with a QP and no constraints. @return false if H is not positive definite
   bool start(const QpProblem& problem) noexcept;
 
-  /// Take in A x = b, all rows at once, before any other. @return do they not depend on each other?
+  /// Add all equalities A x = b, before any other row. @return false if they depend on each other
   bool start_equalities(const RowMatrix& A, const Eigen::VectorXd& b) noexcept;
 
-  /// Look at a row: what of it do the rows that are there not span?
+  /// Project a candidate row on the active rows. The functions below describe its residual, the
+  /// part that the active rows do not span.
   template <typename Row>
   void project(const Row& c, double side) noexcept {
     v_ = side * c.transpose();
     project_column();
   }
-  bool is_dependent() const noexcept;  ///< nothing: it follows from them
+  bool is_dependent() const noexcept;  ///< true if the residual is zero within rounding
   double squared_residual() const noexcept {
     return squared_residual_;
-  }  ///< its squared length, in H's metric
-  /// How long the part is that they do not span, where squared_residual() would be a difference of
-  /// equals.
+  }  ///< squared norm of the residual, in H's metric
+  /// Compute the norm of the residual of a nearly dependent row. squared_residual() loses all
+  /// digits there by cancellation.
   double residual_norm() noexcept;
   double dual_direction(Eigen::Index k) const {
     return dual_direction_[k];
-  }  ///< what it takes from multiplier k
+  }  ///< decrease of multiplier k per unit step towards the candidate row
 
-  /// Take in the row that was looked at last, unless it depends on the others.
+  /// Add the candidate row. @return false, without a change, if it depends on the active rows
   bool append(int row, double side, double bound, double multiplier) noexcept;
   void remove(Eigen::Index k) noexcept;
 
-  /// Multipliers of the answer that has all rows on their bounds.
+  /// Compute the multipliers with all active rows on their bounds.
   void solve_multipliers() noexcept;
-  /// Take a step towards the row looked at: each multiplier loses its share of the length.
+  /// Step towards the candidate row: m -= length * dual_direction.
   void step(double length) noexcept {
     multipliers_.head(count_) -= length * dual_direction_.head(count_);
   }
-  /// The x that belongs to the multipliers.
+  /// Compute the x that belongs to the multipliers.
   const Eigen::VectorXd& solve_x() noexcept;
 
   Eigen::Index count() const noexcept { return count_; }
@@ -73,7 +78,7 @@ class ActiveConstraints {
   Eigen::VectorXd sides_, bounds_, multipliers_;
   Eigen::MatrixXd V_, R_;
   Eigen::VectorXd v_, l_,
-      dual_direction_;  // of the row looked at: its column, R^-1 V'v, R'^-1 of that
+      dual_direction_;  // candidate row: v = L^-1 side c, l = R^-1 V'v, R'^-1 l
   double squared_residual_ = 0.0;
 };
 

@@ -9,9 +9,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kViolationShare = 0.1;  // of the tolerance: violated
-constexpr double kMaxDistance =
-    1e4;  // in H's metric, trace(H) = n: no answer is as far from another
+constexpr double kViolationShare = 0.1;  // a larger violation, as share of the tolerance, counts
+constexpr double kMaxDistance = 1e4;  // between any two solutions, in H's metric with trace(H) = n
 
 double bound_of(const QpProblem& problem, int row, double side) noexcept {
   return side > 0.0 ? problem.u[row] : -problem.l[row];
@@ -55,12 +54,12 @@ bool ActiveSet::begin(const QpProblem& problem, const Eigen::VectorXd& z) noexce
     const double bound = bound_of(problem, row, side);
     if (!(std::abs(bound) < kNoBound)) continue;
     rows_.project(problem.C.row(row), side);
-    rows_.append(row, side, bound, 0.0);  // what depends on the rows before is left out
+    rows_.append(row, side, bound, 0.0);  // skips rows that depend on earlier ones
   }
   return true;
 }
 
-// Until every multiplier pushes, the rows are no set that the method can begin with.
+// The dual method needs an initial active set without negative multipliers.
 bool ActiveSet::drop_negative_multipliers() noexcept {
   for (;;) {
     rows_.solve_multipliers();
@@ -78,8 +77,8 @@ bool ActiveSet::drop_negative_multipliers() noexcept {
   }
 }
 
-// Where x is furthest outside. Rows of the set are on their bounds: what rounding says of them is
-// no violation, and the method would swap rows for it.
+// Active rows get the value of their bound, because rounding errors on them are no violations. The
+// method would exchange rows because of them.
 ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double tolerance) noexcept {
   x_ = rows_.solve_x();
   Cx_.noalias() = problem.C * x_;
@@ -95,7 +94,8 @@ ActiveSet::Violation ActiveSet::most_violated(const QpProblem& problem, double t
   return found;
 }
 
-// Move towards the row until it holds, or until another row's multiplier is used up: that one goes.
+// Step towards the violated constraint until it holds. If the multiplier of an active constraint
+// reaches zero before, remove that constraint and continue.
 ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
                                            const Violation& violation) noexcept {
   const auto& [row, side, amount] = violation;
@@ -125,8 +125,9 @@ ActiveSet::Outcome ActiveSet::add_violated(const QpProblem& problem,
   }
 }
 
-// A row that follows from others and wants what they forbid. Where it only nearly follows, a point
-// far away may satisfy them all: then another method has to look.
+// The violated row depends on active rows, and no multiplier limits the step: they contradict each
+// other. If the row is only nearly dependent, a distant point may satisfy all rows. ProxQP then has
+// to decide.
 ActiveSet::Outcome ActiveSet::judge_infeasibility(double missing) noexcept {
   const bool certain = missing > kMaxDistance * rows_.residual_norm();
   return certain ? Outcome::kInfeasible : Outcome::kGaveUp;

@@ -5,37 +5,43 @@
 
 namespace surefoot {
 
-/// Solves a strictly convex program from the rows that were active in the last one.
+/// Active-set solver for strictly convex QPs, warm started with the active set of the last QP.
 ///
-/// The dual method of Goldfarb and Idnani (1983): rows join one by one, the most violated first,
-/// and leave when their multiplier would change its sign. From one tick to the next hardly any row
-/// changes, so that most solves are one small factorisation. It ends, or finds the rows to
-/// contradict each other; rounding is the caller's to check. Real-time: yes, at most max_changes.
+/// Method: the dual method of Goldfarb and Idnani (1983). It starts at the optimum for the initial
+/// active set. Then the most violated constraint joins the active set, one at a time. A constraint
+/// leaves when its multiplier would change sign. The method ends when no constraint is violated, or
+/// when it finds that constraints contradict each other.
+/// From one tick to the next the active set hardly changes, so most solves need one small
+/// factorisation. The caller must check the solution for rounding errors.
+/// Real-time: yes, at most max_changes changes of the active set.
 class ActiveSet {
  public:
   static constexpr int kMaxChanges = 100;
 
-  /// @param max_changes rows that may join or leave in a solve
+  /// @param max_changes number of constraints that may join or leave in one solve
   ActiveSet(int n, int n_eq, int n_in, int max_changes = kMaxChanges);
 
   enum class Outcome { kSolved, kInfeasible, kGaveUp };
 
-  /// @param x out: the answer, if solved
-  /// @param y out: multipliers of A x = b, if solved
-  /// @param z in: the rows to begin with are those where it is not zero; out: multipliers of
-  ///   l <= C x <= u, if solved
+  /// Solve a QP. x, y and z change only if the outcome is kSolved.
+  /// @param x out: the solution
+  /// @param y out: multipliers of A x = b
+  /// @param z in: rows with nonzero entries are the initial active set; out: multipliers of
+  ///   l <= C x <= u
+  /// @return kInfeasible if constraints contradict each other; kGaveUp after max_changes changes,
+  ///   on numbers that are not finite, and where rounding leaves the result open
   Outcome solve(const QpProblem& problem, double tolerance, Eigen::VectorXd& x, Eigen::VectorXd& y,
                 Eigen::VectorXd& z) noexcept;
 
-  /// Of the last solve: rows that joined or left, plus one.
+  /// Return one plus the number of constraints that joined or left in the last solve.
   int iterations() const noexcept { return changes_ + 1; }
 
  private:
-  static constexpr int kNone = -1, kNotFinite = -2;  // in the place of a row
+  static constexpr int kNone = -1, kNotFinite = -2;  // special values of Violation::row
   struct Violation {
     int row = kNone;
     double side = 0.0;    // 1: above u, -1: below l
-    double amount = 0.0;  // of the side's inequality
+    double amount = 0.0;  // of the violation, positive
   };
   bool begin(const QpProblem& problem, const Eigen::VectorXd& z) noexcept;
   bool drop_negative_multipliers() noexcept;
@@ -45,7 +51,7 @@ class ActiveSet {
 
   Eigen::Index n_eq_;
   int max_changes_;
-  ActiveConstraints rows_;  // equalities first: they never leave
+  ActiveConstraints rows_;  // equalities come first and never leave
   Eigen::VectorXd x_, Cx_;
   int changes_ = 0;
 };

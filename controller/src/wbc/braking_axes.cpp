@@ -11,10 +11,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kPushDuration = 0.08;  // [s] that a push is expected to last
-constexpr double kEdgeRange = 0.03;     // [m] inside an edge, where it begins to count
-constexpr double kMinAlongShare =
-    0.01;  // of the weight along it; none would let the body wander there
+constexpr double kPushDuration = 0.08;   // [s] the external force is expected to last so long
+constexpr double kEdgeRange = 0.03;      // [m] inside an edge: from there on the edge counts
+constexpr double kMinAlongShare = 0.01;  // not zero: the body would drift along the edge
 
 }  // namespace
 
@@ -31,7 +30,7 @@ BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
   BrakingAxes axes;
   const SupportPolygon polygon = support_polygon(dynamics, reference);
   const Eigen::Vector2d capture = capture_point(dynamics, kPushDuration / mass * state.f_external);
-  std::array<double, kLegs> edge_proximity = {};  // 0 .. 1 at the edge, and on outside of it
+  std::array<double, kLegs> edge_proximity = {};  // 0 inside, 1 at the edge, larger outside
   int worst = 0;
   for (int k = 0; k < polygon.edge_count(); ++k) {
     edge_proximity[k] = std::max(1.0 - polygon.edge(k, capture).margin / kEdgeRange, 0.0);
@@ -40,7 +39,7 @@ BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
   if (!(edge_proximity[worst] > 0.0)) return axes;
   const Eigen::Vector2d across = polygon.edge(worst, capture).outward;
   const Eigen::Vector2d along(-across.y(), across.x());
-  double other = 0.0;  // how much of an edge there is along it
+  double other = 0.0;  // 0 .. 1: how much another edge also needs braking along this one
   for (int k = 0; k < polygon.edge_count(); ++k) {
     if (k == worst) continue;
     const double part = std::abs(polygon.edge(k, capture).outward.dot(along));

@@ -7,24 +7,28 @@
 
 namespace surefoot {
 
-/// How a body that a push takes over an edge is braked: across that edge first, along it with what
-/// is left.
+/// Axes and weights of the position task when a push will move the capture point across a support
+/// edge.
 ///
-/// Motors and friction that cannot give all of both give less across the edge for every newton
-/// along it: a push at 22.5 deg from forward leaves over the front edge, and while it is also
-/// braked sideways one front leg bears most of the weight and the other, unloaded, has no friction
-/// to brake with. What the body gains along the edge meanwhile has room, and is braked afterwards.
-/// At a corner both directions are edges and count alike; elsewhere each counts by how far the
-/// capture point is over it.
+/// The QP brakes motion normal to that edge first, and motion along it with the force that is left.
+/// Motors and friction often cannot do both: each newton along the edge reduces the force across
+/// it. Example: a push at 22.5 deg from forward crosses the front edge. If the QP also brakes it
+/// sideways, one front leg carries most of the weight, and the other has no load and no friction.
+/// Motion along the edge has room and can be braked later. At a corner both edges count. Elsewhere
+/// each edge counts by how far the capture point is beyond it.
 struct BrakingAxes {
-  Matrix3 R = Matrix3::Identity();  ///< rows: across the edge outward, along it, up; world axes
-  double along = 1.0;               ///< share of the weight that braking along the edge keeps
+  Matrix3 R = Matrix3::Identity();  ///< rows: edge normal (outward), along the edge, up; world axes
+  double along = 1.0;               ///< weight factor of the row along the edge, 0.01 .. 1
 
-  /// Turn the rows of the body's position into these axes, and weigh them so. Real-time: yes.
+  /// Rotate the rows of the position task into these axes, and scale their weights.
+  /// Real-time: yes.
   void apply_to(BodyRows& position) const noexcept;
 };
 
-/// @param mass [kg] of the robot; its f_external is expected to last. Real-time: yes.
+/// Compute the axes from the predicted capture point. The prediction assumes that f_external acts
+/// for another 0.08 s. Returns world axes if the point is inside all edges by 3 cm or more, or if
+/// fewer than three feet stand. Real-time: yes.
+/// @param mass of the robot [kg]
 BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
                          const Reference& reference, double mass) noexcept;
 

@@ -7,29 +7,32 @@ namespace surefoot {
 
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
-/// The equations of motion with everything but the contact forces eliminated.
+/// The equations of motion as functions of the contact forces f alone.
 ///
-/// With three joints a leg and point feet, foot accelerations a_f and the base's a_b fix the legs':
+/// With three joints per leg and point feet, the foot accelerations a_f and the base acceleration
+/// a_b determine the leg accelerations a_l:
 ///   legs:    a_l = W_l a_b + w_l,   W_l = -J_l^-1 J_b,   w_l = J_l^-1 (a_f - drift)
 ///   base:    (M_bb + sum M_bl W_l) a_b + sum M_bl w_l + h_b = J_b^T f   =>   a_b = B f + c
 ///   joints:  tau = T f + t0
-/// so dynamics and contacts hold by construction whatever f is. Derived in docs/condensed-qp.md.
+/// Dynamics and contact accelerations therefore hold for any f. docs/condensed-qp.md has the
+/// derivation.
 struct Condensed {
-  Matrix6x12 B;  ///< base acceleration from forces; forces FR FL RR RL, world axes [N]
+  Matrix6x12 B;  ///< base acceleration from forces [N], FR FL RR RL, world axes
   Vector6 c;
   Matrix12 T;  ///< joint torques (SDK motor order) from forces
   Vector12 t0;
-  Eigen::Matrix<double, 12, 6> W;  ///< leg accelerations (SDK motor order) from the base's
+  Eigen::Matrix<double, 12, 6> W;  ///< leg accelerations (SDK motor order) from a_b
   Vector12 w;
 
-  /// Leg accelerations (SDK motor order) that go with a base acceleration.
+  /// Return the leg accelerations (SDK motor order) for a base acceleration.
   Vector12 leg_accelerations(const Vector6& a_base) const noexcept { return W * a_base + w; }
 };
 
-/// Eliminate; false when a leg is singular (foot near hip height, or leg straight).
+/// Compute the condensed equations of motion.
 /// @param feet_acceleration desired contact accelerations, world axes [m/s^2]
-/// @param smallest_determinant of a leg's Jacobian [m^3] that may still be inverted
-/// @param external_wrench on the base from neither joints nor feet, base axes [N], [N.m]
+/// @param external_wrench on the base, besides joints, feet and gravity, base axes [N], [N.m]
+/// @param smallest_determinant a leg whose |det J| [m^3] is smaller counts as singular
+/// @return false if a leg is singular: its foot is near hip height, or its knee is straight
 /// Real-time: yes.
 bool condense(const Dynamics& dynamics, const FeetMatrix& feet_acceleration,
               const Vector6& external_wrench, double smallest_determinant, Condensed& out) noexcept;

@@ -41,7 +41,7 @@ void CondensedQp::write_cost(const QpTerms& terms) noexcept {
 }
 
 void CondensedQp::add_body(const BodyRows& rows) noexcept {
-  // In force units: A f = (A * unit) x; scaled so that the row has length one when standing.
+  // f = unit x. The task's scale brings the rows to length one in the standing pose.
   Matrix3x12 A = rows.A_force;
   A.noalias() += rows.A_base * condensed_.B;
   A *= rows.scale * units_.force;
@@ -53,7 +53,7 @@ void CondensedQp::add_body(const BodyRows& rows) noexcept {
 void CondensedQp::add_posture(const QpTerms& terms) noexcept {
   const Matrix12 A = (units_.force / units_.angular) * joint_from_force_;
   const Vector12 b = (terms.posture - joint_bias_) / units_.angular;
-  const Vector12 weight = terms.posture_weight;  // of fixed size, or the product goes to the heap
+  const Vector12 weight = terms.posture_weight;  // fixed size: the product allocates no memory
   problem_.H.noalias() += A.transpose() * weight.asDiagonal() * A;
   problem_.g.noalias() -= A.transpose() * weight.cwiseProduct(b);
 }

@@ -9,24 +9,30 @@
 
 namespace surefoot {
 
-/// The program on the contact forces alone, 12 variables in units of a quarter of the weight.
+/// The QP in condensed form. Its 12 variables are the contact forces, in units of a quarter of the
+/// weight.
 ///
-/// f = 0 always satisfies its hard rows, and its elastic rows give way: feasible by construction.
+/// condense() eliminates accelerations and torques with the equations of motion:
+///   a_b = B f + c,   a_l = W a_b + w,   tau = T f + t0
+/// so every task and limit becomes rows on f. The QP has no equalities. Its hard constraints
+/// (friction and normal force) allow f = 0, and all others are elastic: it is always feasible.
+/// Limits: a robot with four legs of three joints and no others, and no singular leg.
 /// Real-time: build() and read_solution() yes.
 class CondensedQp {
  public:
   CondensedQp(const JointTable& joints, const QpUnits& units);
 
-  /// Write the program; terms.has_condensed must be true.
+  /// Write the QP. terms.has_condensed must be true.
   void build(const QpTerms& terms) noexcept;
 
   const QpProblem& problem() const noexcept { return problem_; }
-  /// Factor that brought the cost to trace(H) = n; prices of slacks go with it.
+  /// Factor that scales the cost to trace(H) = n. Penalties must be scaled by it too.
   double cost_scale() const noexcept { return cost_scale_; }
-  /// Of the cost, that is not of the user's own tasks: 0 .. 1.
+  /// Share of trace(H) that does not come from user tasks, 0 .. 1.
   double built_in_share() const noexcept { return built_in_share_; }
 
-  /// Turn an answer into forces [N], accelerations (Pinocchio's order) and torques (table's order).
+  /// Convert a solution x to forces [N], accelerations (Pinocchio's order) and torques [N.m] (order
+  /// of the joint table).
   void read_solution(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
                      Eigen::VectorXd& torques) const noexcept;
 
@@ -40,7 +46,7 @@ class CondensedQp {
   QpUnits units_;
   QpLayout layout_;
   Condensed condensed_;
-  Matrix12 joint_from_force_;  // leg accelerations = this f + joint_bias_, motor order
+  Matrix12 joint_from_force_;  // a_l = joint_from_force_ f + joint_bias_, motor order
   Vector12 joint_bias_;
   Vector12 tau_max_;
   std::array<int, kMotors> motor_to_v_;

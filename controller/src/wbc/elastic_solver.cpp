@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kTicksWithoutSlack = 10;  // without slack before the hard program is tried again
-constexpr double kMinSlack = 1e-5;      // more of it is giving way
+constexpr int kTicksWithoutSlack = 10;  // ticks without slack before the hard QP is solved again
+constexpr double kMinSlack = 1e-5;      // a larger slack counts as a violation
 
 int elastic_count(const ElasticRows& rows) {
   int count = 0;
@@ -18,13 +18,12 @@ int elastic_count(const ElasticRows& rows) {
 
 }  // namespace
 
-// Of the hard program: before it counts as impossible; of the elastic one: after which no further
-// attempt begins.
+// ProxQP begins no further attempt after this many inner iterations.
 const ElasticSolver::Budget ElasticSolver::kDefaultBudget{40, 160};
-const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt of ProxQP's each
+const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt each
 
-// Rows of the large program: the hard rows and the upper sides of the elastic ones where they were,
-// then the lower sides, then s >= 0.
+// Rows of the elastic QP: first the rows of the hard QP, where elastic rows keep only their upper
+// bound; then the lower bounds of the elastic rows; then s >= 0.
 ElasticSolver::ElasticSolver(int n, int n_eq, const ElasticRows& rows, double tolerance)
     : n_(n),
       n_in_(static_cast<int>(rows.group.size())),
@@ -89,7 +88,7 @@ QpResult ElasticSolver::solve(const QpProblem& problem, const Eigen::VectorXd& p
   return result;
 }
 
-// From the rows that the hard program had active last, and no slack.
+// Start from the active set of the hard QP and with all slacks zero.
 void ElasticSolver::warm_start_elastic() noexcept {
   ticks_without_slack_ = 0;
   start_multipliers_.setZero();

@@ -21,8 +21,8 @@ void write_force_rows(const QpTerms& terms, int first, double unit, QpProblem& o
       l[kFacets] = 0.0;
       u[kFacets] = terms.normal_max[leg] / unit;
     } else {
-      // No force at all: three rows that say so. All facets of an empty cone would meet in one
-      // point, and a solver gropes among their multipliers.
+      // No force: three rows f = 0. The facets of an empty cone would all meet in one point, where
+      // the multipliers are not unique and the solver is slow.
       C.setZero();
       C.topRows<3>().setIdentity();
       l.head<3>().setZero();

@@ -7,8 +7,9 @@
 
 namespace surefoot {
 
-/// Write friction, normal force and hold-down: rows on the contact forces, alike in both forms.
-/// @param first column of the forces in x @param unit [N] of a force variable
+/// Write the rows of friction, normal force and hold-down, the same in both forms.
+/// @param first index of the first force in x
+/// @param unit [N] unit of a force variable
 /// Real-time: yes.
 void write_force_rows(const QpTerms& terms, int first, double unit, QpProblem& out) noexcept;
 

@@ -8,11 +8,12 @@
 namespace surefoot {
 
 namespace {
-constexpr double kSmallestDepth = 0.05;  // [m] of a stance foot below its hip axis
-constexpr double kRegularDepth = 0.06;   // [m] it has to come down again by
-constexpr double kRegularDeterminant = 1.2;
-constexpr double kSoftDepth = 0.02;  // [m] less depth and its row is as soft as it gets
-constexpr double kSoftDeterminant = 0.7;
+// Depth: of a stance foot below its hip axis. Determinants are relative to smallest_determinant.
+constexpr double kSmallestDepth = 0.05;      // [m] a regular leg becomes singular below it
+constexpr double kRegularDepth = 0.06;       // [m] a singular leg becomes regular above it
+constexpr double kRegularDeterminant = 1.2;  // a singular leg becomes regular above it
+constexpr double kSoftDepth = 0.02;          // [m] this far below kSmallestDepth softness is 1
+constexpr double kSoftDeterminant = 0.7;     // this far below 1 softness is 1
 }  // namespace
 
 QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference,

@@ -6,22 +6,27 @@
 
 namespace surefoot {
 
-/// Tells which legs are near singular, with hysteresis, and so which form the program takes.
+/// Detects legs near a singularity, with hysteresis, and selects the form of the QP.
 ///
-/// A leg's determinant goes with sin q3 (cos q2 + cos(q2 + q3)): a straight knee, or a foot at the
-/// height of its hip axis. Near that the form is general, whose torques are the condensed form's to
-/// begin with; nearer still the foot's row gives way, by degrees. Real-time: yes.
+/// The determinant of a leg's Jacobian is proportional to sin q3 (cos q2 + cos(q2 + q3)). It is
+/// zero for a straight knee and for a foot at the height of its hip axis. Near a singularity the
+/// general form takes over. At the switch both forms give the same torques. Closer to the
+/// singularity the foot acceleration changes gradually from an equality to a task in the cost,
+/// with a softness of 0 .. 1. Real-time: yes.
 class FormSelector {
  public:
-  /// @param smallest_determinant [m^3] below which a leg's Jacobian is not inverted
+  /// @param smallest_determinant [m^3] a leg's Jacobian below it is not inverted
   explicit FormSelector(double smallest_determinant)
       : smallest_determinant_(smallest_determinant) {}
 
-  /// Judge the legs anew; returns kCondensed or kGeneral, or what was asked for.
+  /// Update singular() and softness() for this pose.
+  /// @return `wanted` unless it is kAuto; then kCondensed, or kGeneral if a leg is near singular or
+  /// the robot has further joints
   QpForm update(const Dynamics& dynamics, const Reference& reference, QpForm wanted) noexcept;
 
   const std::array<bool, kLegs>& singular() const noexcept { return singular_; }
-  /// How much each foot's row gives way: 0 met exactly .. 1 as cheap as `weight_foot_soft` has it.
+  /// Softness of each foot: 0: its acceleration is met exactly; 1: it is a task of weight
+  /// `weight_foot_soft`; between: a heavier task.
   const Eigen::Vector4d& softness() const noexcept { return softness_; }
 
  private:

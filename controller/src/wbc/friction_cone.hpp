@@ -5,14 +5,16 @@
 
 namespace surefoot {
 
-/// Facets of the friction pyramid. Inscribed, 14 lose at most 1 - cos(pi/14) = 2.5 % of the cone
-/// in any direction; four would lose 29 % just where a push along an axis needs it.
+/// Number of facets of the friction pyramid. An inscribed pyramid of 14 facets loses at most
+/// 1 - cos(pi/14) = 2.5 % of the cone in any direction; one of four would lose 29 %.
 constexpr int kFacets = 14;
 
 using ConeRows = Eigen::Matrix<double, kFacets, 3>;
 
-/// Rows of the inscribed pyramid: a force is inside when rows * f <= 0. Real-time: yes.
-/// @param normal unit, out of the ground, world axes
+/// Compute the rows of the friction pyramid inscribed in the cone: f is inside if rows * f <= 0.
+/// Real-time: yes.
+/// @param normal unit vector out of the ground, world axes
+/// @param friction coefficient
 ConeRows friction_cone(const Vector3& normal, double friction) noexcept;
 
 }  // namespace surefoot

@@ -116,7 +116,7 @@ void GeneralQp::add_body(const BodyRows& rows) noexcept {
   }
 }
 
-// The foot keeps what acceleration its leg can still make; its price is per g missed.
+// The foot reaches the acceleration that its leg can still produce. The cost is per g of error.
 void GeneralQp::add_soft_foot(const Dynamics& dynamics, const QpTerms& terms, int leg) noexcept {
   const double scale = 1.0 / units_.linear;
   for (int k = 0; k < 3; ++k) {

@@ -8,25 +8,30 @@
 
 namespace surefoot {
 
-/// The program on accelerations and contact forces, x = [a / unit, f / unit]: for any pose and any
-/// further joints. The same tasks and limits as CondensedQp, and the same answer where both
-/// hold.
-///   equalities: the base's six equations of motion; the feet's accelerations
-///   torques:    eliminated, tau = M_j a + h_j - J_j' f, rows of the inequalities
-/// The cost holds a multiple of the squared equality rows too: it is zero wherever they hold, so it
-/// moves nothing, and makes H positive definite. Real-time: build() and read_solution() yes.
+/// The QP in general form, on accelerations and contact forces: x = [a / unit, f / unit]. It holds
+/// for any pose, singular legs included, and for robots with further joints.
+///
+///   equalities: the six equations of motion of the base; the foot accelerations
+///   torques:    tau = M_j a + h_j - J_j' f, bounded by inequality rows
+/// The foot acceleration of a leg near singular is a task in the cost instead (FormSelector).
+/// Tasks and limits are those of CondensedQp; where both forms hold, their solutions agree.
+/// The cost also has a multiple of the squared equality rows. It is zero where the equalities hold,
+/// so the solution does not change, and it makes H positive definite.
+/// Real-time: build() and read_solution() yes.
 class GeneralQp {
  public:
   GeneralQp(int nv, const JointTable& joints, const QpUnits& units);
 
+  /// Write the QP.
   void build(const Dynamics& dynamics, const QpTerms& terms) noexcept;
 
   const QpProblem& problem() const noexcept { return problem_; }
+  /// Factor that scales the cost to trace(H) = n. Penalties must be scaled by it too.
   double cost_scale() const noexcept { return cost_scale_; }
-  /// Of the cost, that is not of the user's own tasks: 0 .. 1.
+  /// Share of trace(H) that does not come from user tasks, 0 .. 1.
   double built_in_share() const noexcept { return built_in_share_; }
 
-  /// As CondensedQp::read_solution().
+  /// Convert a solution x, see CondensedQp::read_solution().
   void read_solution(const Eigen::VectorXd& x, Vector12& forces, Eigen::VectorXd& accelerations,
                      Eigen::VectorXd& torques) const noexcept;
 
@@ -43,8 +48,8 @@ class GeneralQp {
   QpUnits units_;
   QpLayout layout_;
   FullDynamics full_;
-  Eigen::VectorXd unit_;  // of each variable
-  Eigen::VectorXd row_;   // one row of the cost, in units
+  Eigen::VectorXd unit_;  // unit of each variable
+  Eigen::VectorXd row_;   // scratch: one row of the cost
   QpProblem problem_;
   double cost_scale_ = 1.0;
   double built_in_share_ = 1.0;

@@ -7,11 +7,16 @@
 
 namespace surefoot {
 
-/// Least normal force wanted of each foot [N], FR FL RR RL. Real-time: yes.
+/// Compute the hold-down of each foot, the smallest normal force the QP should keep on it:
+///   hold_down * weight * fade * planned load * contact confidence   [N], FR FL RR RL
 ///
-/// Feet that are pressed down do not slide or lift; but the last newtons of a foot are also the
-/// last millimetres of the support. So it fades as the capture point nears the edge.
-/// @param fade as edge_fade() has it
+/// Hold-down is an elastic constraint. Feet with a minimum force do not slide or lift. But with a
+/// minimum force on every foot, the centre of pressure cannot reach the support edge, and the QP
+/// cannot brake as hard. So the hold-down fades to zero as the capture point nears the edge.
+/// Real-time: yes.
+/// @param weight of the robot [N]
+/// @param fade edge_fade(), 0 .. 1
+/// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL
 Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
                                  const Eigen::Vector4d& contact,
                                  const Reference& reference) noexcept;

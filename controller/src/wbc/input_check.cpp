@@ -5,7 +5,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;  // unit quaternions and normals are relied on
+constexpr double kUnitTolerance = 1e-3;  // on the length of unit quaternions and normals
 
 bool finite(const Reference& r) noexcept {
   bool good = r.p_com.allFinite() && r.v_com.allFinite() && r.a_com.allFinite() &&

@@ -6,7 +6,8 @@
 
 namespace surefoot {
 
-/// Can state and reference be computed with? kOk, or the first thing that is wrong. Real-time: yes.
+/// Check sizes, finite values and ranges of a state or a reference. Real-time: yes.
+/// @return kOk, or the status of the first error
 Status check_state(const RobotState& state, const Robot& robot) noexcept;
 Status check_reference(const Reference& reference, const Robot& robot) noexcept;
 

@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// What the joints can give and may do at this instant, in the rows of a JointTable.
+/// Limits on joint torques and accelerations at this instant, in the order of a JointTable.
 struct JointLimits {
   explicit JointLimits(int size)
       : tau_lower(Eigen::VectorXd::Zero(size)),
@@ -16,14 +16,16 @@ struct JointLimits {
         a_released(tau_lower) {}
   Eigen::VectorXd tau_lower, tau_upper;  ///< [N.m]
   Eigen::VectorXd a_lower, a_upper;      ///< [rad/s^2] that keep position and velocity in range
-  Eigen::VectorXd a_released;  ///< [rad/s^2] either way that the body may ask beyond those:
+  Eigen::VectorXd a_released;  ///< [rad/s^2] by how much the QP widens a_lower and a_upper, see
                                ///< release_unloaded_legs()
 };
 
-/// Torques by the motors' torque-speed curve; accelerations by the approach to each limit,
-///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),
-/// and the same below. Lower <= upper always. Real-time: yes.
-/// @param share of each motor's torque that may be used, 0 .. 1, SDK order
+/// Compute the joint limits. Torque limits follow the motors' torque-speed curve. Acceleration
+/// limits make each joint approach its position and velocity limits smoothly:
+///   a <= r^2 (q_upper - margin - q) - 2 r dq   and   a <= r (dq_max - dq),   r = joint_limit_rate
+/// and likewise for the lower limits. Lower <= upper always holds. a_released is set to zero.
+/// Real-time: yes.
+/// @param share usable share of each motor's torque, 0 .. 1, SDK order
 void joint_limits(const RobotConfig& config, const JointTable& joints, const Gains& gains,
                   const Vector12& share, const RobotState& state, JointLimits& out) noexcept;
 

@@ -3,11 +3,12 @@
 
 #include <proxsuite/linalg/dense/core.hpp>
 
-// ProxSuite 0.8.0 promises that solve() allocates nothing, but its LDLT update writes
+// Replaces one function of ProxSuite 0.8.0 so that solve() allocates nothing, as it documents.
+// The LDLT update of ProxSuite computes
 //   dst += (factor * lhs) * rhs
-// with dynamic sizes, and where dst happens to have one row Eigen evaluates `factor * lhs` into a
-// heap vector: a handful of mallocs in 20 000 ticks. The same product, coefficient by coefficient,
-// allocates nothing and is no slower at this size. To be included before the solver.
+// with dynamic sizes. If dst has one row, Eigen evaluates `factor * lhs` into a heap vector: a few
+// mallocs in 20 000 ticks. The same product by coefficients allocates nothing and is no slower at
+// this size. Include this file before the solver.
 namespace proxsuite::linalg::dense::_detail {
 
 using StridedMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>,

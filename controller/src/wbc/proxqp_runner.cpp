@@ -12,8 +12,8 @@ namespace {
 
 namespace proxqp = proxsuite::proxqp;
 
-constexpr double kSolverGap = 0.1;  // times the tolerance
-constexpr double kResidue = 1e-12;
+constexpr double kSolverGap = 0.1;  // duality gap requested of ProxQP, times the tolerance
+constexpr double kResidue = 1e-12;  // smaller multipliers are rounding residues
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -31,16 +31,16 @@ ProxqpRunner::ProxqpRunner(int n, int n_eq, int n_in)
   qp.settings.eps_rel = 0.0;
   qp.settings.max_iter = kMaxOuter;
   qp.settings.max_iter_in = kMaxInner;
-  // With the default 1e-4 a warm start makes feasible balance programs "infeasible".
+  // With the default 1e-4 ProxQP reports feasible balance QPs as infeasible after a warm start.
   qp.settings.eps_primal_inf = 1e-12;
   qp.settings.eps_dual_inf = 1e-12;
-  // Primal and dual residuals alone let it stop with multipliers on rows that are not active:
-  // forces that look converged and are not optimal. The gap is what tells.
+  // With primal and dual residuals alone, ProxQP may stop with nonzero multipliers on inactive
+  // rows. Such forces look converged but are not optimal. The duality gap detects them.
   qp.settings.check_duality_gap = true;
   qp.settings.eps_duality_gap_rel = 0.0;
   qp.settings.default_mu_in = 1e-2;
   qp.settings.initial_guess = proxqp::InitialGuessStatus::WARM_START_WITH_PREVIOUS_RESULT;
-  // Once through the front door for sizes and the identity preconditioner.
+  // One regular init() sets the sizes and the identity preconditioner.
   const QpProblem dummy(n, n_eq, n_in);
   const RowMatrix identity = RowMatrix::Identity(n, n);
   qp.init(identity, dummy.g, dummy.A, dummy.b, dummy.C, dummy.l, dummy.u, false);
@@ -68,8 +68,8 @@ void ProxqpRunner::set_problem(const QpProblem& problem) noexcept {
   model.u = problem.u.cwiseMin(kNoBound);
 }
 
-// QP::update() allocates and rescales; the problem is scaled and of fixed size, so put it where
-// update() would have put it, refactorise, and go straight to the solve.
+// QP::update() allocates and rescales. The QP is already scaled and of fixed size, so copy it to
+// the fields that update() would fill, request a factorisation, and call the solver directly.
 ProxqpRunner::Outcome ProxqpRunner::run() noexcept {
   auto& qp = workspace_->qp;
   auto& work = qp.work;
@@ -94,8 +94,8 @@ ProxqpRunner::Outcome ProxqpRunner::run() noexcept {
   qp.results.cleanup_statistics();
   proxqp::dense::qp_solve(qp.settings, qp.model, qp.results, work, false, qp.which_dense_backend(),
                           qp.which_hessian_type(), qp.ruiz);
-  // It leaves rounding residues of 1e-24 on nearly all rows, and whoever starts from its answer
-  // takes every row whose multiplier is not exactly zero for active.
+  // ProxQP leaves rounding residues of 1e-24 on nearly all multipliers. A warm start treats each
+  // row with a nonzero multiplier as active.
   auto& z = qp.results.z;
   z = (z.array().abs() < kResidue).select(0.0, z);
   Outcome outcome;

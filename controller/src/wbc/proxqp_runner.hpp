@@ -7,10 +7,10 @@
 
 namespace surefoot {
 
-/// ProxQP's dense solver on scaled problems of one size, with nothing allocated in a run.
+/// ProxQP's dense solver for scaled QPs of one size, without memory allocation in run().
 ///
-/// x, y and z are where a run starts and what it ends with; what they are worth is the caller's to
-/// check. Real-time: all but the constructor.
+/// x, y and z are the start of a run and its result. The caller must check the result.
+/// Real-time: all but the constructor.
 class ProxqpRunner {
  public:
   ProxqpRunner(int n, int n_eq, int n_in);
@@ -18,14 +18,14 @@ class ProxqpRunner {
 
   void set_tolerance(double tolerance) noexcept;
 
-  /// Copy the problem to where ProxQP looks for it.
+  /// Copy the QP into ProxQP's model.
   void set_problem(const QpProblem& problem) noexcept;
 
   struct Outcome {
-    int iterations = 0;       ///< inner ones
-    bool infeasible = false;  ///< is what it says
+    int iterations = 0;       ///< inner iterations
+    bool infeasible = false;  ///< ProxQP reports primal or dual infeasibility
   };
-  /// Solve what was taken, from x, y and z.
+  /// Solve the QP of set_problem(), warm started with x, y and z.
   Outcome run() noexcept;
 
   Eigen::VectorXd& x() noexcept;

@@ -8,16 +8,16 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kAccept = 5.0;  // times the tolerance
+constexpr double kAccept = 5.0;  // residuals up to this many times the tolerance pass
 
-// A sum that only what is not finite takes away from zero; allFinite() goes entry by entry and
-// takes several times as long.
+// Zero times NaN or infinity is NaN, so one sum checks all entries. allFinite() tests each entry
+// and takes several times as long.
 template <typename Values>
 bool is_finite(const Values& values) {
   return (values.array() * 0.0).sum() == 0.0;
 }
 
-// Without an early way out, so that it is vectorised.
+// No early exit, so that the compiler vectorises the loop.
 bool has_nan(const Eigen::VectorXd& values) {
   bool found = false;
   for (Eigen::Index i = 0; i < values.size(); ++i) found |= !(values[i] == values[i]);
@@ -27,7 +27,7 @@ bool has_nan(const Eigen::VectorXd& values) {
 }  // namespace
 
 bool QpCheck::finite(const QpProblem& p) noexcept {
-  // NaN in l or u would silently drop that bound inside ProxQP; infinities are allowed there.
+  // ProxQP silently drops a bound that is NaN. Infinite bounds are allowed.
   return is_finite(p.H) && is_finite(p.g) && is_finite(p.A) && is_finite(p.b) && is_finite(p.C) &&
          !has_nan(p.l) && !has_nan(p.u);
 }
@@ -37,14 +37,13 @@ QpCheck::QpCheck(int n, int n_eq, int n_in)
       Cx_(Eigen::VectorXd::Zero(n_in)),
       gradient_(Eigen::VectorXd::Zero(n)) {}
 
-// A multiplier on a side that has no bound is wrong by its whole size.
-// Beyond one a multiplier says no more than that its row must lie on the bound.
+// A multiplier on a side without a bound is an error of its whole size. A multiplier larger than
+// one counts as one: it means that the row must be on its bound, and its size adds nothing.
 double QpCheck::row_gap(double z, double Cx, double l, double u) noexcept {
   const double bound = z > 0.0 ? u : l;
   return std::min(std::abs(z), 1.0) * (std::abs(bound) < kNoBound ? std::abs(bound - Cx) : 1.0);
 }
 
-// Our own residuals on the program as we posed it; the solver's word decides nothing.
 QpResult QpCheck::operator()(const QpProblem& problem, const Eigen::VectorXd& x,
                              const Eigen::VectorXd& y, const Eigen::VectorXd& z,
                              double tolerance) noexcept {
@@ -53,7 +52,7 @@ QpResult QpCheck::operator()(const QpProblem& problem, const Eigen::VectorXd& x,
   gradient_.noalias() += problem.H * x;
   QpResult out;
   for (Eigen::Index i = 0; i < Cx_.size(); ++i) {
-    if (z[i] == 0.0) continue;  // nearly all
+    if (z[i] == 0.0) continue;  // most rows
     gradient_ += z[i] * problem.C.row(i).transpose();
     out.gap = std::max(out.gap, row_gap(z[i], Cx_[i], problem.l[i], problem.u[i]));
   }

@@ -5,24 +5,26 @@
 
 namespace surefoot {
 
-/// Whether an answer is one: residuals on the program as it was posed, whoever solved it.
-/// Real-time: all but the constructor, allocates nothing.
+/// Checks a solution by its residuals on the original QP, independent of the solver.
+/// Real-time: all but the constructor; allocates nothing.
 class QpCheck {
  public:
   QpCheck(int n, int n_eq, int n_in);
 
-  /// @return kOk: residuals at most 5 times the tolerance, gap at most the tolerance; else
-  ///   kMaxIterations
+  /// Compute the residuals of x, y, z.
+  /// @return status kOk if the residuals are at most 5 times and the gap at most once the
+  ///   tolerance, else kMaxIterations
   QpResult operator()(const QpProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                       const Eigen::VectorXd& z, double tolerance) noexcept;
 
-  /// C x of the answer checked last.
+  /// C x of the last solution checked.
   const Eigen::VectorXd& Cx() const noexcept { return Cx_; }
 
-  /// No NaN anywhere, and infinities only in l and u.
+  /// Return whether the QP has no NaN, and infinities in l and u only.
   static bool finite(const QpProblem& problem) noexcept;
 
-  /// min(|z|, 1) times the distance from the bound that z's sign names.
+  /// Return min(|z|, 1) times the distance of Cx from its bound: u for z > 0, else l. A missing
+  /// bound counts as a distance of 1.
   static double row_gap(double z, double Cx, double l, double u) noexcept;
 
  private:

@@ -6,11 +6,11 @@
 
 namespace surefoot {
 
-/// Where the inequality rows lie, alike in both forms:
-///   per foot kFacets of the friction pyramid and the normal force (hard);
-///   per foot the hold-down force; per joint its torque; per joint its acceleration (elastic).
-/// Elastic rows give way in groups, one slack each: the hold-down of a foot, the torques of a leg,
-/// the accelerations of a leg; joints beyond the legs make a fifth "leg".
+/// Layout of the inequality rows, the same in the condensed and in the general form:
+///   hard:    per foot kFacets rows of the friction pyramid and one of the normal force;
+///   elastic: one hold-down row per foot, one torque and one acceleration row per joint.
+/// The elastic rows of one group share one slack. The groups are the hold-down of a foot, the
+/// torques of a leg and the accelerations of a leg. Joints beyond the legs form a fifth "leg".
 struct QpLayout {
   static constexpr int kForces = 3 * kLegs;
   static constexpr int kFootRows = kFacets + 1;
@@ -31,17 +31,18 @@ struct QpLayout {
   int joints;
 };
 
-/// What the program is measured in, from the robot in its standing pose: with these, entries of the
-/// program are of order one for a robot of any size.
+/// Units and scales of the QP's variables and rows, computed from the robot in its standing pose.
+/// They bring the entries of the QP to order one for a robot of any size.
 struct QpUnits {
-  /// Throws surefoot::Error when a leg is singular in the standing pose.
+  /// Throw surefoot::Error if a leg is singular in the standing pose.
   explicit QpUnits(const Robot& robot);
   double force = 1.0;    ///< [N] a quarter of the weight
-  double length = 1.0;   ///< [m] from hip axis to foot
-  double linear = 1.0;   ///< [m/s^2] of base and feet: g
-  double angular = 1.0;  ///< [rad/s^2] of base and joints: g / length
+  double length = 1.0;   ///< [m] mean depth of the feet below their hip axes
+  double linear = 1.0;   ///< [m/s^2] linear acceleration of base and feet: g
+  double angular = 1.0;  ///< [rad/s^2] angular acceleration of base and joints: g / length
+  // Factors that bring the rows of the body tasks to length one in the standing pose.
   double scale_com = 1.0, scale_base = 1.0, scale_angular = 1.0, scale_momentum = 1.0;
-  double smallest_determinant = 0.0;  ///< [m^3] of a leg's Jacobian that may still be inverted
+  double smallest_determinant = 0.0;  ///< [m^3] a leg's Jacobian below it is not inverted
 };
 
 }  // namespace surefoot

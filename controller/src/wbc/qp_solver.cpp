@@ -10,10 +10,10 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kWarmAttempts = 3;  // warm, then from the corrected multipliers; after that from
-constexpr int kAttempts = 6;      // nothing, and on from there
-constexpr double kTight = 1e-8;   // below this tolerance time is no object: offline checks
-constexpr int kTightFactor = 10;
+constexpr int kWarmAttempts = 3;  // one warm, two more without wrong multipliers
+constexpr int kAttempts = 6;      // the warm attempts, then a cold one and two more
+constexpr double kTight = 1e-8;   // tolerances below it are for offline checks
+constexpr int kTightFactor = 10;  // on attempts and budget, for such a tolerance
 
 }  // namespace
 
@@ -21,7 +21,7 @@ struct QpSolver::Workspace {
   Workspace(int n, int n_eq, int n_in, int max_changes)
       : active_set(n, n_eq, n_in, max_changes), proxqp(n, n_eq, n_in), check(n, n_eq, n_in) {}
   ActiveSet active_set;
-  ProxqpRunner proxqp;  // has the answer, whoever found it
+  ProxqpRunner proxqp;  // holds the solution of both solvers
   QpCheck check;
 };
 
@@ -63,13 +63,13 @@ QpResult QpSolver::solve(const QpProblem& problem, int budget, Feasibility feasi
     return result;
   }
   if (result.status == Status::kInfeasible && feasibility == Feasibility::kDoubtful) return result;
-  const int changes = result.iterations;  // told, and no part of the budget
+  const int changes = result.iterations;  // reported, but they do not count against the budget
   result = run_proxqp(problem, budget);
   result.iterations += changes;
   return result;
 }
 
-// The rows that were active last, first: mostly they are it, or nearly.
+// Between ticks the active set hardly changes, so this usually finds the solution.
 QpResult QpSolver::try_active_set(const QpProblem& problem) noexcept {
   ActiveSet& active_set = workspace_->active_set;
   ProxqpRunner& proxqp = workspace_->proxqp;
@@ -109,8 +109,8 @@ void QpSolver::clear_answer() noexcept {
   proxqp.z().setZero();
 }
 
-// Multipliers on rows away from their bound, or of the wrong sign, mark an answer that is not yet
-// optimal; without them the next run starts where this one should have gone on.
+// A nonzero multiplier on a row away from its bound shows that the solution is not optimal yet. The
+// next attempt starts without it.
 void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
   Eigen::VectorXd& z = workspace_->proxqp.z();
   const Eigen::VectorXd& Cx = workspace_->check.Cx();
@@ -119,7 +119,7 @@ void QpSolver::drop_slack_multipliers(const QpProblem& problem) noexcept {
   }
 }
 
-// Our own residuals on the program as we posed it; a solver's word decides nothing.
+// The status depends on residuals of the original QP, not on what the solver reports.
 QpResult QpSolver::check(const QpProblem& problem) noexcept {
   const StageScope stage(Stage::kCheck);
   return workspace_->check(problem, x(), y(), z(), tolerance_);

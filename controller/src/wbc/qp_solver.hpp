@@ -8,49 +8,51 @@
 
 namespace surefoot {
 
-/// A program's answer as we checked it ourselves.
+/// Outcome of a solve, with the residuals that QpCheck computed.
 struct QpResult {
   Status status = Status::kWaiting;
-  int iterations = 0;            ///< changes of active rows, and inner iterations of ProxQP
-  double primal_residual = 0.0;  ///< greatest violation of A x = b, l <= C x <= u
-  double dual_residual = 0.0;    ///< greatest entry of H x + g + A'y + C'z
-  double gap = 0.0;              ///< greatest min(|z_i|, 1) times row i's distance from its bound
+  int iterations = 0;            ///< changes of the active set plus inner iterations of ProxQP
+  double primal_residual = 0.0;  ///< largest violation of A x = b, l <= C x <= u
+  double dual_residual = 0.0;    ///< largest |entry| of H x + g + A'y + C'z
+  double gap = 0.0;              ///< largest min(|z_i|, 1) times row i's distance from its bound
 };
 
-/// Is a program known to have an answer?
+/// Whether a QP is known to have a solution.
 enum class Feasibility { kCertain, kDoubtful };
 
-/// An active-set method with ProxQP behind it, behind a small interface: fixed size, warm start,
-/// our own residual check of either's answer.
+/// Solver for QPs of one size: an active-set method first, ProxQP as fallback.
 ///
-/// A program is tried by the rows that were active last (ActiveSet); where that does not end or our
-/// check fails, ProxQP solves it.
-/// The problem must come scaled (trace(H) = n, condition a few hundred at most): there is no
-/// preconditioner. Real-time: solve() yes, allocates nothing.
+/// ActiveSet starts from the active constraints of the last solution. ProxQP solves the QP if
+/// ActiveSet does not finish, or if its solution fails the residual check (QpCheck). The solutions
+/// of both solvers pass the same check.
+/// The QP must be scaled (trace(H) = n, condition number a few hundred at most), because there is
+/// no preconditioner. Real-time: solve() yes, allocates nothing.
 class QpSolver {
  public:
-  /// @param tolerance of the residuals; what is accepted is 5 times that
+  /// @param tolerance of the residuals; QpCheck accepts residuals up to 5 times as large
   QpSolver(int n, int n_eq, int n_in, double tolerance);
-  /// @param max_changes of the active rows before ProxQP takes over; 0: nearly always
+  /// @param max_changes of the active set before ProxQP takes over; 0: ProxQP solves nearly all QPs
   QpSolver(int n, int n_eq, int n_in, double tolerance, int max_changes);
   ~QpSolver();
 
-  /// Solve, warm started from the last answer; go on from a corrected one while our check fails,
-  /// and at last from nothing.
-  /// @param budget ProxQP's inner iterations after which it begins no further attempt
-  /// @param feasibility doubtful: rows that contradict each other end the solve with kInfeasible at
-  ///   once; certain: they can only be rounding, and ProxQP goes on
+  /// Solve a QP, warm started from the last solution.
+  ///
+  /// While ProxQP's solution fails the check, further attempts start from it without its wrong
+  /// multipliers; the fourth attempt is a cold start.
+  /// @param budget inner iterations of ProxQP after which no further attempt begins
+  /// @param feasibility kDoubtful: if ActiveSet finds contradicting constraints, the solve ends
+  ///   with kInfeasible. kCertain: a contradiction can only be rounding, so ProxQP runs
   QpResult solve(const QpProblem& problem, int budget = kBudget,
                  Feasibility feasibility = Feasibility::kCertain) noexcept;
   static constexpr int kBudget = 100;
 
-  /// Forget the last answer: the next solve starts cold.
+  /// Forget the last solution: the next solve is a cold start.
   void reset() noexcept;
 
-  /// Take the rows where z is not zero for active when the next solve starts.
+  /// Start the next solve with the rows of nonzero z as active set.
   void warm_start_from(const Eigen::VectorXd& z) noexcept;
 
-  /// Ask for this from the next solve on.
+  /// Set the tolerance, from the next solve on.
   void set_tolerance(double tolerance) noexcept;
 
   const Eigen::VectorXd& x() const noexcept;

@@ -12,40 +12,42 @@
 
 namespace surefoot {
 
-/// A task of the user's, and its rows.
+/// A task added by the user, and its rows.
 struct CustomTask {
   std::shared_ptr<Task> task;
   TaskRows rows;
-  Eigen::VectorXd b;  ///< rows.b, moved to the frame of the program's dynamics
+  Eigen::VectorXd b;  ///< rows.b, converted to the frame of the QP's dynamics
 };
 
-/// All that one tick asks of the program, in words that either form understands.
+/// The tasks and constraints of one tick, independent of the form. CondensedQp and GeneralQp build
+/// their matrices from these terms.
 struct QpTerms {
   explicit QpTerms(int joints)
       : limits(joints),
         posture(Eigen::VectorXd::Zero(joints)),
         posture_weight(Eigen::VectorXd::Zero(joints)) {}
 
-  FeetMatrix feet_acceleration = FeetMatrix::Zero();  ///< met exactly, world axes [m/s^2] ...
-  Vector6 external_wrench = Vector6::Zero();          ///< wrench on the base, base axes [N], [N.m]
-  Condensed condensed;         ///< the equations of motion on the forces alone ...
-  bool has_condensed = false;  ///< ... where no leg is singular
-  Eigen::Vector4d foot_softness = Eigen::Vector4d::Zero();  ///< ... or, where > 0, at a price
-  Eigen::Vector4d weight_foot_soft = Eigen::Vector4d::Zero();
+  FeetMatrix feet_acceleration = FeetMatrix::Zero();  ///< desired, world axes [m/s^2]
+  Vector6 external_wrench = Vector6::Zero();          ///< on the base, base axes [N], [N.m]
+  Condensed condensed;                                ///< valid if has_condensed
+  bool has_condensed = false;  ///< false: a leg is singular, or the robot has further joints
+  /// Per foot, 0 .. 1. 0: the foot acceleration is an equality; more: a task in the cost.
+  Eigen::Vector4d foot_softness = Eigen::Vector4d::Zero();
+  Eigen::Vector4d weight_foot_soft = Eigen::Vector4d::Zero();  ///< weight of that task
   std::array<BodyRows, 3> body;  ///< position, orientation, angular momentum
   int body_tasks = 0;
-  Vector12 forces = Vector12::Zero();  ///< that the program is drawn to [N], FR FL RR RL
+  Vector12 forces = Vector12::Zero();  ///< towards which the cost pulls [N], FR FL RR RL
   double weight_force = 0.0;
   JointLimits limits;
-  Eigen::VectorXd posture;         ///< wanted joint accelerations [rad/s^2]
-  Eigen::VectorXd posture_weight;  ///< 0 for joints that something else decides
+  Eigen::VectorXd posture;         ///< desired joint accelerations [rad/s^2]
+  Eigen::VectorXd posture_weight;  ///< per joint; 0: the posture does not act on it
   bool has_posture = false;
   std::vector<CustomTask> custom;
 
   Vector3 ground_normal = Vector3::UnitZ();
   Eigen::Vector4d friction = Eigen::Vector4d::Zero();    ///< coefficient per foot
-  Eigen::Vector4d normal_max = Eigen::Vector4d::Zero();  ///< [N]; 0: no force of any direction
-  Eigen::Vector4d hold_down = Eigen::Vector4d::Zero();   ///< [N]
+  Eigen::Vector4d normal_max = Eigen::Vector4d::Zero();  ///< [N]; 0: no contact force at all
+  Eigen::Vector4d hold_down = Eigen::Vector4d::Zero();   ///< [N]; 0: no hold-down
 };
 
 }  // namespace surefoot

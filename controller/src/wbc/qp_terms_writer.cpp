@@ -23,10 +23,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMaxSoftFactor =
-    10.0;  // times the price of a soft foot's row where it begins to give
+constexpr double kMaxSoftFactor = 10.0;  // weight factor of a foot that has just become soft
 
-// Of a force through the centre of mass and a moment, about the base's origin.
+// Return the external force and moment as a wrench about the base's origin, base axes.
 Vector6 external_wrench_on_base(const Dynamics& dynamics, const RobotState& state) noexcept {
   const Matrix3 R = dynamics.R_world_base().transpose();
   const Vector3 arm = dynamics.p_world_com() - dynamics.p_world_base();
@@ -111,7 +110,8 @@ void QpTermsWriter::write_body(const Gains& gains, const Dynamics& dynamics,
   write_even_forces(dynamics, desired, state, load_shares(gains, state.contact, reference));
 }
 
-// By the very rows of both tasks; where a leg is singular, by the wrench on the locked robot.
+// The even forces meet the rows of the position and the orientation task. Without the condensed
+// equations they meet the wrench that the tasks need on the robot with locked joints.
 void QpTermsWriter::write_even_forces(const Dynamics& dynamics, const BodyAcceleration& desired,
                                       const RobotState& state,
                                       const Eigen::Vector4d& share) noexcept {
@@ -130,7 +130,8 @@ void QpTermsWriter::write_even_forces(const Dynamics& dynamics, const BodyAccele
   even_forces_ = even_forces(A, b, share);
 }
 
-// Two pulls on the forces, evenness and smoothness, are one pull to their weighted mean.
+// The pull towards the even forces and the pull towards the last forces are quadratic. Their sum is
+// one pull towards the weighted mean.
 void QpTermsWriter::write_forces(const Gains& gains, const Reference& reference,
                                  const FeetMatrix* previous) noexcept {
   Vector12 wanted = even_forces_;
@@ -151,7 +152,7 @@ void QpTermsWriter::write_posture(const Gains& gains, const RobotState& state,
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const int group = joints_[k].group;
     const double free = group == kLegs ? 1.0 : terms_.foot_softness[group];
-    // Cubed: the posture must not outweigh what a row that only begins to give way still decides.
+    // Cubed: the posture must not outweigh a foot task that has just become soft.
     terms_.posture_weight[k] =
         std::max(gains.weight_posture, free * free * free * gains.weight_posture_free);
     terms_.has_posture = terms_.has_posture || free > 0.0;
@@ -165,7 +166,7 @@ Status QpTermsWriter::write_custom(const Dynamics& dynamics, const RobotState& s
   for (auto& [task, rows, b] : terms_.custom) {
     if (!task->write(state, rows) || !is_valid(rows, b.size(), robot_.nv()))
       return Status::kBadTask;
-    // The program's base acceleration is that of the frame its dynamics were computed in.
+    // The QP's base acceleration belongs to the frame in which its dynamics were computed.
     b = rows.b;
     b.noalias() -= rows.A_a.leftCols<3>() * dynamics.a_base_shift();
   }

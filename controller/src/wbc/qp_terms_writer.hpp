@@ -8,16 +8,19 @@
 
 namespace surefoot {
 
-/// Turns state, reference and gains into what the program is asked. Real-time: write() yes.
+/// Computes the QP's terms (tasks, weights, limits) from state, reference and gains.
+/// Real-time: write() yes.
 class QpTermsWriter {
  public:
   explicit QpTermsWriter(const Robot& robot);
 
+  /// Add a user task with this number of rows. Real-time: no.
   void add_task(std::shared_ptr<Task> task, int rows);
 
-  /// @param foot_softness how much each foot's row gives way, 0 .. 1 @param previous forces [N],
-  /// (3, 4), or null when there are none
-  /// @return kOk, or kBadTask
+  /// Write the terms of one tick.
+  /// @param foot_softness of each foot, from FormSelector, 0 .. 1
+  /// @param previous contact forces of the last tick [N], shape (3, 4); null: there are none
+  /// @return kOk; or kBadTask if a user task failed or wrote invalid rows
   Status write(const Gains& gains, const Dynamics& dynamics, const RobotState& state,
                const Reference& reference, const Eigen::Vector4d& foot_softness,
                const FeetMatrix* previous) noexcept;
@@ -42,7 +45,7 @@ class QpTermsWriter {
   JointTable joints_;
   QpTerms terms_;
   Vector12 even_forces_ = Vector12::Zero();
-  Vector12 torque_share_ = Vector12::Ones();  // of each motor, SDK order
+  Vector12 torque_share_ = Vector12::Ones();  // usable share of each motor's torque, SDK order
 };
 
 }  // namespace surefoot

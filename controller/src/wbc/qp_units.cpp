@@ -13,12 +13,12 @@ namespace surefoot {
 
 namespace {
 
-// A leg's Jacobian may shrink to this share of what it is in the standing pose: less is a knee
-// nearly straight or a foot near hip height, where accelerations run away.
+// Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. Below it
+// the knee is nearly straight or the foot near hip height, and joint accelerations become large.
 constexpr double kSmallestShare = 0.1;
 
-// Angular acceleration of the base per force on the feet, per axis: with the feet in place, as the
-// program has it, or for robots that the condensed form does not know, of the locked robot.
+// Return the norm, per axis, of the matrix from contact forces to the angular acceleration of the
+// base: with fixed feet if the condensed form holds, else with locked joints.
 Vector3 angular_row_lengths(const Dynamics& dynamics) {
   Eigen::Matrix<double, 3, 12> rows;
   Condensed condensed;

@@ -8,11 +8,11 @@
 namespace surefoot {
 
 namespace {
-constexpr double kReleasedRange = 1e4;  // [rad/s^2] that no body asks of a leg
-constexpr int kSweeps = 20;             // from which on it changes next to nothing
-constexpr double kMinLever = 1e-9;      // [m^2] of a joint that does not move the foot
+constexpr double kReleasedRange = 1e4;  // [rad/s^2] more than the QP requires of any leg
+constexpr int kSweeps = 20;             // further sweeps change next to nothing
+constexpr double kMinLever = 1e-9;      // [m^2] avoids a division by zero
 
-// [rad/s^2] of a leg's joints.
+// Bounds on the accelerations of a leg's joints [rad/s^2].
 struct Bounds {
   Vector3 lower, upper;
   bool hold(const Vector3& a) const noexcept {
@@ -24,8 +24,8 @@ bool is_released(const JointLimits& limits, int leg) noexcept {
   return limits.a_released.segment<3>(3 * leg).maxCoeff() > 0.0;
 }
 
-// What a leg may do, and no further from what is asked than it was let go by: what a limit that all
-// must keep gave way by is not its own.
+// Return the joint limits of a leg, widened so that clamping changes no acceleration by more than
+// a_released: a violation that the QP accepted through a slack must stay.
 Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& asked) noexcept {
   Bounds bounds;
   for (int j = 0; j < 3; ++j) {
@@ -36,8 +36,8 @@ Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& asked)
   return bounds;
 }
 
-// Accelerations of a leg's joints within bounds with which its foot does most nearly what it was
-// asked: least squares, one joint after the other (projected Gauss-Seidel).
+// Return the joint accelerations within bounds that bring the foot acceleration closest to that of
+// `asked`: least squares by projected Gauss-Seidel, one joint after the other.
 Vector3 nearest_within(const Matrix3& J, const Vector3& asked, const Bounds& bounds) noexcept {
   Vector3 a = asked.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
   Vector3 missing = J * (asked - a);
@@ -53,7 +53,7 @@ Vector3 nearest_within(const Matrix3& J, const Vector3& asked, const Bounds& bou
   return a;
 }
 
-// What a leg does otherwise than it was asked, so as to keep its own limits.
+// Return the change of a leg's joint accelerations [rad/s^2] that keeps its own limits.
 Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
                         const Vector3& asked) noexcept {
   const Bounds bounds = released_bounds(limits, leg, asked);

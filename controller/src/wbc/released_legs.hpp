@@ -6,36 +6,46 @@
 
 namespace surefoot {
 
-/// Let the body ask more of the joints of a leg than they may do, where its foot is not worth the
-/// body's balance. Real-time: yes.
-///
-/// Feet keep their places exactly, so a joint that nears its limit holds the body: with the capture
-/// point at the edge, one front leg that is stretched and bears nothing turns a robot over its last
-/// rear foot. So near the edge a foot that bears nothing is let go of, and the leg keeps its limits
-/// by itself; where it can be afforded, feet stay where they are.
-/// @param fade as edge_fade() has it
-/// @param contact belief that a foot is on the ground, FR FL RR RL
-/// @param reference which feet are meant to bear
+// Released legs: near the support edge the QP releases a leg whose foot carries no load.
+//
+// The QP meets foot accelerations exactly. A stretched leg at its joint limit therefore limits the
+// motion of the body, even if its foot carries no load: with the capture point at the support edge,
+// an unloaded stretched front leg turns the robot over its last rear foot. The three functions
+// below prevent this, in the order of their use in a tick:
+//   1. release_unloaded_legs() widens the joint acceleration limits of the leg in the QP;
+//   2. limit_foot_accelerations() reduces the desired foot acceleration to what the leg can do;
+//   3. clamp_released_legs() applies the leg's own limits to the solution of the QP.
+
+/// Widen the joint acceleration limits of unloaded legs near the support edge, so that they do not
+/// limit the body:
+///   limits.a_released = 1e4 rad/s^2 (1 - fade) (1 - load),   load = planned load * contact
+/// Away from the edge (fade = 1) and for loaded feet nothing changes. Real-time: yes.
+/// @param fade edge_fade(), 0 .. 1
+/// @param contact contact confidence of each foot, 0 .. 1, FR FL RR RL
+/// @param reference planned load of each foot
 void release_unloaded_legs(const JointTable& joints, double fade, const Eigen::Vector4d& contact,
                            const Reference& reference, JointLimits& limits) noexcept;
 
-/// Ask of the feet of such legs no more than their joints may do. Real-time: yes.
+/// Reduce the desired foot accelerations of released legs to what their joints can do.
 ///
-/// What feet are asked is met exactly, and the body counts on what swings them: with a stretched
-/// leg called down, on a turn that never comes, and the robot tips over the foot that it trusts in.
-/// The body's own acceleration is not known yet, and left out.
-/// @param smallest_determinant of a leg's Jacobian [m^3]; a leg under it is left as it is
-/// @param feet_acceleration world axes [m/s^2]
+/// The QP meets foot accelerations exactly and counts on the reaction of the legs on the body. If a
+/// stretched leg cannot produce the acceleration, that reaction is missing and the robot tips over.
+/// Assumption: the base does not accelerate, because its acceleration is not known before the QP.
+/// Real-time: yes.
+/// @param smallest_determinant legs with a smaller |det J| [m^3] are not changed
+/// @param feet_acceleration in and out, world axes [m/s^2]
 void limit_foot_accelerations(const Dynamics& dynamics, const JointLimits& limits,
                               double smallest_determinant, FeetMatrix& feet_acceleration) noexcept;
 
-/// Keep what was asked of such legs within what they may do. Real-time: yes.
+/// Limit the accelerations of released legs to their own joint limits, after the QP.
 ///
-/// Where a joint may not do its share the others do theirs anew, so that the foot does most nearly
-/// what it was asked. A foot thrown up is called down; with its knee stretched, what the thigh was
-/// to do beside the knee would fling the leg forward, into the one that stands. Torques change by
-/// M_leg times the change alone, for what the body feels of it is little.
-/// @param accelerations shape (nv,); @param torques SDK motors first
+/// If one joint reaches its limit, the other joints of the leg are recomputed, so that the foot
+/// acceleration stays as close as possible to the solution (least squares). With each joint clamped
+/// separately, the thigh of a leg with a stretched knee would swing the leg forward into the stance
+/// leg. Torques change by tau += M_leg (a_clamped - a). The reaction on the body is small and is
+/// neglected. Real-time: yes.
+/// @param accelerations in and out, shape (nv,), Pinocchio's order
+/// @param torques in and out [N.m], SDK motors first
 void clamp_released_legs(const JointTable& joints, const Dynamics& dynamics,
                          const JointLimits& limits, Eigen::VectorXd& accelerations,
                          Eigen::VectorXd& torques) noexcept;

@@ -8,11 +8,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kInsideFallShare =
-    0.35;  // [g] more that may be asked downwards away from the edge
-constexpr double kInsideTurnFactor =
-    30.0;                          // [g / length] more of tilting back, growing with its square
-constexpr double kRiseFade = 1.6;  // from 3/8 of edge_rise on it turns back less
+constexpr double kInsideFallShare = 0.35;   // [g] more downward acceleration at fade = 1
+constexpr double kInsideTurnFactor = 30.0;  // [g / length] more tilt acceleration at fade = 1
+constexpr double kRiseFade = 1.6;           // the tilt bound shrinks above 3/8 of edge_rise
 }  // namespace
 
 double edge_fade(const Gains& gains, const Dynamics& dynamics,

@@ -8,21 +8,36 @@
 
 namespace surefoot {
 
-/// 1 while the capture point is at least edge_margin inside the support, 0 at its edge.
+// Near the support edge, braking the body has priority over hold-down, height and tilt. edge_fade()
+// measures how near the capture point is to the edge. As it falls from 1 to 0:
+//   hold-down fades out (hold_down.hpp);
+//   height and tilt tasks lose weight, down to the gains edge_height and edge_tilt;
+//   the desired body acceleration is bounded, so that the feet keep load (bound_at_edge());
+//   legs with unloaded feet are released (released_legs.hpp).
+// Independent of edge_fade(), braking across the edge comes before braking along it
+// (braking_axes.hpp).
+
+/// Compute the edge fade: clamp(margin / edge_margin, 0, 1), with the capture point's distance
+/// inside the support polygon as margin. 1 also with fewer than three stance feet.
 /// Real-time: yes.
 double edge_fade(const Gains& gains, const Dynamics& dynamics, const Reference& reference) noexcept;
 
-/// Keep what is asked of the body within what leaves the feet something to brake with at the
-/// support's edge. Real-time: yes.
+/// Bound the desired acceleration of the body, so that the feet keep force to brake a push:
+///   a_z >= (edge_load - 1 - 0.35 fade) g
+///   |alpha_xy| <= slow (1 + 30 fade^2) g / length
+///   slow = clamp(1.6 (1 - v_up / edge_rise), 0, 1)
 ///
-/// Legs that brake a push with all they have throw the body up, and if it then falls freely nothing
-/// brakes: the feet keep edge_load, and little less away from the edge, for a body that was asked
-/// to fall there is still falling as it comes near. They tilt it as well, and turning it back at
-/// once takes the very force that brakes, or more: it comes back slowly until the body is inside
-/// again. The feet that turn it back also throw it further up: not while it rises fast.
-/// @param fade as edge_fade() has it
-/// @param length [m] hips over the ground: angles are asked back by g / length at most
-/// @param v_up [m/s] of the centre of mass: a body that rises is asked back less, see edge_rise
+/// Height: hard braking throws the body up. If it then falls freely, the feet carry no load and
+/// cannot brake. So the feet keep at least edge_load. Away from the edge the bound is only a little
+/// lower, because a body that starts to fall there still falls when it reaches the edge.
+/// Tilt: braking also tilts the body. Turning it back at once takes the force that brakes the push,
+/// so it turns back slowly until the capture point is inside again. The feet that turn it back also
+/// push it further up, so a body that rises fast turns back less or not at all.
+/// Real-time: yes.
+/// @param fade edge_fade(), 0 .. 1
+/// @param length [m] height of the hips above the ground
+/// @param v_up [m/s] vertical velocity of the centre of mass
+/// @param desired in and out, world axes
 void bound_at_edge(const Gains& gains, double fade, double length, double v_up,
                    BodyAcceleration& desired) noexcept;
 

@@ -12,7 +12,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kMostRows = 1000;  // of one task
+constexpr int kMostRows = 1000;  // of one user task
 }
 
 void WholeBodyOptions::validate() const {
@@ -85,7 +85,7 @@ void WholeBodyController::add_task(std::shared_ptr<Task> task) {
   if (rows < 1 || rows > kMostRows) {
     throw Error("add_task: got " +
                 (task ? "a task of " + std::to_string(rows) + " rows" : std::string("no task")) +
-                ", expected one whose rows() is 1 .. " + std::to_string(kMostRows));
+                ", expected a task whose rows() is 1 .. " + std::to_string(kMostRows));
   }
   impl_->writer.add_task(std::move(task), rows);
 }
@@ -108,7 +108,8 @@ Reference WholeBodyController::hold(const RobotState& state) {
   if (check_state(state, s.robot) != Status::kOk) {
     throw Error("hold: got q of " + std::to_string(state.q.size()) + " and v of " +
                 std::to_string(state.v.size()) + ", expected " + std::to_string(s.robot.nq()) +
-                " and " + std::to_string(s.robot.nv()) + " finite numbers with a unit quaternion");
+                " and " + std::to_string(s.robot.nv()) +
+                ", all finite, and a unit quaternion in q");
   }
   Reference reference;
   s.dynamics.update(state.q, state.v, reference.ground_normal);
@@ -125,7 +126,7 @@ Reference WholeBodyController::hold(const RobotState& state) {
   return reference;
 }
 
-// Feet first: their accelerations are met exactly and fix what is left to choose.
+// The form is selected first: the terms depend on the softness of the feet.
 const Solution& WholeBodyController::solve(const Dynamics& dynamics, const RobotState& state,
                                            const Reference& reference) noexcept {
   Impl& s = *impl_;

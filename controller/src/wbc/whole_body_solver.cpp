@@ -9,11 +9,11 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kSaturated = 1e-3;  // share of tau_max: nearer to its limit a motor is at it
+constexpr double kSaturated = 1e-3;  // share of tau_max: a motor this close to a limit is saturated
 constexpr double kCurvature = 1.0;   // of the slacks' cost, before scaling
-constexpr double kTightest = 1e-12;  // tolerance that rounding lets be reached
-constexpr double kRelaxed = 10.0;    // times the tolerance, for a program that would not be solved
-constexpr double kMinBuiltInShare = 1e-5;  // of the cost, for the tasks that are not the user's own
+constexpr double kTightest = 1e-12;  // smallest tolerance that rounding allows
+constexpr double kRelaxed = 10.0;    // tolerance factor of a cold solve
+constexpr double kMinBuiltInShare = 1e-5;  // share of trace(H) that user tasks must leave
 
 ElasticRows elastic_rows(const JointTable& joints) {
   const QpLayout layout(static_cast<int>(joints.size()));
@@ -104,8 +104,8 @@ void WholeBodySolver::solve(const Gains& gains, const Dynamics& dynamics, const 
   penalty_.head<kLegs>().setConstant(scale * gains.penalty_hold_down);
   penalty_.segment<QpLayout::kLegGroups>(kLegs).setConstant(scale * gains.penalty_torque);
   penalty_.tail<QpLayout::kLegGroups>().setConstant(scale * gains.penalty_joint_limit);
-  // Heavy tasks make all others small in a cost of trace n, and those must not drown in the
-  // tolerance.
+  // The cost is scaled to trace(H) = n, so heavy user tasks make all other tasks small. The
+  // tolerance shrinks with the other tasks, so that they still count.
   const double built_in_share = condensed ? condensed_.built_in_share() : general_.built_in_share();
   if (!(built_in_share >= kMinBuiltInShare)) {
     out.status = Status::kBadTask;

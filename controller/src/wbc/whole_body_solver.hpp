@@ -9,28 +9,33 @@
 
 namespace surefoot {
 
-/// Chooses the form, poses the program, solves it and reads the answer. Real-time: yes.
+/// Selects the form of the QP, builds and solves it, and converts the result to a Solution.
+///
+/// select_form() must run before the terms are written, because they depend on the softness of the
+/// feet. Real-time: all but the constructor.
 class WholeBodySolver {
  public:
-  /// Throws surefoot::Error when the condensed form is asked for and the robot does not fit it.
+  /// Throw surefoot::Error if the options require the condensed form and the robot does not fit it.
   WholeBodySolver(const Robot& robot, const WholeBodyOptions& options);
 
-  /// Choose the form; returns how soft each foot's row is, 0 .. 1.
+  /// Select the form. @return the softness of each foot, 0 .. 1, see FormSelector
   const Eigen::Vector4d& select_form(const Dynamics& dynamics, const Reference& reference) noexcept;
 
-  /// Solve in that form. On failure only the solution's status and residuals change.
+  /// Build and solve the QP in the selected form. On failure only status, iterations and residuals
+  /// of `out` change.
   void solve(const Gains& gains, const Dynamics& dynamics, const QpTerms& terms,
              Solution& out) noexcept;
 
-  /// Solve what solve() posed once more, from nothing, in one attempt, and to the relaxed
-  /// tolerance: ten times the program's, checked as strictly as any.
+  /// Solve the QP of the last solve() again: cold start, one attempt of ProxQP, ten times the
+  /// tolerance. The residual check applies with that tolerance.
   void solve_cold(const Dynamics& dynamics, const QpTerms& terms, Solution& out) noexcept;
 
   void reset() noexcept;
 
-  const QpProblem& problem() const noexcept;  ///< of the form in force
+  const QpProblem& problem() const noexcept;  ///< the QP in the selected form, without slacks
   const ElasticSolver& elastic() const noexcept;
-  const QpProblem& solved_problem() const noexcept;  ///< the same, with slacks where something gave
+  /// The QP that was solved last: problem(), or the elastic QP with slacks.
+  const QpProblem& solved_problem() const noexcept;
 
  private:
   ElasticSolver& elastic() noexcept;
@@ -48,7 +53,7 @@ class WholeBodySolver {
   GeneralQp general_;
   ElasticSolver condensed_solver_, general_solver_;
   Eigen::VectorXd penalty_, accelerations_, torques_;
-  double curvature_ = 1.0, tolerance_ = 0.0;  // of the program that was posed last
+  double curvature_ = 1.0, tolerance_ = 0.0;  // of the last QP
   Vector12 forces_ = Vector12::Zero();
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Its third solve in a row ends the process.
+// Solver that crashes in the third solve after clear_warm_start().
 #include <csignal>
 
 #include "exact_solver.hpp"

@@ -3,7 +3,8 @@
 
 #include "adapter.hpp"
 
-// A solver of  1/2 |x|^2 + g'x,  l <= x <= u  (H = C = identity): x = clamp(-g), z = -(x + g).
+// Exact solver for H = C = identity: minimise 1/2 |x|^2 + g'x subject to l <= x <= u.
+// Solution: x = clamp(-g, l, u), z = -(x + g).
 class ExactSolver : public bench::Adapter {
  public:
   explicit ExactSolver(const bench::Setup& setup) : x_(setup.n), z_(setup.n) {}

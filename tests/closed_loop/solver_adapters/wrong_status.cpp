@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Warm: says solved of an answer that is off. Cold: says nothing, or that it failed where it has
-// not, by turns of the program's first entry. Has nothing against the heap.
+// Solver with wrong statuses. Warm: reports a wrong solution as solved. Cold: finds the solution
+// but reports failed for g[0] > 0, and no status otherwise. Every solve allocates memory.
 #include "exact_solver.hpp"
 
 namespace {

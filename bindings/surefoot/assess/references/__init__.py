@@ -1,4 +1,4 @@
-"""Reference controllers, to compare with: plain joint PD, and balance by forces alone."""
+"""Reference controllers for comparison: joint PD, and balance by contact forces."""
 
 from collections.abc import Callable
 from typing import Any

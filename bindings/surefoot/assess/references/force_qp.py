@@ -1,19 +1,21 @@
-"""Balance by contact forces alone, after unitree_guide's published equations.
+"""Balance control by contact forces, after the published equations of unitree_guide.
 
-unitreerobotics/unitree_guide, BalanceCtrl and State_BalanceTest: the robot is one rigid body whose
-wanted acceleration is a PD law of its pose,
+Source: unitreerobotics/unitree_guide, BalanceCtrl and State_BalanceTest. The robot is one rigid
+body. A PD law of its pose gives the desired acceleration
 
-    a = 150 (p_d - p) - 25 v,    dw = 200 log(R_d R') - 30 w,
+    a = 150 (p_d - p) - 25 v,    dw = 200 log(R_d R') - 30 w.
 
-contact forces f (12,) of four standing feet minimise
+The contact forces f (12,) of four stance feet minimise
 
     |A f - b|_S^2 + 0.001 |f|_W^2 + 0.1 |f - f_last|_U^2,    b = (m (a - g), R I R' dw)
 
-in friction pyramids |f_x|, |f_y| <= mu f_z, and torques are tau = -J' f, with joint gains 0.8 / 0.8
-around the angles just measured. There is neither gyroscopic term nor limit of force or torque in
-the program; the torques are clipped. Ours are: the model's own mass, inertia and centre of mass,
-whose legs the program thinks massless; mu as the robot's TOML assumes it, for with their 0.4 it
-survives less; the state, from surefoot.StateEstimator; and the solver.
+in friction pyramids |f_x|, |f_y| <= mu f_z. The torques are tau = -J' f, with joint gains 0.8 / 0.8
+around the measured angles. The QP has no gyroscopic term and no limits of force or torque; the
+torques are clipped afterwards.
+
+Differences from the source: mass, inertia and centre of mass are those of the whole model, and the
+QP treats its legs as massless. mu comes from the robot's TOML, because the robot survives smaller
+pushes with the source's 0.4. The state comes from surefoot.StateEstimator. The solver is NNLS.
 """
 
 from __future__ import annotations
@@ -42,10 +44,10 @@ _PYRAMID_SIGNS = np.array([[1.0, 1.0, -1.0, -1.0], [1.0, -1.0, 1.0, -1.0]])
 
 
 class ForceQp:
-    """Holds the body where it was found.
+    """Controller that holds the body pose of the first sample with contact forces.
 
     Args:
-        robot: Its model.
+        robot: Model of the robot.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -74,7 +76,7 @@ class ForceQp:
         self._position_desired, self._rotation_desired = np.zeros(3), np.eye(3)
 
     def update(self, state: LowState) -> LowCmd:
-        """Compute one tick."""
+        """Compute the command of one tick."""
         step = 0 if self._tick is None else (state.tick - self._tick) % 2**32
         first, self._tick = self._tick is None, state.tick
         if first or step > 0:
@@ -104,7 +106,7 @@ class ForceQp:
         return np.concatenate([self._mass * (a + up), R @ self._inertia @ R.T @ dw])
 
     def _force_to_torque(self, frame: int, force: Array) -> Array:
-        """Return J' f (12,) of a force that acts where a foot meets the ground."""
+        """Return J' f (12,) for a force that acts at the contact point below a foot frame."""
         J = self._pin.getFrameJacobian(
             self._model, self._data, frame, self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         )
@@ -112,11 +114,11 @@ class ForceQp:
         return np.asarray((np.concatenate([force, moment]) @ J)[self._motors])
 
     def _solve(self, lever_arms: Array, desired: Array) -> Array:
-        """Return the forces (12,): edges of the pyramids with weights that are not negative."""
+        """Return the forces (12,) as non-negative combinations of the pyramid edges."""
         A = self._A
         for leg, lever_arm in enumerate(lever_arms):
             A[3:, 3 * leg : 3 * leg + 3] = self._pin.skew(lever_arm)
-        # The rows below those of the wrench are the same in every tick.
+        # Only the six rows of the wrench change from tick to tick.
         self._ls_matrix[:6] = _SQRT_S[:, None] * (A @ self._rays)
         ls_target = np.concatenate([_SQRT_S * desired, np.zeros(12), _SQRT_BETA_U * self._forces])
         weights, _ = nnls(self._ls_matrix, ls_target)
@@ -132,7 +134,7 @@ class ForceQp:
 
 
 def _pyramid_edges(friction: float) -> Array:
-    """Return the edges (12, 16) of the four feet's friction pyramids: a cone is their hull."""
+    """Return the edges (12, 16) of the friction pyramids of four feet, as a block matrix."""
     edges = np.vstack([friction * _PYRAMID_SIGNS, np.ones(4)])
     rays = np.zeros((12, 16))
     for leg in range(4):

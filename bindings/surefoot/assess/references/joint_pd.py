@@ -1,4 +1,4 @@
-"""Plain joint PD: every motor holds the angle at which it was found."""
+"""Joint PD: every motor holds its angle of the first sample."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ SERVO = 0x0A
 
 
 class JointPd:
-    """Holds joint angles with the motors' own stiffness and damping; tau = 0.
+    """Controller that holds the joint angles with the motors' own Kp and Kd; tau = 0.
 
     Args:
-        robot: For its mass, which stiffness and damping are in proportion to.
+        robot: Model of the robot; Kp and Kd are proportional to its mass.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -22,7 +22,7 @@ class JointPd:
         self._command: LowCmd | None = None
 
     def update(self, state: LowState) -> LowCmd:
-        """Return the command, the same every time."""
+        """Return the command; it is the same in every tick."""
         if self._command is None:
             self._command = LowCmd()
             for i in range(MOTOR_COUNT):

@@ -1,4 +1,4 @@
-"""Whole ticks of ours and of TSID and PlaCo, interleaved, on the same robot, tasks and motion."""
+"""Comparison with TSID and PlaCo: interleaved ticks on the same robot, tasks and motion."""
 
 from surefoot.bench.peers.options import PeerError, PeerOptions
 from surefoot.bench.peers.result_rows import RATIOS

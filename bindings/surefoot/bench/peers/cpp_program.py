@@ -1,4 +1,4 @@
-"""Workers in C++, compiled when they are first wanted and kept."""
+"""Workers in C++, compiled on first use and cached."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from surefoot.bench.peers.options import PeerError, PeerOptions
 from surefoot.files.atomic_write import atomic_path
 
 SOURCE_FOLDER = Path(__file__).parent / "cpp"
-# One compiler and one set of flags for every side; the wheels are built without -march as well.
+# The same compiler and flags for every implementation; the wheels are built without -march too.
 FLAGS = ["-std=c++17", "-O3", "-DNDEBUG"]
-# What Pinocchio's own CMake targets define: its types depend on it.
+# Definitions of Pinocchio's own CMake targets; its types depend on them.
 PINOCCHIO_DEFINES = [
     "-DBOOST_MPL_LIMIT_LIST_SIZE=30",
     "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
@@ -26,21 +26,21 @@ BUILD_TIMEOUT = 600.0  # [s]
 
 @dataclass(frozen=True)
 class CppProgram:
-    """What is compiled.
+    """Source and libraries of an executable.
 
     Attributes:
-        source: A file in cpp/.
-        libraries: To link, without lib and .so.
+        source: File in cpp/.
+        libraries: Libraries to link, without lib and .so.
     """
 
     source: str
     libraries: tuple[str, ...]
 
     def build(self, prefixes: Iterable[Path], options: PeerOptions) -> Path:
-        """Compile it against what is in include and lib of the prefixes; return the executable.
+        """Compile the source with include and lib of the prefixes; return the executable.
 
         Raises:
-            PeerError: There is no g++, or it would not.
+            PeerError: There is no g++, or the source does not compile.
         """
         compiler = shutil.which("g++") or shutil.which("c++")
         if compiler is None:
@@ -65,7 +65,7 @@ class CppProgram:
 
 
 def _build_hash(words: list[str]) -> str:
-    """Return what changes when sources, command, compiler or our headers do."""
+    """Return a hash of the sources, the command, the compiler and the headers of Surefoot."""
     key = hashlib.sha256("\0".join(words).encode())
     headers = Path(__file__).parents[2] / "include" / "surefoot"
     for file in [*sorted(SOURCE_FOLDER.iterdir()), *sorted(headers.glob("*.hpp"))]:
@@ -75,11 +75,11 @@ def _build_hash(words: list[str]) -> str:
 
 
 def _compile(words: list[str], out: Path) -> None:
-    with atomic_path(out) as partial_file:  # what is interrupted must not be taken for complete
+    with atomic_path(out) as partial_file:  # an interrupted build must not look complete
         process = _run_command([*words, "-o", str(partial_file)])
         if process.returncode != 0:
             lines = process.stderr.decode(errors="replace").splitlines()
-            error_lines = [line for line in lines if "error" in line] or lines or ["without a word"]
+            error_lines = [line for line in lines if "error" in line] or lines or ["no error text"]
             raise PeerError(f"could not be compiled: {error_lines[0].strip()}")
 
 

@@ -1,4 +1,4 @@
-"""A peer's own Python environment, set up when it is first wanted."""
+"""Python environment of a peer, set up on first use."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ _COMPLETE_FILE = ".complete"
 
 @dataclass(frozen=True)
 class Environment:
-    """What is installed for a peer.
+    """Packages that are installed for a peer.
 
     Attributes:
-        name: Of the folder.
-        steps: Arguments of pip install, step after step.
+        name: Name of the folder.
+        steps: Arguments of each call of pip install, in order.
     """
 
     name: str
     steps: tuple[tuple[str, ...], ...]
 
     def folder(self, options: PeerOptions) -> Path:
-        """Return where it is, whether or not it is there."""
+        """Return the folder of the environment, which need not exist yet."""
         return options.folder.absolute() / self.name
 
     def python(self, options: PeerOptions) -> Path:
-        """Return its interpreter."""
+        """Return the path of its interpreter."""
         scripts = "Scripts" if sys.platform == "win32" else "bin"
         return self.folder(options) / scripts / "python"
 
     def site_packages(self, options: PeerOptions) -> Path:
-        """Return its site-packages."""
+        """Return the path of its site-packages."""
         folder = self.folder(options)
         if sys.platform == "win32":
             return folder / "Lib" / "site-packages"
@@ -48,13 +48,13 @@ class Environment:
         return folder / "lib" / version / "site-packages"
 
     def versions(self, names: Sequence[str]) -> dict[str, str]:
-        """Return the versions that are pinned, of the packages named that are."""
+        """Return the pinned version of each package in `names` that has one."""
         words = [word for step in self.steps for word in step if "==" in word]
         pins = dict(word.split("==", 1) for word in words)
         return {name: pins[name] for name in names if name in pins}
 
     def prepare(self, options: PeerOptions) -> Path:
-        """Install it unless it is complete; return its interpreter, or raise PeerError."""
+        """Install the environment if needed and return its interpreter; raises PeerError."""
         python, mark = self.python(options), self.folder(options) / _COMPLETE_FILE
         expected_mark = f"{sys.version}\n{self.steps}\n"
         if _text(mark) == expected_mark and python.exists():
@@ -72,8 +72,8 @@ class Environment:
 
 
 # TSID's newest wheel, 1.10.0, aborts with the Pinocchio that pip chooses for it. This set works.
-# libtsid comes first and alone: its wheels hold nothing of Python and yet are tagged with one
-# version, which has to be asked for, and pip can do that into an empty folder only.
+# libtsid is installed first and alone: its wheels contain no Python code but are tagged with one
+# Python version. pip must be given that version, which it accepts only with --target.
 TSID = Environment(
     "tsid",
     (
@@ -97,17 +97,17 @@ TSID = Environment(
         ),
     ),
 )
-# Its requirements bring Pinocchio 3.8.
+# Its requirements install Pinocchio 3.8.
 PLACO = Environment("placo", (("placo==0.10.2",),))
 
 
 def clean_environment() -> dict[str, str]:
-    """Return the system's variables without Python's: PYTHONPATH would bring in our packages."""
+    """Return the environment variables without PYTHON...: PYTHONPATH would add our packages."""
     return {k: v for k, v in os.environ.items() if not k.startswith("PYTHON")}
 
 
 def _run(words: list[str]) -> None:
-    """Run a command quietly; raises PeerError with the last thing that it said."""
+    """Run a command without output; raises PeerError with its last line of output."""
     try:
         process = subprocess.run(
             words,
@@ -122,7 +122,7 @@ def _run(words: list[str]) -> None:
     except (OSError, subprocess.TimeoutExpired) as problem:
         raise PeerError(f"its environment could not be made: {problem}") from None
     if process.returncode != 0:
-        output_lines = (process.stderr or process.stdout).strip().splitlines() or ["without a word"]
+        output_lines = (process.stderr or process.stdout).strip().splitlines() or ["no output"]
         raise PeerError(f"its environment could not be made: {output_lines[-1].strip()}")
 
 

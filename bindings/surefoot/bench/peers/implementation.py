@@ -1,4 +1,4 @@
-"""One side of a comparison: computes ticks of the recording when told to."""
+"""Implementations of a comparison: each computes ticks of the recording on request."""
 
 from __future__ import annotations
 
@@ -14,35 +14,35 @@ from surefoot.bench.peers.problem import Problem
 WALL, CPU, SOLVED, FORCES = 0, 1, 2, 3
 TORQUES = FORCES + 12
 Ticks = NDArray[np.float64]
-"""A row a tick: wall [ns], CPU [ns], solved, forces (12) [N], torques [N.m]; tick_width() wide."""
+"""Rows, one per tick, of wall [ns], CPU [ns], solved, forces (12) [N] and torques [N.m]."""
 
 
 def tick_width(problem: Problem) -> int:
-    """Return how many numbers a tick is told in."""
+    """Return the number of values per row of Ticks."""
     return TORQUES + problem.robot.nv - 6
 
 
 class Implementation(Protocol):
-    """What plays in turns with others."""
+    """Interface of an implementation that is timed in turns with others."""
 
     def run_ticks(self, first: int, count: int) -> Ticks:
         """Compute ticks first .. first + count - 1; raises PeerError if it cannot."""
         ...
 
     def close(self) -> None:
-        """Let go of what it holds."""
+        """Release its resources."""
         ...
 
 
 class StateToTorque:
-    """Ours from a state: WholeBodyController.update()."""
+    """Surefoot from RobotState to torques: WholeBodyController.update()."""
 
     def __init__(self, problem: Problem) -> None:
         self._controller = WholeBodyController(problem.point_robot)
         self._inputs = list(zip(problem.states(), problem.references(), strict=True))
 
     def run_ticks(self, first: int, count: int) -> Ticks:
-        """See Contestant."""
+        """See Implementation."""
         update, rows = self._controller.update, []
         for state, reference in self._inputs[first : first + count]:
             cpu = thread_time_ns()
@@ -56,11 +56,11 @@ class StateToTorque:
         return np.array(rows)
 
     def close(self) -> None:
-        """See Contestant."""
+        """See Implementation."""
 
 
 class WholeTick:
-    """Ours from the sensors: StandController.update(), estimator and protections included."""
+    """Surefoot from LowState to LowCmd: StandController.update(), with estimator and limits."""
 
     def __init__(self, problem: Problem, reports: list[LowState]) -> None:
         self._controller = StandController(problem.robot)
@@ -68,9 +68,9 @@ class WholeTick:
         self._reports = reports
 
     def run_ticks(self, first: int, count: int) -> Ticks:
-        """See Contestant; forces and torques are left zero, for its problem is another."""
+        """See Implementation; forces and torques stay zero, since its problem differs."""
         if first == 0:
-            self._controller.reset()  # or its clock would seem to run backwards
+            self._controller.reset()  # otherwise its clock would go backwards
         update = self._controller.update
         ticks = np.zeros((count, self._width))
         for row, report in zip(ticks, self._reports[first : first + count], strict=True):
@@ -83,4 +83,4 @@ class WholeTick:
         return ticks
 
     def close(self) -> None:
-        """See Contestant."""
+        """See Implementation."""

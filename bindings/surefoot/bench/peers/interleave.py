@@ -1,4 +1,4 @@
-"""Blocks of ticks in turns, on one processor."""
+"""Interleaved timing: implementations compute blocks of ticks in turns, on one processor."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from surefoot.bench.peers.options import PeerError
 def interleave(
     implementations: dict[str, Implementation], ticks: int, block: int
 ) -> tuple[dict[str, Ticks], dict[str, str]]:
-    """Let everybody compute every tick, block by block in turns; first once to warm up.
+    """Let all implementations compute every tick, block by block in turns, after a warm-up run.
 
-    Every second round goes the other way round, so that nobody always follows the same one.
+    Every second round runs in reverse order, so that no implementation always follows the same one.
 
     Returns:
-        What each computed; and of those that could not go on, why.
+        The ticks of each implementation that ran to the end, and the reasons of the others.
     """
     reasons: dict[str, str] = {}
     played: dict[str, list[Ticks]] = {}
@@ -44,13 +44,13 @@ def interleave(
 
 
 def chosen_processor() -> int | None:
-    """Return the processor that ticks are played on; None where the system does not say."""
+    """Return the processor on which ticks are timed; None if the system has no CPU affinity."""
     return max(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else None
 
 
 @contextmanager
 def one_processor() -> Iterator[None]:
-    """Keep this process, and those that it starts, on one processor, if the system lets one."""
+    """Keep this process and its children on one processor, if the system has CPU affinity."""
     processor = chosen_processor()
     if processor is None:
         yield
@@ -65,7 +65,7 @@ def one_processor() -> Iterator[None]:
 
 @contextmanager
 def without_garbage_collection() -> Iterator[None]:
-    """Keep Python's garbage collector out of what is timed, as timeit does."""
+    """Disable Python's garbage collector while ticks are timed, as timeit does."""
     was_on = gc.isenabled()
     gc.collect()
     gc.disable()

@@ -1,4 +1,4 @@
-"""How the comparison with peers is run."""
+"""Options of the comparison with peers."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ def _ignore_progress(_: str) -> None:
 
 @dataclass(frozen=True)
 class PeerOptions:
-    """Where the peers live and how ticks are interleaved.
+    """Folders of the peers, and settings of the interleaved timing.
 
     Attributes:
-        urdf: The robot's; None looks it up by the robot's name.
-        folder: Holds one environment per peer and what is compiled; made if it is not there.
-        block: Ticks that one side computes before it is the other's turn.
-        cpp: Compare in C++ too, where a compiler and the peer's headers allow.
-        timeout: Longest time that a worker may take to start, and to answer a block [s].
-        report_progress: Told what is going on, one line at a time: the first run installs for a minute.
+        urdf: URDF of the robot; None to find it by the robot's name.
+        folder: Folder of the peers' environments and executables; made if it does not exist.
+        block: Ticks that one implementation computes before the next one's turn.
+        cpp: Whether to compare in C++ too, if there is a compiler and the peer has headers.
+        timeout: Longest time that a worker may take to start, and to compute a block [s].
+        report_progress: Called with one line of text per step; the first run installs for a minute.
     """
 
     urdf: Path | None = None
@@ -43,4 +43,4 @@ class PeerOptions:
 
 
 class PeerError(Exception):
-    """Why a peer did not run; ends in its row and never leaves run_peers()."""
+    """Reason why a peer did not run; run_peers() puts it into the row of the peer."""

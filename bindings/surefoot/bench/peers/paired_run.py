@@ -1,4 +1,4 @@
-"""One language's comparison: everybody is started and plays in turns."""
+"""Paired run: all implementations of one language, timed in turns on the same ticks."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ ImplementationFactory = Callable[[], Implementation]
 
 @dataclass(frozen=True)
 class PairedResult:
-    """What came of a bout, or of several, one after the other.
+    """Result of one paired run, or of several in sequence.
 
     Attributes:
-        language: Of every side.
-        peers: That were to play.
-        versions: Of what is behind them, by their names.
-        ticks: By contestant, of those that played to the end.
-        reasons: By contestant, of those that did not.
+        language: Language of all implementations.
+        peers: Peers that were requested.
+        versions: Versions of the packages of each implementation, by its name.
+        ticks: Ticks of each implementation that ran to the end.
+        reasons: Reason of each implementation that did not.
     """
 
     language: str
@@ -35,7 +35,7 @@ class PairedResult:
     reasons: dict[str, str]
 
     def append(self, other: PairedResult) -> PairedResult:
-        """Return both; who failed in one has failed in both."""
+        """Return both results joined; an implementation that failed in one has failed in both."""
         reasons = {**other.reasons, **self.reasons}
         shared = [name for name in self.ticks if name in other.ticks and name not in reasons]
         ticks = {name: np.vstack([self.ticks[name], other.ticks[name]]) for name in shared}
@@ -43,12 +43,12 @@ class PairedResult:
 
 
 class PairedRun:
-    """Ours and the peers', in one language.
+    """Implementations of Surefoot and of the peers, in one language.
 
     Args:
-        language: Of every side.
+        language: Language of all implementations.
         ours: Factories of "state_to_torque" and "tick".
-        theirs: A factory for every peer.
+        theirs: Factory of each peer.
     """
 
     def __init__(
@@ -67,11 +67,11 @@ class PairedRun:
         self._versions: dict[str, Any] = {}
 
     def run(self, ticks: int, block: int) -> PairedResult:
-        """Play one recording.
+        """Time all implementations on one recording.
 
         Args:
-            ticks: Of it.
-            block: Ticks until it is the next one's turn.
+            ticks: Number of ticks of the recording.
+            block: Ticks that one implementation computes before the next one's turn.
         """
         implementations, reasons = self._start()
         played: dict[str, Ticks] = {}

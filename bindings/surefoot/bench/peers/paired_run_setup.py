@@ -1,4 +1,4 @@
-"""Who plays in which language, and how each is started."""
+"""Setup of the paired runs: the implementations of each language, and how each is started."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ VERSION_PACKAGES = ("tsid", "libtsid", "libpinocchio", "eiquadprog")
 
 
 Interpreters = Mapping[Peer, Path | PeerError]
-"""A peer's interpreter, or why it has none."""
+"""Interpreter of each peer, or the reason why it has none."""
 
 
 def prepare_peers(peers: Sequence[Peer], options: PeerOptions) -> Interpreters:
-    """Set up every peer's environment; once a run, for what fails takes its time to."""
+    """Set up the environment of each peer. Called once, because a failure can take long too."""
     interpreters: dict[Peer, Path | PeerError] = {}
     for peer in peers:
         try:
@@ -41,7 +41,7 @@ def make_paired_runs(
     interpreters: Interpreters,
     file: Path,
 ) -> list[PairedRun]:
-    """Return the bout of every language, everything compiled."""
+    """Return one paired run per language, with all C++ workers compiled."""
     found = [_python_paired_run(problem, recording, options, interpreters, file)]
     if options.cpp and any(peer.cpp_program for peer in interpreters):
         found.append(_cpp_paired_run(problem, options, interpreters, file))
@@ -62,7 +62,7 @@ def _python_paired_run(
     interpreters: Interpreters,
     file: Path,
 ) -> PairedRun:
-    """Ours in this process, the peers in interpreters of their own."""
+    """Return the run in Python: ours in this process, each peer in its own interpreter."""
 
     def command(peer: Peer) -> list[str]:
         python = _interpreter(peer, interpreters)
@@ -86,7 +86,7 @@ def _python_paired_run(
 def _cpp_paired_run(
     problem: Problem, options: PeerOptions, interpreters: Interpreters, file: Path
 ) -> PairedRun:
-    """Every side a compiled process; peers without a C++ worker do not play."""
+    """Return the run in C++: a process per implementation, for the peers with a C++ worker."""
 
     def command(peer: Peer) -> list[str]:
         assert peer.cpp_program is not None
@@ -96,7 +96,7 @@ def _cpp_paired_run(
         return [str(peer.cpp_program.build([prefix], options)), str(file), versions]
 
     def our_command(tick: str) -> list[str]:
-        # Pinocchio's prefix lies beside the package, as surefootConfig.cmake has it too.
+        # Pinocchio's prefix is beside the package, as in surefootConfig.cmake.
         prefixes = [PACKAGE_FOLDER, PACKAGE_FOLDER.parent / "cmeel.prefix"]
         return [str(OUR_PROGRAM.build(prefixes, options)), str(file), tick]
 

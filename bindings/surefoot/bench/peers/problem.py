@@ -1,4 +1,4 @@
-"""The one problem that every side solves."""
+"""The control problem that all implementations solve."""
 
 from __future__ import annotations
 
@@ -21,26 +21,25 @@ from surefoot.bench.problems import SCENARIOS
 from surefoot.bench.problems.scenarios import PUSH_TIMES
 from surefoot.bench.recording import Recording
 
-# One stiffness and damping for all axes of a task: PlaCo's tasks know no others. [1/s^2], [1/s]
+# Stiffness [1/s^2] and damping [1/s], the same for all axes of a task as PlaCo requires.
 TASK_GAINS = {"com": (100.0, 20.0), "base": (400.0, 40.0), "foot": (2500.0, 50.0)}
 POSTURE_GAINS = (100.0, 20.0)
-POSTURE_WEIGHT = 1e-4  # little, in our program's units: the body's tasks decide
+POSTURE_WEIGHT = 1e-4  # in the units of our QP; low, so that the tasks of the body dominate
 
 
 @dataclass(frozen=True)
 class Problem:
-    """Robot, states, and what is asked for.
+    """Robot, states and targets.
 
     Attributes:
-        robot: For our whole tick: with its own gains, but for a posture task as the others have.
-        point_robot: For state to torque: contact points at the foot frames, where the peers have
-            theirs, and their stiffness; see peer_equivalent_gains().
-        q: Estimated states of the run, Pinocchio's order, shape (n, nq).
-        v: Shape (n, nv).
-        targets: Centre of mass [m] and base orientation (quaternion x y z w) that are asked for,
-            shape (n, 7).
-        hold: Stay where the first state is.
-        urdf: The robot's.
+        robot: Robot of our whole tick, with its own gains plus a posture task as the peers have.
+        point_robot: Robot of our tick from state to torque: contact points at the foot frames as
+            in the peers, and gains of peer_equivalent_gains().
+        q: (n, nq) estimated configurations of the run, in Pinocchio's order.
+        v: (n, nv) estimated velocities.
+        targets: (n, 7) desired centre of mass [m] and base orientation (quaternion x y z w).
+        hold: Reference that holds the first state.
+        urdf: URDF of the robot.
     """
 
     robot: Robot
@@ -55,14 +54,14 @@ class Problem:
         return len(self.q)
 
     def states(self) -> list[RobotState]:
-        """Return the states for our controller: four feet down, nobody pushes as far as it knows.
+        """Return the states for our controller, with four feet in contact and no external force.
 
-        The peers are told no force from outside, so ours is not either.
+        The peers do not receive an external force either.
         """
         return [_robot_state(self.robot, q, v) for q, v in zip(self.q, self.v, strict=True)]
 
     def references(self) -> list[Reference]:
-        """Return what our controller is asked for, tick by tick."""
+        """Return the reference of our controller for each tick."""
         controller, first = WholeBodyController(self.point_robot), self.states()[0]
         references = [controller.hold(first) for _ in self.targets]
         for reference, target in zip(references, self.targets, strict=True):
@@ -71,7 +70,7 @@ class Problem:
 
 
 def make_problem(recording: Recording, urdf: Path) -> Problem:
-    """Replay a recording for what was estimated and what the body was asked to do."""
+    """Replay a recording to get the estimated states and the references of each tick."""
     robot, apply_reference = recording.robot, SCENARIOS[recording.scenario].apply_reference
     controller = StandController(robot)
     q, v, targets = [], [], []
@@ -97,13 +96,13 @@ def make_problem(recording: Recording, urdf: Path) -> Problem:
 
 
 def ticks_before_push(recording: Recording) -> int:
-    """Return how many ticks there are before the first push; all, if there is none."""
+    """Return the number of ticks before the first push; all ticks if there is none."""
     pushed = SCENARIOS[recording.scenario].push > 0.0
     return round(PUSH_TIMES[0] / recording.period) if pushed else len(recording.reports)
 
 
 def peer_equivalent_gains(gains: Gains) -> Gains:
-    """Return ours with the peers' stiffness, a posture task, and nothing that peers do not do."""
+    """Return our gains with the peers' stiffness and posture task, without features peers lack."""
     gains.com_kp_horizontal = gains.com_kp_vertical = TASK_GAINS["com"][0]
     gains.com_kd_horizontal = gains.com_kd_vertical = TASK_GAINS["com"][1]
     gains.base_kp_tilt = gains.base_kp_yaw = TASK_GAINS["base"][0]
@@ -121,7 +120,7 @@ def peer_equivalent_gains(gains: Gains) -> Gains:
 
 
 def _with_config(robot: Robot, gains: Gains, **fields: Any) -> Robot:
-    """Return the same robot with other gains and other fields of its configuration."""
+    """Return a copy of the robot with other gains and other configuration fields."""
     config = robot.config
     config.gains = gains
     for name, value in fields.items():

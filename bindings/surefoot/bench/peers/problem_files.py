@@ -1,4 +1,4 @@
-"""The files that tell a worker about the problem."""
+"""Files that pass the problem to a worker."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ from surefoot.bench.peers.weights import GRAVITY, peer_weights
 
 
 def write_problem(problem: Problem, reports: Sequence[LowState], folder: Path) -> Path:
-    """Write the problem for workers; returns the file of lines, the rest is beside it.
+    """Write the problem for workers; return the path of problem.txt.
 
     Args:
-        problem: Becomes problem.txt, lines of a name and its values; states.bin, float64, a row of
-            q, v and target a tick; robot.urdf; whole.robot and point.robot, with gains, for ours.
-        reports: Become reports.bin, one struct after the other.
-        folder: Where.
+        problem: Written to problem.txt, with a name and its values per line; states.bin, float64,
+            with a row q, v, target per tick; robot.urdf; and for our workers whole.robot and
+            point.robot, which include gains.
+        reports: LowStates, written to reports.bin as packed structs.
+        folder: Folder of the files.
     """
     robot = problem.robot
     np.hstack([problem.q, problem.v, problem.targets]).astype("<f8").tofile(folder / "states.bin")
@@ -58,7 +59,7 @@ def _format_value(value: Any) -> str:
 
 
 def _write_urdf_without_shapes(urdf: Path, out: Path) -> None:
-    """Write the URDF without shapes: no peer needs its meshes, and some would look for them."""
+    """Write the URDF without shapes, because some peers would load the meshes, which none needs."""
     tree = ET.parse(urdf)
     for link in tree.iter("link"):
         for shape in [*link.findall("visual"), *link.findall("collision")]:

@@ -1,4 +1,4 @@
-"""Rows of figures, one per peer and language, and the ratios that sum them up."""
+"""Rows of figures, one per peer and language, and the ratios of the tick times."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from surefoot.bench.peers.tick_comparison import (
     tick_statistics,
 )
 
-# Ours over theirs, of which of our ticks, and of which peer.
+# Key of each ratio, and which of our ticks it divides by the tick of which peer.
 RATIOS = {
     "ratio_state_to_torque_over_tsid": ("state_to_torque", "tsid"),
     "ratio_tick_over_tsid": ("tick", "tsid"),
@@ -26,12 +26,12 @@ RATIOS = {
 
 
 def make_rows(played: PairedResult, weight: float, calm: NDArray[np.bool_]) -> list[dict[str, Any]]:
-    """Return a row per peer; what went wrong is its "reason".
+    """Return a row per peer; its "reason" is None, or why the peer did not run.
 
     Args:
-        played: By everybody.
-        weight: Of the robot [N].
-        calm: Which ticks are before any push, shape (n,).
+        played: Result of a paired run.
+        weight: Weight of the robot [N].
+        calm: (n,) whether each tick is before the first push.
     """
     return [_row(peer, played, weight, calm) for peer in played.peers]
 
@@ -68,7 +68,7 @@ def _row(
 
 
 def exclusion_reason(row: dict[str, Any]) -> str | None:
-    """Return why a row's times say nothing: it did not run, failed, or solved another problem."""
+    """Return why the times of a row do not count: not run, failed, or another answer; else None."""
     if row["reason"] is not None:
         return str(row["reason"])
     if row["answers"]["verdict"] != SAME_ANSWER:
@@ -76,13 +76,14 @@ def exclusion_reason(row: dict[str, Any]) -> str | None:
     sides = {"theirs": row["theirs"], **{name: row[f"our_{name}"] for name in OUR_TICKS}}
     failed = {name: side["failures"] for name, side in sides.items() if side["failures"]}
     counts = ", ".join(f"{count} of {name}" for name, count in failed.items())
-    return f"ticks that were not solved: {counts}" if failed else None
+    return f"unsolved ticks: {counts}" if failed else None
 
 
 def compute_ratios(rows: list[dict[str, Any]]) -> dict[str, Any]:
-    """Return the RATIOS, in C++ where both sides ran in it; None has a "_reason" beside it.
+    """Return the RATIOS, from C++ if the peer ran in it, else from Python.
 
-    There is none of a peer that in any language has ticks that were not solved or another answer.
+    A ratio is None, with a "_reason", if the peer did not run, or if in any language it has
+    unsolved ticks or another answer.
     """
     ratios: dict[str, Any] = {}
     for name, (ours, peer) in RATIOS.items():
@@ -103,5 +104,5 @@ def compute_ratios(rows: list[dict[str, Any]]) -> dict[str, Any]:
             reasons = dict.fromkeys(
                 exclusions or [str(row["reason"]) for row in peer_rows.values()]
             )
-            ratios[f"{name}_reason"] = "; ".join(reasons) or "not asked for"
+            ratios[f"{name}_reason"] = "; ".join(reasons) or "not requested"
     return ratios

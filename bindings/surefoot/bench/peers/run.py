@@ -1,4 +1,4 @@
-"""All comparisons with peers."""
+"""Run of the comparison with the peers."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ from surefoot.bench.settings import BenchSettings
 from surefoot.robot.description import describe_robot
 
 SCENARIOS = ("quiet", "motion", "push50")
-# What every side is asked for; docs/peers.md says it at length.
+# Tasks and constraints of every implementation; docs/peers.md has the details.
 TASKS = {
-    "what": "centre of mass, base orientation, posture, even forces; four feet down, friction, "
+    "what": "centre of mass, base orientation, posture, even forces; four stance feet, friction, "
     "bounds of normal force and torque",
     "stiffness_and_damping": {
         k: list(v) for k, v in {**TASK_GAINS, "posture": POSTURE_GAINS}.items()
@@ -42,7 +42,7 @@ TASKS = {
 
 
 def add_peers(bench: Bench, settings: BenchSettings, options: PeerOptions | None = None) -> None:
-    """Run the comparison; put it under "peers" of a bench's figures, its ratios beside."""
+    """Run the comparison; add it to the figures of a benchmark as "peers", and its ratios."""
     recordings = [bench.recordings.get(name) or record(settings, name) for name in SCENARIOS]
     result = run_peers(recordings, options)
     reasons = [result.get(f"{name}_reason") for name in RATIOS]
@@ -56,18 +56,18 @@ def run_peers(
     options: PeerOptions | None = None,
     peers: Sequence[Peer] = PEERS,
 ) -> dict[str, Any]:
-    """Compare our ticks with the peers' on recorded runs of one robot.
+    """Compare the ticks of Surefoot and of the peers on recorded runs of one robot.
 
     Args:
-        recordings: What bench.record() returned.
-        options: Defaults if None. The first run installs the peers.
-        peers: To compare with.
+        recordings: Results of bench.record().
+        options: Options; None for the defaults. The first run installs the peers.
+        peers: Peers to compare with.
 
     Returns:
-        Plain JSON types. The ratios of RATIOS, medians over pairs of ticks, beside each its
-        "_language", its "_python" where that is another, and its "_reason" where it is None; in
-        "rows" all figures, a row per peer and language. A peer that does not run is a row that
-        says why, never an exception.
+        JSON values. Each ratio of RATIOS is a median over pairs of ticks. Beside it are its
+        "_language", its "_python" value if the ratio is from C++, and its "_reason" if it is None.
+        "rows" has all figures, one row per peer and language. A peer that does not run has a row
+        with the reason; it raises no exception.
     """
     options = options or PeerOptions()
     recording_list = [recordings] if isinstance(recordings, Recording) else list(recordings)
@@ -76,7 +76,7 @@ def run_peers(
     try:
         urdf = options.urdf or describe_robot(robot.name).urdf
     except Error as problem:
-        reason = f"a peer needs the robot's URDF: {problem}"
+        reason = f"peers need the URDF of the robot: {problem}"
         rows = [{"peer": peer.name, "language": "python", "reason": reason} for peer in peers]
     else:
         interpreters = prepare_peers(peers, options)
@@ -104,11 +104,11 @@ def run_peers(
 def _run_recording(
     recording: Recording, urdf: Path, options: PeerOptions, interpreters: Interpreters
 ) -> list[PairedResult]:
-    """Play a recording in every language."""
+    """Time a recording in every language."""
     problem = make_problem(recording, urdf)
     with tempfile.TemporaryDirectory(prefix="surefoot-peers-") as folder:
         file = write_problem(problem, recording.reports, Path(folder))
-        options.report_progress(f"peers: playing {recording.scenario}")
+        options.report_progress(f"peers: timing {recording.scenario}")
         paired_runs = make_paired_runs(problem, recording, options, interpreters, file)
         with one_processor():
             return [paired_run.run(len(problem), options.block) for paired_run in paired_runs]

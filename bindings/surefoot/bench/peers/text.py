@@ -1,17 +1,17 @@
-"""The comparison with peers for people to read."""
+"""Results of the comparison with the peers as text."""
 
 from __future__ import annotations
 
 from typing import Any
 
 NOTE = (
-    "Wall time [us] on one processor, blocks of ticks in turns; a ratio is the median over all "
-    "ticks\nof ours / theirs."
+    "Wall time [us] on one processor; implementations take turns by blocks of ticks. A ratio is "
+    "the median\nof ours / theirs over all ticks."
 )
 
 
 def peers_text(result: dict[str, Any]) -> str:
-    """Return what run_peers() returned as a table."""
+    """Return the result of run_peers() as a table of text."""
     lines = [NOTE]
     for row in result["rows"]:
         head = f"{row['peer']} ({row['language']}): "

@@ -1,4 +1,4 @@
-"""Figures of two sides that computed the same ticks."""
+"""Statistics of two implementations that computed the same ticks."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from surefoot.bench.peers.implementation import CPU, FORCES, SOLVED, TORQUES, WALL, Ticks
 from surefoot.bench.timing_statistics import distribution
 
-FORCE_TOLERANCE = 0.03  # of the weight, by which any foot's force may differ while nobody pushes
-TORQUE_TOLERANCE = 0.05  # of the greatest torque then, by which answers may differ
+FORCE_TOLERANCE = 0.03  # of the weight: allowed difference of a foot force before the first push
+TORQUE_TOLERANCE = 0.05  # of the largest torque before the first push: allowed difference
 SAME_ANSWER = "same answer"
 
 
@@ -21,7 +21,7 @@ def median_time_ratio(our_ticks: Ticks, peer_ticks: Ticks, clock: int = WALL) ->
 
 
 def tick_statistics(ticks: Ticks) -> dict[str, Any]:
-    """Return how long the ticks took, and how many were not solved."""
+    """Return the distributions of the tick times and the number of unsolved ticks."""
     return {
         "wall_us": distribution(ticks[:, WALL] / 1000.0),
         "cpu_us": distribution(ticks[:, CPU] / 1000.0),
@@ -32,17 +32,17 @@ def tick_statistics(ticks: Ticks) -> dict[str, Any]:
 def compare_answers(
     our_ticks: Ticks, peer_ticks: Ticks, weight: float, calm: NDArray[np.bool_]
 ) -> dict[str, Any]:
-    """Compare forces and torques.
+    """Compare foot forces and joint torques.
 
     Args:
-        our_ticks: State to torque.
-        peer_ticks: The same ticks.
-        weight: Of the robot [N].
-        calm: Which ticks are before any push.
+        our_ticks: Our ticks from state to torque.
+        peer_ticks: The same ticks of the peer.
+        weight: Weight of the robot [N].
+        calm: (n,) whether each tick is before the first push.
 
     Returns:
-        Forces, greatest differences, in how many ticks torques differ by more than TORQUE_TOLERANCE,
-        and in "verdict" in words whether the answer is the same while nobody pushes.
+        The largest differences, the number of ticks whose torques differ by more than
+        TORQUE_TOLERANCE, and as "verdict" whether the answers agree before the first push.
     """
     force = _max_force_difference(our_ticks, peer_ticks)
     calm_force = float(force[calm].max())
@@ -51,7 +51,7 @@ def compare_answers(
     calm_torque = float(torque[calm].max())
     verdict = SAME_ANSWER
     if calm_force > FORCE_TOLERANCE * weight:
-        verdict = f"another answer: a foot's force differs by up to {calm_force:.3g} N"
+        verdict = f"another answer: a foot force differs by up to {calm_force:.3g} N"
     elif calm_torque > TORQUE_TOLERANCE * greatest:
         verdict = (
             f"another answer: torques differ by up to {calm_torque:.3g} N.m of {greatest:.3g} N.m"
@@ -67,7 +67,7 @@ def compare_answers(
 
 
 def _max_force_difference(our_ticks: Ticks, peer_ticks: Ticks) -> NDArray[np.float64]:
-    """Return how far the foot's force is that differs most, tick by tick [N]."""
+    """Return the largest difference of a foot force for each tick [N]."""
     difference = (peer_ticks - our_ticks)[:, FORCES:TORQUES].reshape(len(our_ticks), 4, 3)
     largest: NDArray[np.float64] = np.linalg.norm(difference, axis=2).max(axis=1)
     return largest

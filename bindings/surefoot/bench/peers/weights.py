@@ -1,4 +1,4 @@
-"""Our program's weights in the peers' units."""
+"""Weights of our QP in the units of the peers."""
 
 from __future__ import annotations
 
@@ -8,21 +8,22 @@ import pinocchio
 from surefoot._core import Gains, Robot
 
 GRAVITY = 9.81
-# Of forces, per N^2. Ours draws to the forces that fulfil the tasks, which costs the tasks nothing;
-# the peers draw to a quarter of the weight and to zero: so little that it costs them nothing.
+# Weight of contact forces [1/N^2]. Our QP weights the distance to forces that fulfil the tasks,
+# TSID the distance to a quarter of the weight, PlaCo the force itself. This weight is low enough
+# not to disturb the tasks of the peers.
 FORCE_WEIGHT = 1e-6
 
 
 def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
-    """Return weights per squared acceleration (com, base, posture) and force; com is one.
+    """Compute the weights per squared acceleration (com, base, posture) and force; com is 1.
 
-    Ours weigh accelerations in units of what a quarter of the weight on a foot does: of the centre
-    of mass exactly, of the base by the inertia of the robot with its joints locked, which is near
-    what the program takes.
+    Our QP scales accelerations by those that a quarter of the weight on one foot causes. For the
+    centre of mass this scale is exact. For the base it is computed from the inertia of the robot
+    with locked joints, which is close to the scale in the QP.
 
     Args:
-        robot: In its standing pose.
-        gains: Whose weights.
+        robot: Robot, evaluated in its standing pose.
+        gains: Gains with the weights to convert.
     """
     model = pinocchio.Model()
     model.loadFromString(robot.serialized_model())
@@ -35,7 +36,7 @@ def peer_weights(robot: Robot, gains: Gains) -> dict[str, float]:
     angular_response = np.hstack([inverse @ pinocchio.skew(foot - data.com[0]) for foot in feet])
     foot_load = 0.25 * robot.mass * GRAVITY
     angular = np.sqrt(3.0) / (foot_load * np.linalg.norm(angular_response))
-    # Hip axes are as high as the thighs' joints: the second of each leg.
+    # Hip height from the thigh joints, the second of each leg, which are as high as the hip axes.
     hips = [data.oMi[model.getJointId(robot.config.joint_names[i])] for i in range(1, 12, 3)]
     leg_length = float(np.mean([hip.translation[2] for hip in hips]) - feet[:, 2].mean())
     com = gains.weight_com_horizontal * (2.0 / GRAVITY) ** 2

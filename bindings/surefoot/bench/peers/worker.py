@@ -1,4 +1,4 @@
-"""A contestant that is a process of its own, in a peer's environment or compiled."""
+"""Implementation in a separate process: a peer's Python environment or a C++ executable."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ from surefoot.bench.peers.options import PeerError
 
 
 class Worker:
-    """Speaks with a worker through pipes; workers/worker_loop.py says how.
+    """Client of a worker process, through pipes; workers/worker_loop.py defines the protocol.
 
     Attributes:
-        versions: Of the packages behind it.
+        versions: Versions of the packages that the worker uses.
     """
 
     def __init__(self, words: list[str], width: int, timeout: float) -> None:
-        """Start it and wait until it is ready.
+        """Start the worker and wait until it is ready.
 
         Args:
-            words: The command.
-            width: Numbers that a tick is told in.
-            timeout: Longest silence while an answer is awaited [s].
+            words: Command of the worker.
+            width: Number of values per tick.
+            timeout: Longest time to wait for an answer [s].
 
         Raises:
-            PeerError: It could not be started, ended, or kept silent.
+            PeerError: The worker could not be started, ended, or did not answer in time.
         """
         self._width, self._timeout = width, timeout
         self._errors = tempfile.TemporaryFile()
@@ -59,7 +59,7 @@ class Worker:
             raise
 
     def run_ticks(self, first: int, count: int) -> Ticks:
-        """Have it compute ticks, shape (count, width); raises PeerError."""
+        """Let the worker compute ticks, shape (count, width); raises PeerError."""
         assert self._process.stdin is not None
         try:
             self._process.stdin.write(f"play {first} {count}\n".encode())
@@ -72,11 +72,13 @@ class Worker:
         ticks = np.frombuffer(self._buffer[:size], dtype="<f8").reshape(count, self._width)
         self._buffer = self._buffer[size:]
         if not np.isfinite(ticks).all():
-            raise PeerError(f"answered with a number that is not finite, ticks from {first} on")
+            raise PeerError(
+                f"answered with a value that is not finite in a block from tick {first}"
+            )
         return ticks
 
     def close(self) -> None:
-        """End it."""
+        """End the worker process."""
         for pipe in (self._process.stdin, self._process.stdout):
             if pipe is not None:
                 with contextlib.suppress(OSError):
@@ -96,7 +98,9 @@ class Worker:
         try:
             versions = json.loads(line)["versions"]
         except (ValueError, KeyError, TypeError):
-            raise PeerError(f"got {line[:80]!r} from it, expected its versions") from None
+            raise PeerError(
+                f"first line: got {line[:80]!r}, expected its versions as JSON"
+            ) from None
         return dict(versions)
 
     def _read(self, deadline: float) -> None:
@@ -111,7 +115,7 @@ class Worker:
         self._buffer += chunk
 
     def _exit_description(self) -> str:
-        """Say how it ended, and its last words."""
+        """Return how the worker ended, and its last line of error output."""
         try:
             status = self._process.wait(timeout=2.0)
         except subprocess.TimeoutExpired:
@@ -125,9 +129,9 @@ class Worker:
 def worker_factory(
     command: Callable[[], list[str]], width: int, timeout: float
 ) -> Callable[[], Worker]:
-    """Ask for a worker's command now, which may take minutes; return what starts it later.
+    """Get the command of a worker now, which may take minutes; return a factory of the worker.
 
-    What goes wrong with the command is raised as PeerError when the worker is to be started.
+    If there is no command, the factory raises PeerError with the reason.
     """
     try:
         words = command()

@@ -1,4 +1,4 @@
-"""Quadratic programs recorded tick after tick, in a plain format that others can read."""
+"""Recording of the QPs of consecutive ticks, in a format that other tools can read."""
 
 from surefoot.bench.problems.qp_sequence import QpSequence, load_sequence
 from surefoot.bench.problems.qpbenchmark_export import export_qpbenchmark

@@ -1,4 +1,4 @@
-"""A sequence of quadratic programs of one size, and its file."""
+"""Sequence of QPs of one size, and its file format."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ _ARRAYS = ("H", "g", "A", "b", "C", "l", "u")
 
 @dataclass(frozen=True)
 class QpSequence:
-    """Programs of consecutive ticks: minimise 1/2 x'Hx + g'x  subject to  Ax = b,  l <= Cx <= u.
+    """QPs of consecutive ticks: minimise 1/2 x'Hx + g'x  subject to  Ax = b,  l <= Cx <= u.
 
     Attributes:
-        meta: What they are of: format, robot, scenario, form, elastic, rate [Hz], seed, versions.
-        tick: (T,) int64, when each was solved; a step of one is the next control period.
-        H: (T, n, n) symmetric.
-        g: (T, n).
-        A: (T, equalities, n).
-        b: (T, equalities).
-        C: (T, inequalities, n).
-        l: (T, inequalities); -inf where there is no bound.
-        u: (T, inequalities); inf where there is no bound.
+        meta: Origin of the QPs: format, robot, scenario, form, elastic, rate [Hz], seed, versions.
+        tick: (T,) int64, index of the control period of each QP.
+        H: (T, n, n) symmetric matrices of the cost.
+        g: (T, n) vectors of the cost.
+        A: (T, equalities, n) matrices of the equalities.
+        b: (T, equalities) right-hand sides of the equalities.
+        C: (T, inequalities, n) matrices of the inequalities.
+        l: (T, inequalities) lower bounds; -inf if there is none.
+        u: (T, inequalities) upper bounds; inf if there is none.
     """
 
     meta: dict[str, Any]
@@ -43,7 +43,7 @@ class QpSequence:
     A: Array
     b: Array
     C: Array
-    l: Array  # noqa: E741  (the field's name for it)
+    l: Array  # noqa: E741  (the usual name of the lower bound)
     u: Array
 
     def __len__(self) -> int:
@@ -51,13 +51,13 @@ class QpSequence:
 
     @property
     def name(self) -> str:
-        """One word: robot-scenario-form, and -elastic where slacks are among the variables."""
+        """Name robot-scenario-form, with -elastic appended if slacks are among the variables."""
         meta = self.meta
         words = [meta["robot"], meta["scenario"], meta["form"]]
         return "-".join([*words, "elastic"] if meta["elastic"] else words)
 
     def save(self, folder: Path) -> Path:
-        """Write NAME.npz, uncompressed; `meta` is a JSON string in it."""
+        """Write NAME.npz, uncompressed, with `meta` as a JSON string; return its path."""
         folder.mkdir(parents=True, exist_ok=True)
         arrays = {name: getattr(self, name) for name in _ARRAYS}
         path = folder / f"{self.name}.npz"
@@ -68,7 +68,7 @@ class QpSequence:
 def make_qp_sequence(
     meta: dict[str, Any], ticks: Sequence[int], problems: Sequence[QpProblem]
 ) -> QpSequence:
-    """Stack programs of one size."""
+    """Stack QPs of one size; bounds of 1e20 or more become infinite."""
     stacked = {name: np.stack([getattr(p, name) for p in problems]) for name in "HgAbClu"}
     stacked["l"][stacked["l"] <= -NO_BOUND] = -np.inf
     stacked["u"][stacked["u"] >= NO_BOUND] = np.inf
@@ -77,10 +77,10 @@ def make_qp_sequence(
 
 
 def load_sequence(path: Path) -> QpSequence:
-    """Read what save() wrote.
+    """Read a sequence that save() wrote.
 
     Raises:
-        Error: No such sequence.
+        Error: The file is not such a sequence.
     """
     try:
         with np.load(path, allow_pickle=False) as file:
@@ -88,7 +88,7 @@ def load_sequence(path: Path) -> QpSequence:
             arrays = {name: file[name] for name in _ARRAYS}
             tick = file["tick"]
     except (OSError, *CORRUPT_NPZ) as problem:
-        raise Error(f"{path}: got {problem}, expected a sequence of programs (.npz)") from None
+        raise Error(f"{path}: got {problem}, expected a sequence of QPs (.npz)") from None
     if meta.get("format") != FORMAT:
         raise Error(f"{path}: got the format {meta.get('format')!r}, expected '{FORMAT}'")
     return QpSequence(meta, tick, **arrays)

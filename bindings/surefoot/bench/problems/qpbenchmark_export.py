@@ -1,4 +1,4 @@
-"""Sequences for qpbenchmark: a folder with its own test set."""
+"""Export of sequences to qpbenchmark, as a folder with a test set."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from surefoot.bench.problems.qp_sequence import QpSequence
 
 TEST_SET = '''\
-"""Whole-body programs of quadrupeds for qpbenchmark: qpbenchmark surefoot_wbc.py run"""
+"""Whole-body control QPs of quadrupeds. Run: qpbenchmark surefoot_wbc.py run"""
 
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,7 @@ import qpbenchmark
 
 
 class SurefootWbc(qpbenchmark.TestSet):
-    """Every program here, as qpsolvers.Problem.load() reads them."""
+    """All QPs of the folder data, as read by qpsolvers.Problem.load()."""
 
     description = "Whole-body torque control of Unitree quadrupeds, recorded tick after tick."
     sparse_only = False
@@ -33,13 +33,13 @@ class SurefootWbc(qpbenchmark.TestSet):
 
 
 def export_qpbenchmark(sequences: Iterable[QpSequence], folder: Path, every: int = 50) -> int:
-    """Write FOLDER/surefoot_wbc.py and every so many of the programs as FOLDER/data/*.npz.
+    """Write FOLDER/surefoot_wbc.py, and every `every`-th QP as FOLDER/data/*.npz.
 
-    qpbenchmark solves from nothing and asks for minutes per thousand programs, so a sample serves;
-    two-sided rows become two one-sided ones, G x <= h.
+    qpbenchmark solves each QP with a cold start and takes minutes per thousand QPs, so only a
+    sample is written. A two-sided constraint becomes two one-sided ones, G x <= h.
 
     Returns:
-        How many programs were written.
+        Number of QPs written.
     """
     data = folder / "data"
     data.mkdir(parents=True, exist_ok=True)
@@ -56,7 +56,7 @@ def export_qpbenchmark(sequences: Iterable[QpSequence], folder: Path, every: int
 
 def _qpsolvers(s: QpSequence, k: int) -> dict[str, Any]:
     upper, lower = np.isfinite(s.u[k]), np.isfinite(s.l[k])
-    none = np.array(None)  # what qpsolvers writes, and reads as "none of these"
+    none = np.array(None)  # what qpsolvers writes and reads for a missing part
     equalities = {"A": s.A[k], "b": s.b[k]} if s.b.shape[1] else {"A": none, "b": none}
     return {
         "P": s.H[k],

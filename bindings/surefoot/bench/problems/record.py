@@ -1,4 +1,4 @@
-"""Records the programs of a run, grouped by their size."""
+"""Recording of the QPs of a run, grouped by their size."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from surefoot._core import Error, QpForm, QpProblem, StandController, StandOptions, is_usable
 from surefoot.bench.problems.qp_sequence import QpSequence, make_qp_sequence
 from surefoot.bench.problems.scenarios import SCENARIOS, Scenario
-from surefoot.bench.problems.three_legged_stance import run_limp
+from surefoot.bench.problems.three_legged_stance import run_three_legged_stance
 from surefoot.robot.description import RobotDescription
 
 THREE_LEGGED_STANCE = "limp"
@@ -21,31 +21,31 @@ _PACKAGES = ("surefoot", "pin", "mujoco", "example-robot-data")
 def record_problems(
     robot: str | RobotDescription, scenario: str, form: QpForm, rate: float = 500.0, seed: int = 1
 ) -> list[QpSequence]:
-    """Run a scenario and keep every program that was solved.
+    """Run a scenario and record every solved QP.
 
     Args:
-        robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
-        scenario: One of NAMES.
+        robot: A name of surefoot.available_robots(), or the result of describe_robot().
+        scenario: One of SCENARIO_NAMES.
         form: CONDENSED or GENERAL.
         rate: Ticks per second [Hz].
-        seed: Of the sensors' noise; the same seed gives the same programs.
+        seed: Seed of the sensor noise; the same seed gives the same QPs.
 
     Returns:
-        One sequence of hard programs, and one of those with slacks if any row ever gave.
+        One sequence of QPs without slacks, and one with slacks if the solver ever needed them.
 
     Raises:
-        Error: An unknown name, or a robot that fell.
+        Error: The name is unknown, or the robot fell on three legs.
     """
     check_scenario(scenario)
     if scenario == THREE_LEGGED_STANCE:
-        programs = run_limp(robot, form, rate, seed)
+        all_problems = run_three_legged_stance(robot, form, rate, seed)
     else:
-        programs = stand_problems(robot, SCENARIOS[scenario], form, rate, seed)
+        all_problems = stand_problems(robot, SCENARIOS[scenario], form, rate, seed)
     found: dict[int, tuple[list[int], list[QpProblem]]] = defaultdict(lambda: ([], []))
-    for tick, program in programs:
-        ticks, problems = found[len(program.g)]
+    for tick, problem in all_problems:
+        ticks, problems = found[len(problem.g)]
         ticks.append(tick)
-        problems.append(program)
+        problems.append(problem)
     smallest_size = min(found)
     meta: dict[str, Any] = {
         "robot": robot if isinstance(robot, str) else robot.name,
@@ -62,7 +62,7 @@ def record_problems(
 
 
 def check_scenario(name: str) -> None:
-    """Raise Error unless it is one of NAMES."""
+    """Raise Error unless `name` is one of SCENARIO_NAMES."""
     if name not in SCENARIO_NAMES:
         raise Error(f"scenario: got '{name}', expected one of {', '.join(SCENARIO_NAMES)}")
 
@@ -70,7 +70,7 @@ def check_scenario(name: str) -> None:
 def stand_problems(
     robot: str | RobotDescription, scenario: Scenario, form: QpForm, rate: float, seed: int
 ) -> Iterator[tuple[int, QpProblem]]:
-    """Yield (tick, program) of the stand controller; a robot that falls ends the sequence."""
+    """Yield (tick, QP) of the stand controller; end when the robot falls."""
     plant = scenario.make_plant(robot, rate, seed)
     assumed_robot = scenario.controller_robot(plant.robot)
     controller = StandController(assumed_robot, assumed_robot.config.gains, StandOptions(form=form))

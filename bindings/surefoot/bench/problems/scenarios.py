@@ -1,4 +1,4 @@
-"""What a robot goes through while its programs are recorded."""
+"""Scenarios in which LowStates and QPs are recorded."""
 
 from __future__ import annotations
 
@@ -19,15 +19,17 @@ from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings, Push
 
 PUSH_DURATION = 0.1  # [s]
-PUSH_TIMES = (1.0, 4.0)  # [s] lateral, forward
-WEAK_TORQUE_FACTOR = 1.3  # times the greatest torque of standing are left to motors that saturate
-SLIPPERY_FRICTION = 0.2  # friction that the controller counts on; the ground's is half more
+PUSH_TIMES = (1.0, 4.0)  # [s] of the lateral and the forward push
+WEAK_TORQUE_FACTOR = 1.3  # torque limit over the largest standing torque, in scenario weak
+SLIPPERY_FRICTION = (
+    0.2  # friction coefficient that the controller assumes; the ground has 1.5 times
+)
 
 BodyTrajectory = Callable[[float], BodyReference]
 
 
 def _sway(time: float) -> BodyReference:
-    """Return a body that sways in all six directions, each at its own pace."""
+    """Return a body reference that sways in all six directions, each at its own frequency."""
 
     def wave(amplitude: float, hertz: float) -> float:
         return amplitude * math.sin(2.0 * math.pi * hertz * time)
@@ -47,13 +49,14 @@ class Scenario:
     """One recorded run of the stand controller.
 
     Attributes:
-        description: In words.
-        duration: [s].
-        push: Share of what the linear inverted pendulum survives; 0 is none.
-        friction: Between foot and ground, and 2/3 of that is counted on; None is the usual.
-        torque_factor: What the controller is told of the motors: so many times the greatest torque that
-            standing takes; None is all they have.
-        body_reference: Where the body is asked to be at a time [s], told before every tick; None is to stay.
+        description: One line of text.
+        duration: Duration of the run [s].
+        push: Impulse of the pushes as a share of the LIP push limit; 0 for no push.
+        friction: Friction coefficient of the ground; the controller assumes 2/3 of it. None for
+            the default: 0.8 of the ground, and the configured value of the controller.
+        torque_factor: Torque limit of the controller over the largest standing torque; None for
+            the limits of the motors.
+        body_reference: Body reference at a time [s], set before every tick; None to hold the pose.
     """
 
     description: str
@@ -64,12 +67,12 @@ class Scenario:
     body_reference: BodyTrajectory | None = None
 
     def apply_reference(self, controller: StandController, time: float) -> None:
-        """Tell the controller what comes before the tick at a time [s]."""
+        """Set the body reference of the tick at a time [s], if the scenario has one."""
         if self.body_reference is not None:
             controller.set_body_reference(self.body_reference(time))
 
     def controller_robot(self, robot: Robot) -> Robot:
-        """Return the robot as the controller is told of it."""
+        """Return the robot model of the controller, with the assumed friction and torque limits."""
         config = robot.config  # a copy
         if self.friction is not None:
             config.friction = self.friction / 1.5
@@ -80,7 +83,7 @@ class Scenario:
         return Robot.from_serialized_model(robot.serialized_model(), config)
 
     def make_plant(self, robot: str | RobotDescription, rate: float, seed: int) -> Plant:
-        """Return the robot and its ground."""
+        """Return the plant with its ground and its pushes."""
         friction = 0.8 if self.friction is None else self.friction
         plant = Plant(robot, PlantSettings(control_rate=rate, seed=seed, friction=friction))
         for direction, time in zip(("lateral", "forward"), PUSH_TIMES, strict=True):
@@ -91,7 +94,7 @@ class Scenario:
 
 
 def _standing_torque(robot: Robot) -> float:
-    """Return the greatest motor torque of standing level and at rest [N.m]."""
+    """Compute the largest motor torque of a level stand at rest [N.m]."""
     controller = WholeBodyController(robot)
     state = RobotState(robot.nq, robot.nv)
     state.q = robot.q_standing()
@@ -102,13 +105,15 @@ SCENARIOS: dict[str, Scenario] = {
     "quiet": Scenario("quiet standing", 4.0),
     "motion": Scenario("the body sways in six directions", 10.0, body_reference=_sway),
     "push50": Scenario("pushes of 50 % of the LIP limit, lateral and forward", push=0.5),
-    "push80": Scenario("pushes of 80 %", push=0.8),
-    "push100": Scenario("pushes of 100 %", push=1.0),
+    "push80": Scenario("pushes of 80 % of the LIP limit", push=0.8),
+    "push100": Scenario("pushes of 100 % of the LIP limit", push=1.0),
     "slippery": Scenario(
-        "pushes of 30 % at friction 0.3", push=0.3, friction=1.5 * SLIPPERY_FRICTION
+        "pushes of 30 % of the LIP limit at friction 0.3",
+        push=0.3,
+        friction=1.5 * SLIPPERY_FRICTION,
     ),
     "weak": Scenario(
-        "pushes of 50 % with motors hardly stronger than standing",
+        "pushes of 50 % of the LIP limit, torques limited to 1.3 times those of standing",
         push=0.5,
         torque_factor=WEAK_TORQUE_FACTOR,
     ),

@@ -1,4 +1,8 @@
-"""A stand on three feet: the centre of mass moves over three, the fourth goes up and comes back."""
+"""Scenario of a three-legged stance.
+
+The centre of mass moves over three feet, the fourth foot is unloaded and lifted, and all of it is
+reversed. The whole-body controller receives the true state, without estimator.
+"""
 
 from __future__ import annotations
 
@@ -23,19 +27,19 @@ from surefoot.sim import Plant, PlantSettings
 
 LIFTED_LEG = 0  # FR
 SHIFT_TIME, UNLOAD_TIME, LIFT_TIME, REST_TIME = 1.5, 0.3, 0.4, 0.8  # [s]
-LIFT_HEIGHT = 0.03  # [m] of the foot in the air
+LIFT_HEIGHT = 0.03  # [m] height of the lifted foot
 UP = np.array([0.0, 0.0, 1.0])
 DURATION = 2 * (SHIFT_TIME + UNLOAD_TIME + LIFT_TIME) + 2 * REST_TIME
 
 
 @dataclass(frozen=True)
-class Limp:
-    """How far along it is: each 0 .. 1.
+class StancePlan:
+    """Progress of the three-legged stance, each value 0 .. 1.
 
     Attributes:
-        com_shift: The centre of mass, from where it was to over three feet.
-        load: Planned share of the fourth foot.
-        lift: The fourth foot, from the ground to HEIGHT.
+        com_shift: Displacement of the centre of mass from its start to above the three feet.
+        load: Planned load of the lifted foot.
+        lift: Height of the lifted foot over LIFT_HEIGHT.
     """
 
     com_shift: float
@@ -43,20 +47,20 @@ class Limp:
     lift: float
 
 
-def limp_at(time: float) -> Limp:
-    """Return the plan at a time [s]: there, a rest, and the same way back."""
-    t = min(time, DURATION - REST_TIME - time)  # the last rest is on four feet
+def stance_plan_at(time: float) -> StancePlan:
+    """Return the plan at a time [s]: shift, unload, lift, rest, and the reverse."""
+    t = min(time, DURATION - REST_TIME - time)  # the final rest is on four feet
     com_shift = smoothstep(t / SHIFT_TIME)
     load = 1.0 - smoothstep((t - SHIFT_TIME) / UNLOAD_TIME)
-    return Limp(com_shift, load, smoothstep((t - SHIFT_TIME - UNLOAD_TIME) / LIFT_TIME))
+    return StancePlan(com_shift, load, smoothstep((t - SHIFT_TIME - UNLOAD_TIME) / LIFT_TIME))
 
 
-def run_limp(
+def run_three_legged_stance(
     robot: str | RobotDescription, form: QpForm, rate: float, seed: int
 ) -> Iterator[tuple[int, QpProblem]]:
-    """Yield (tick, program) of a controller that is given the true state; raises Error if it falls.
+    """Yield (tick, QP) of a three-legged stance; raise Error if the robot falls.
 
-    Estimation is not what is recorded, and the stand controller keeps all its feet down.
+    The whole-body controller is used directly, because the stand controller keeps four stance feet.
     """
     plant = Plant(robot, PlantSettings(sensors="ideal", control_rate=rate, seed=seed))
     controller = WholeBodyController(plant.robot, options=WholeBodyOptions(form=form))
@@ -66,24 +70,25 @@ def run_limp(
     goal = start.copy()
     goal[:2] = np.mean([reference.foot(k).p_world[:2] for k in range(4) if k != LIFTED_LEG], axis=0)
     for tick in range(round(DURATION * rate)):
-        limp = limp_at(tick / rate)
-        reference.p_com = start + limp.com_shift * (goal - start)
+        stance_plan = stance_plan_at(tick / rate)
+        reference.p_com = start + stance_plan.com_shift * (goal - start)
         foot = reference.foot(LIFTED_LEG)
-        foot.stance, foot.load = limp.load > 0.0, limp.load
-        foot.p_world = anchor + LIFT_HEIGHT * limp.lift * UP
+        foot.stance, foot.load = stance_plan.load > 0.0, stance_plan.load
+        foot.p_world = anchor + LIFT_HEIGHT * stance_plan.lift * UP
         solution = controller.update(
-            true_state(plant, None if limp.load > 0.0 else LIFTED_LEG), reference
+            true_state(plant, None if stance_plan.load > 0.0 else LIFTED_LEG), reference
         )
         if plant.truth.fell or not is_usable(solution.status):
             raise Error(
-                f"limp: got a {plant.robot.name} {solution.status.name} at {plant.time:.2f} s"
+                f"three-legged stance: {plant.robot.name} fell or got status "
+                f"{solution.status.name} at {plant.time:.2f} s; try other gains"
             )
         yield tick, controller.qp
         plant.step(torque_command(plant.robot, solution.torques))
 
 
 def true_state(plant: Plant, airborne: int | None = None) -> RobotState:
-    """Return the plant's state; contact is what was planned: all feet but one that is airborne."""
+    """Return the true state, with the planned contact: all feet except `airborne`."""
     truth = plant.truth
     state = RobotState(plant.robot.nq, plant.robot.nv)
     state.q, state.v = truth.q, truth.v
@@ -95,7 +100,7 @@ def true_state(plant: Plant, airborne: int | None = None) -> RobotState:
 
 
 def torque_command(robot: Robot, torques: np.ndarray) -> LowCmd:
-    """Return the command that has the motors make these torques (order of v[6:])."""
+    """Return the command with these joint torques [N.m], in the order of v[6:]."""
     command = LowCmd()
     for motor, v in enumerate(robot.motor_to_v):
         command.motorCmd[motor].tau = torques[v - 6]
@@ -103,6 +108,6 @@ def torque_command(robot: Robot, torques: np.ndarray) -> LowCmd:
 
 
 def smoothstep(x: float) -> float:
-    """Return 0 .. 1 for x from 0 to 1, at rest at both ends."""
+    """Return 3 x^2 - 2 x^3 for x clamped to [0, 1]: from 0 to 1 with zero slope at both ends."""
     x = min(max(x, 0.0), 1.0)
     return x * x * (3.0 - 2.0 * x)

@@ -1,4 +1,4 @@
-"""Solvers side by side on recorded programs, warm and cold, judged by one check of our own."""
+"""Comparison of QP solvers on recorded QPs, warm and cold, with one common check of residuals."""
 
 from surefoot.bench.solvers.run import run_solvers
 from surefoot.bench.solvers.solver_build import SOLVERS

@@ -1,4 +1,4 @@
-"""Files that the programs read and write: plain doubles."""
+"""Binary files that the solver executables read and write: float64 values."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def write_raw(sequence: QpSequence, path: Path) -> None:
 
 
 def read_records(path: Path, ticks: int) -> Records:
-    """Return every field of a run, NaN in ticks that it did not reach."""
+    """Return the fields of a run by name, (ticks,) each; NaN in ticks that it did not reach."""
     rows = np.full((ticks, len(FIELDS)), np.nan)
     if path.is_file():
         found = np.fromfile(path).reshape(-1, len(FIELDS))

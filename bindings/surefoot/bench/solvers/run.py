@@ -1,4 +1,4 @@
-"""Solvers in alternation over sequences."""
+"""Run of the solver comparison: solvers take turns on each sequence of QPs."""
 
 from __future__ import annotations
 
@@ -30,17 +30,17 @@ def run_solvers(
     folder: Path | None = None,
     extra: Sequence[Path] = (),
 ) -> dict[str, Any]:
-    """Solve every program with every solver, warm and cold, and return the figures as JSON types.
+    """Solve every QP with every solver, warm and cold, and return the figures as JSON values.
 
     Args:
-        sequences: What to solve.
-        solvers: Names of SOLVERS or of extra adapters; None is all of SOLVERS.
-        repeats: Times over each sequence; solvers take turns.
-        folder: To build the programs in; None is the user's cache.
-        extra: Adapter files besides.
+        sequences: Sequences of QPs to solve.
+        solvers: Names of SOLVERS or of extra adapters; None for all of SOLVERS.
+        repeats: Number of runs over each sequence; the solvers take turns.
+        folder: Build folder of the executables; None for the user's cache.
+        extra: Further adapter files.
 
     Raises:
-        Error: An unknown name, or nothing to build with.
+        Error: A name is unknown, or CMake or the sources are missing.
     """
     known = [*SOLVERS, *(path.stem for path in extra)]
     names = list(solvers) if solvers is not None else list(SOLVERS)
@@ -82,7 +82,8 @@ def _run_sequence(
         work = SolverFiles(folder / "sequence", None, len(sequence), folder / "records")
         reference: float | None = None
         if isinstance(reference_program, Path):
-            # Asked for more than rounding leaves it says that it failed; what it has is the best.
+            # Rounding errors exceed this tolerance, so the status may be a failure; the answers
+            # are still the most accurate ones available.
             answers, _ = run_program(
                 reference_program, work, "warm", REFERENCE_TOLERANCE, folder / "answers"
             )

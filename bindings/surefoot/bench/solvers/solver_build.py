@@ -1,4 +1,4 @@
-"""The programs, one per solver, compiled the first time they are asked for."""
+"""Executables of the solver comparison, one per solver, compiled on first use."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from surefoot._core import Error
 from surefoot.bench.solvers.solver_paths import PEERS_VARIABLE, cmake_definitions, solver_sources
 
 CASADI, EIQUADPROG = "CASADI_DIR", "EIQUADPROG_PREFIX"
-# What each needs to be found, and how one comes by it.
+# CMake variables that each solver needs; _WHEELS has the packages that provide them.
 SOLVERS: dict[str, tuple[str, ...]] = {
     "surefoot": ("EIGEN_INCLUDE",),
     "proxqp": ("EIGEN_INCLUDE", "PROXSUITE_INCLUDE"),
@@ -35,14 +35,14 @@ _WHEELS = {
 
 
 class SolverBuilder:
-    """Configures once, then builds program after program.
+    """Configures CMake once, then builds one executable per solver.
 
     Args:
-        folder: To build in; by default one in the user's cache, named after what it is made of.
-        extra: Adapter files beside those of the repository; a program is named after its file.
+        folder: Build folder; by default one in the user's cache, named by a hash of the settings.
+        extra: Adapter files besides those of the repository; an executable is named after its file.
 
     Raises:
-        Error: No CMake, no sources, or a configuration that failed.
+        Error: CMake or the sources are missing, or the configuration failed.
     """
 
     def __init__(self, folder: Path | None = None, extra: Sequence[Path] = ()) -> None:
@@ -55,17 +55,20 @@ class SolverBuilder:
             [self._cmake, "-S", str(solver_sources()), "-B", str(self._folder), *cmake_options]
         )
         if problem is not None:
-            raise Error(f"solvers: CMake said {problem}")
+            raise Error(f"solvers: CMake failed: {problem}")
 
     def build(self, solver: str) -> Path | str:
-        """Return the program, or why there is none."""
+        """Return the path of the executable, or the reason why there is none."""
         missing = [name for name in SOLVERS.get(solver, ()) if name not in self._defined]
         if missing:
             wheels = " ".join(_WHEELS[name] for name in missing)
-            return f"not installed: pip install {wheels}, here or in an environment named by {PEERS_VARIABLE}"
+            return (
+                f"not installed: pip install {wheels}, here or in an environment named by "
+                f"{PEERS_VARIABLE}"
+            )
         target = f"bench_{solver}"
         command = [self._cmake, "--build", str(self._folder), "--target", target]
-        problem = _run_command([*command, "--parallel", "1"])  # one may take 2 GB
+        problem = _run_command([*command, "--parallel", "1"])  # one compiler may take 2 GB
         return self._folder / target if problem is None else f"does not compile: {problem}"
 
 
@@ -73,7 +76,9 @@ def _find_cmake() -> str:
     cmake_beside_python = Path(sys.executable).parent / "cmake"
     found = str(cmake_beside_python) if cmake_beside_python.is_file() else shutil.which("cmake")
     if found is None:
-        raise Error("solvers: got no cmake, expected one: pip install cmake, and a C++ compiler")
+        raise Error(
+            "solvers: got no cmake, expected one: pip install cmake; a C++ compiler is needed too"
+        )
     return found
 
 
@@ -84,9 +89,9 @@ def _cache_folder(values: dict[str, str]) -> Path:
 
 
 def _run_command(command: list[str]) -> str | None:
-    """Return None, or what it complained of."""
+    """Run a command; return None, or its first line with an error."""
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode == 0:
         return None
     lines = [line for line in (done.stdout + done.stderr).splitlines() if "rror" in line]
-    return (lines or ["nothing"])[0].strip()
+    return (lines or ["no error text"])[0].strip()

@@ -1,4 +1,4 @@
-"""Where the programs' sources are, and the packages that carry the solvers."""
+"""Paths of the sources of the executables, and of the packages that contain the solvers."""
 
 from __future__ import annotations
 
@@ -11,14 +11,12 @@ from pathlib import Path
 import surefoot
 from surefoot._core import Error
 
-PEERS_VARIABLE = (
-    "SUREFOOT_PEERS"  # environment variable: a folder of packages, or of an environment
-)
+PEERS_VARIABLE = "SUREFOOT_PEERS"  # environment variable: folder of packages, or of an environment
 _REPOSITORY = Path(__file__).resolve().parents[4]
 
 
 def solver_sources() -> Path:
-    """Return the folder with the programs' CMakeLists.txt; raises Error if there is none."""
+    """Return the folder with the executables' CMakeLists.txt; raises Error if there is none."""
     for folder in (_REPOSITORY / "benchmarks", package_folder() / "benchmarks"):
         if (folder / "solvers" / "CMakeLists.txt").is_file():
             return folder / "solvers"
@@ -26,12 +24,12 @@ def solver_sources() -> Path:
 
 
 def package_folder() -> Path:
-    """Return the package's folder, with lib/ and include/."""
+    """Return the folder of the package, with lib/ and include/."""
     return Path(surefoot.__path__[0])
 
 
 def cmake_definitions() -> dict[str, str]:
-    """Return what CMake is told; what is not installed is left out."""
+    """Return the definitions for CMake; packages that are not installed are left out."""
     found: dict[str, str] = {"SUREFOOT_PREFIX": str(package_folder())}
     repository_headers = _REPOSITORY / "controller" / "src"
     private_headers = (
@@ -56,13 +54,13 @@ def cmake_definitions() -> dict[str, str]:
 
 
 def package_folders() -> Iterator[Path]:
-    """Yield folders of packages: this environment's first, then those of peers."""
+    """Yield folders of packages: those of this environment first, then those of the peers."""
     yield package_folder().parent
     for entry in sys.path:
         if entry and Path(entry).name in ("site-packages", "dist-packages"):
             yield Path(entry)
     given = os.environ.get(PEERS_VARIABLE)
-    # Absolute: CMake takes a relative folder from its own. bench --peers makes the default one.
+    # Absolute, since CMake resolves relative paths itself. bench --peers makes the default folder.
     root = Path(given or ".venv-peers").absolute()
     yield root
     yield from sorted(root.glob("lib/python3*/site-packages"))
@@ -77,7 +75,7 @@ def _add_if_installed(found: dict[str, str], name: str, folder: Path, probe_file
 
 
 def _version(name: str, site: Path) -> str:
-    # Packages beside the first site's may be links into another: then ask the whole path.
+    # A package of this site may be a link into another one, so search the whole path.
     for distribution in importlib.metadata.distributions(name=name, path=[str(site), *sys.path]):
         return distribution.version
     return "unknown"

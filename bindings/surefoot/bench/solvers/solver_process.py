@@ -1,4 +1,4 @@
-"""One solver's program over one sequence, in a process of its own: what crashes crashes alone."""
+"""Run of one solver over one sequence, in a separate process that may crash alone."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import numpy as np
 
 from surefoot.bench.solvers.raw_file import Records, read_records
 
-NO_WARM_START_EXIT = 3  # the program's word for it
-TIME_LIMIT = 300.0  # [s] of a sequence
+NO_WARM_START_EXIT = 3  # exit status of a solver that cannot warm start
+TIME_LIMIT = 300.0  # [s] for a sequence
 
 
 @dataclass(frozen=True)
@@ -20,10 +20,10 @@ class SolverFiles:
     """Files of a sequence.
 
     Attributes:
-        sequence: Its programs.
-        reference: What to compare with, or None.
-        ticks: How many.
-        records: Where a run's records go.
+        sequence: File of the QPs.
+        reference: File of the reference answers, or None.
+        ticks: Number of QPs.
+        records: File to write the records of a run to.
     """
 
     sequence: Path
@@ -33,7 +33,7 @@ class SolverFiles:
 
 
 def describe_solver(program: Path) -> dict[str, str]:
-    """Return what a program says of itself."""
+    """Return the interface, version, settings and warm start that an executable reports."""
     done = subprocess.run([program, "describe"], capture_output=True, text=True, check=False)
     names = ("name", "interface", "version", "settings", "warm_start")
     lines = [*done.stdout.splitlines()[-len(names) :], *[""] * len(names)]
@@ -43,7 +43,10 @@ def describe_solver(program: Path) -> dict[str, str]:
 def run_program(
     program: Path, work: SolverFiles, mode: str, tolerance: float, write: Path | None = None
 ) -> tuple[Records | None, str | None]:
-    """Return the records, None if it has no such mode, and why it did not reach the end."""
+    """Run a solver; return its records and the reason why it did not reach the end.
+
+    The records are None if the solver has no warm start; the reason is None after a full run.
+    """
     work.records.unlink(missing_ok=True)
     arguments: list[str | Path] = [
         program,
@@ -56,7 +59,7 @@ def run_program(
     try:
         done = subprocess.run(
             arguments,
-            stdout=subprocess.DEVNULL,  # some print in every solve
+            stdout=subprocess.DEVNULL,  # some solvers print in every solve
             stderr=subprocess.PIPE,
             timeout=TIME_LIMIT,
             check=False,
@@ -65,11 +68,14 @@ def run_program(
     except subprocess.TimeoutExpired:
         code, message = 0, f"stopped after {TIME_LIMIT:g} s"
     if code == NO_WARM_START_EXIT:
-        return None, "keeps nothing from tick to tick"
+        return None, "has no warm start"
     records = read_records(work.records, work.ticks)
     reached = int(np.isfinite(records["status"]).sum())
     if code < 0:
         message = signal.Signals(-code).name
     if code == 0 and reached == work.ticks:
         return records, None
-    return records, f"{message or f'left with {code}'} after {reached} of {work.ticks} ticks"
+    return (
+        records,
+        f"{message or f'ended with status {code}'} after {reached} of {work.ticks} ticks",
+    )

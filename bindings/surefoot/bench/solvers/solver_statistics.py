@@ -1,4 +1,4 @@
-"""What a run's records amount to."""
+"""Statistics of the records of a run."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from surefoot.bench.solvers.raw_file import Records
 from surefoot.bench.timing_statistics import PERCENTILES
 
 NO_STATUS, SOLVED, FAILED = 0, 1, 2
-ACCEPT_FACTOR = 5.0  # times the tolerance asked: more is wrong, as in the controller's own check
+# Residuals above this factor times the requested tolerance are wrong, as in the controller's check.
+ACCEPT_FACTOR = 5.0
 Bools = npt.NDArray[np.bool_]
 
 
 def solver_statistics(records: Records, tolerance: float) -> dict[str, Any]:
-    """Return counts and distributions as plain JSON types; times in us."""
+    """Return counts and distributions as JSON values; times in us."""
     status = records["status"]
     reached = np.isfinite(status)
     correct = _is_correct(records, ACCEPT_FACTOR * tolerance)
@@ -42,7 +43,7 @@ def solver_statistics(records: Records, tolerance: float) -> dict[str, Any]:
 
 
 def _is_correct(records: Records, accept: float) -> Bools:
-    kinds = [records[name] <= accept for name in ("primal", "dual", "gap")]  # NaN is not
+    kinds = [records[name] <= accept for name in ("primal", "dual", "gap")]  # False for NaN
     correct: Bools = np.logical_and.reduce(kinds)
     return correct
 
@@ -55,11 +56,11 @@ def _percentiles(values: npt.NDArray[np.float64]) -> dict[str, float | None]:
 
 
 def _mean_max(values: npt.NDArray[np.float64]) -> dict[str, float | None]:
-    if not len(values) or values.min() < 0.0:  # none, or it does not say
+    if not len(values) or values.min() < 0.0:  # no values, or the solver does not report them
         return {"mean": None, "max": None}
     return {"mean": round(float(values.mean()), 3), "max": float(values.max())}
 
 
 def _json_number(value: float) -> float | None:
-    """JSON knows neither NaN nor infinity."""
+    """Return a value with 3 digits, or None: JSON has neither NaN nor infinity."""
     return float(f"{value:.3g}") if math.isfinite(value) else None

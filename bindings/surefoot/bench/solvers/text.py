@@ -1,4 +1,4 @@
-"""Solvers side by side as a table for people."""
+"""Results of the solver comparison as a table of text."""
 
 from __future__ import annotations
 
@@ -19,18 +19,19 @@ HEADER: tuple[str, ...] = (
     "failed",
     "no status",
     "wrong",
-    "lied",
+    "undetected",
     "interface",
 )
 NOTE = (
-    "update and solve of every tick. failed: said so, or was gone; wrong: primal or dual residual "
-    "or\ncomplementarity of the answer above {accepted:g}, computed here; lied: said solved and "
-    "was wrong.\ncpu: of the thread, without the system's other work, with the clock's own share."
+    "Times of update and solve per tick. failed: the solver reports a failure, or crashed. wrong: "
+    "primal residual,\ndual residual or complementarity of the answer above {accepted:g}, computed "
+    "here. undetected: reported as solved\nbut wrong. cpu: CPU time of the thread, which includes "
+    "the reading of the clock."
 )
 
 
 def solvers_text(result: dict[str, Any]) -> str:
-    """Return what run_solvers() returned for people to read."""
+    """Return the result of run_solvers() as text."""
     parts = [machine_line(result["machine"])]
     reasons: dict[str, None] = {}
     for name, sequence in result["sequences"].items():
@@ -40,8 +41,8 @@ def solvers_text(result: dict[str, Any]) -> str:
             for mode in ("warm", "cold"):
                 _add_rows(rows, reasons, solver, mode, entry)
         title = (
-            f"{name}: {sequence['ticks']} programs, {sequence['variables']} variables, "
-            f"{sequence['equalities']} equalities, {sequence['inequalities']} two-sided rows"
+            f"{name}: {sequence['ticks']} QPs, {sequence['variables']} variables, "
+            f"{sequence['equalities']} equalities, {sequence['inequalities']} two-sided constraints"
         )
         parts += ["", title, *_align(rows)]
     return "\n".join([*parts, "", NOTE.format(**result), *reasons])

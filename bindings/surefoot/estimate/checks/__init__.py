@@ -1,7 +1,7 @@
-"""Whether a log can be what it says it is: units, orders, signs, as its sensors tell each other.
+"""Checks of a log: units, orders and signs, by comparing its sensors and the robot's geometry.
 
-What contradicts beyond doubt is refused, for an estimate of it would look like one; what is only
-doubtful is a warning.
+An estimate from a wrong log can look plausible. A clear contradiction therefore raises Error; a
+doubtful finding is a warning.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ __all__ = ["check_log"]
 
 
 def check_log(robot: Robot, log: SensorLog) -> list[str]:
-    """Return what is doubtful about a log of a robot.
+    """Check a log of a robot; return a warning for each doubtful finding.
 
     Raises:
-        Error: What is wrong beyond doubt, naming the column, what was got and what expected.
+        Error: A column is wrong. The text names the column, what was got and what was expected.
     """
     doubts = check_accelerometer(robot, log) + check_angles(robot, log)
     windows = cut_windows(log)

@@ -1,4 +1,4 @@
-"""Accelerometer and gyroscope: in SI units."""
+"""Checks of accelerometer and gyroscope: SI units and sign."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-GYRO_FULL_SCALE = 36.0  # [rad/s] gyroscopes end at 2000 deg/s
-MIN_TILT = 0.05  # [rad] turn of what the accelerometer feels that counts as one
+GYRO_FULL_SCALE = 36.0  # [rad/s] just above 2000 deg/s, the range of a gyroscope
+MIN_TILT = 0.05  # [rad] tilt by the accelerometer that counts as a rotation
 
 
 def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
-    """Compare the accelerometer's median with gravity; raises Error."""
+    """Compare the median of the accelerometer with gravity; raises Error."""
     values = log.columns["accelerometer"]
     norm = float(finite_median(np.linalg.norm(values, axis=1, keepdims=True))[0])
     for unit, one in (("g", 1.0), ("milli-g", 1000.0)):
@@ -39,17 +39,20 @@ def check_accelerometer(robot: Robot, log: SensorLog) -> list[str]:
     w, x, y, z = robot.config.quat_base_imu
     felt = matrices_from_xyzw(np.array([[x, y, z, w]]))[0] @ finite_median(values)
     if felt[2] < -0.7 * GRAVITY:
-        return ["accelerometer says that the robot lies on its back: or is its sign wrong?"]
+        return ["accelerometer: the robot lies on its back, or the sign is wrong"]
     return []
 
 
 def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
-    """Compare the gyroscope with the turns of quaternion or of gravity; raises Error."""
+    """Compare the gyroscope with the rotation of the quaternion or of gravity; raises Error.
+
+    Gravity, by the accelerometer, is used if the log has no valid quaternion.
+    """
     size = np.linalg.norm(log.columns["gyroscope"], axis=1)
     size = size[np.isfinite(size)]
     if len(size) and np.percentile(size, 99.0) > GYRO_FULL_SCALE:
         raise Error(
-            f"{log.source}: column 'gyroscope': got {np.percentile(size, 99.0):.3g} and more in "
+            f"{log.source}: column 'gyroscope': got {np.percentile(size, 99.0):.3g} or more in "
             f"1 % of the rows, expected up to {GYRO_FULL_SCALE:g} rad/s: it seems to be in deg/s"
         )
     if len(windows) == 0:
@@ -61,7 +64,7 @@ def check_gyroscope(log: SensorLog, windows: Windows) -> list[str]:
 
 
 def _tilt_rotations(windows: Windows) -> tuple[Array, Array]:
-    """Return how the gyroscope, and how gravity in the accelerometer, tilted over 0.5 s."""
+    """Return the tilts (n, 3) [rad] over 0.5 s by the gyroscope and by the accelerometer."""
     span = 5
     if len(windows) <= span:
         return np.zeros((0, 3)), np.zeros((0, 3))
@@ -69,7 +72,9 @@ def _tilt_rotations(windows: Windows) -> tuple[Array, Array]:
     total = np.cumsum(windows.gyro_rotation, axis=0)
     turned = total[span:] - total[:-span]
     axis = up[span:]
-    turned = turned - axis * np.sum(axis * turned, axis=1, keepdims=True)  # yaw is not felt
+    turned = turned - axis * np.sum(
+        axis * turned, axis=1, keepdims=True
+    )  # the accelerometer does not measure yaw
     return turned, np.cross(up[:-span], up[span:])
 
 
@@ -83,15 +88,15 @@ def _compare(
         ratio = float(np.median(np.linalg.norm(turned[rotating], axis=1) / size[rotating]))
         if 0.5 * DEG_PER_RAD < ratio < 2.0 * DEG_PER_RAD:
             raise Error(
-                f"{log.source}: column 'gyroscope': got turns of {ratio:.1f} times those of the "
-                f"{other}, expected rad/s: it seems to be in deg/s"
+                f"{log.source}: column 'gyroscope': got rotations {ratio:.1f} times those of "
+                f"the {other}, expected equal ones in rad/s: it seems to be in deg/s"
             )
         if not 0.5 < ratio < 2.0:
-            return [f"gyroscope turns {ratio:.2g} times as far as the {other}"]
+            return [f"gyroscope rotates {ratio:.2g} times as far as the {other}"]
     elif len(gyro_while_still) >= MIN_WINDOWS and np.median(gyro_while_still) > 3.0 * threshold:
         rate = float(np.median(gyro_while_still))
         return [
-            f"gyroscope turns by {rate:.2g} rad at a time while the {other} stands still: a bias, "
-            "or deg/s?"
+            f"gyroscope rotates by {rate:.2g} rad per window while the {other} is at rest: is it "
+            "biased or in deg/s?"
         ]
     return []

@@ -1,4 +1,4 @@
-"""Joint angles and velocities: in radians, within the robot's reach, of one sign."""
+"""Checks of joint angles and velocities: radians, joint limits, order and sign."""
 
 from __future__ import annotations
 
@@ -13,18 +13,16 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.columns import MOTOR_NAMES
 from surefoot.sensor_log.sensor_log import SensorLog
 
-MAX_BEYOND_LIMIT = 0.5  # [rad] beyond a limit: no joint gets there, whatever its calibration
-DEGREES_MARGIN = 0.2  # [rad] beyond a limit for degrees that are taken as such
-ORDER_FIT_RATIO = 0.2  # of the squared error: another order explains the rest
-MIN_ORDER_ERROR = 0.05  # of the squared motion: more than noise and a coarse rate make
-MAX_STILL_DRIFT = (
-    0.02  # [rad] RMS that noise of velocities adds up to at most; 0.001 where it is 0.05 rad/s
-)
-MIN_MOTION = 0.01  # [rad] RMS in windows where joints move
+MAX_BEYOND_LIMIT = 0.5  # [rad] beyond a limit: more than a calibration error
+DEGREES_MARGIN = 0.2  # [rad] beyond a limit for angles read as degrees
+ORDER_FIT_RATIO = 0.2  # of the squared error: another order below it fits far better
+MIN_ORDER_ERROR = 0.05  # of the squared motion: above the error by noise and a low rate
+MAX_STILL_DRIFT = 0.02  # [rad] RMS of integrated velocity noise; noise of 0.05 rad/s gives 0.001
+MIN_MOTION = 0.01  # [rad] RMS per window above which joints move
 
 
 def check_angles(robot: Robot, log: SensorLog) -> list[str]:
-    """Compare the median of each joint's angle with its limits; raises Error."""
+    """Compare the median of each joint angle with its limits; raises Error."""
     median = finite_median(log.columns["q"])
     lower, upper = robot.config.q_lower, robot.config.q_upper
     beyond = np.maximum(lower - median, median - upper)
@@ -36,18 +34,18 @@ def check_angles(robot: Robot, log: SensorLog) -> list[str]:
     if inside and np.abs(median).max() > 6.0:
         raise Error(
             f"{log.source}: column 'q': got a median of {median[worst]:.1f} for "
-            f"{MOTOR_NAMES[worst]}, expected radians: all twelve are within the limits of "
-            f"{robot.name} in degrees"
+            f"{MOTOR_NAMES[worst]}, expected radians: all twelve are within the "
+            f"limits of {robot.name} if read as values in degrees"
         )
     raise Error(
         f"{log.source}: column 'q_{worst}' ({MOTOR_NAMES[worst]}): got a median of "
-        f"{median[worst]:.3f} rad, expected {lower[worst]:.2f} .. {upper[worst]:.2f} as "
-        f"{robot.name} has it: order FR FL RR RL, each hip thigh calf, signs of the SDK"
+        f"{median[worst]:.3f} rad, expected {lower[worst]:.2f} .. {upper[worst]:.2f}, the "
+        f"limits of {robot.name}: order FR FL RR RL, each hip thigh calf, signs of the SDK"
     )
 
 
 def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
-    """Compare dq with how q changes; raises Error."""
+    """Compare the integral of dq with the change of q; raises Error."""
     if "dq" not in log.columns or len(windows) == 0:
         return []
     moving = np.sqrt(np.mean(windows.q_change**2, axis=1)) > MIN_MOTION
@@ -58,12 +56,12 @@ def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
     slope = float(np.sum(moved * integrated) / np.sum(moved**2))
     if slope < -0.5:
         raise Error(
-            f"{log.source}: column 'dq': got velocities of {slope:.2f} times the change of q, "
-            "expected its sign"
+            f"{log.source}: column 'dq': got velocities {slope:.2f} times the change of q, "
+            "expected the same sign"
         )
     if 0.5 * DEG_PER_RAD < slope < 2.0 * DEG_PER_RAD:
         raise Error(
-            f"{log.source}: column 'dq': got velocities of {slope:.1f} times the change of q, "
+            f"{log.source}: column 'dq': got velocities {slope:.1f} times the change of q, "
             "expected rad/s: they seem to be in deg/s"
         )
     if not 0.5 < slope < 2.0:
@@ -72,23 +70,26 @@ def check_velocities(log: SensorLog, windows: Windows) -> list[str]:
 
 
 def _warn_moving_while_still(moved: Array, integrated: Array) -> list[str]:
-    """Return a doubt where joints that stand still, (w, 12) both, are said to move."""
+    """Return a warning if dq moves joints that are at rest by q; both arrays are (w, 12) [rad]."""
     if len(moved) < 3:
         return []
     q_motion, dq_motion = (float(np.sqrt(np.mean(angles**2))) for angles in (moved, integrated))
     if dq_motion < max(MAX_STILL_DRIFT, 5.0 * q_motion):
         return []
     return [
-        f"dq moves joints by {dq_motion:.3f} rad at a time in which q moves them by {q_motion:.4f}: deg/s?"
+        f"dq moves joints by {dq_motion:.3f} rad per window and q by {q_motion:.4f}: "
+        "is dq in deg/s?"
     ]
 
 
 def _check_velocity_leg_order(log: SensorLog, moved: Array, integrated: Array) -> None:
-    """Raise Error where one leg's velocities (w, 4, 3) are another's change of angles, not its own.
+    """Raise Error if the velocities of a leg match the angles of another leg; arrays (w, 4, 3).
 
-    A body that moves moves its legs much alike: only an order that fits far better is believed.
+    All legs move much alike when the base moves, so only an order that fits far better counts.
     """
-    squared_error = np.sum((moved[:, :, None] - integrated[:, None]) ** 2, axis=(0, 3))  # of, by
+    squared_error = np.sum(
+        (moved[:, :, None] - integrated[:, None]) ** 2, axis=(0, 3)
+    )  # [leg of q, leg of dq]
     orders = list(itertools.permutations(range(4)))
     cost = [float(squared_error[range(4), order].sum()) for order in orders]
     best = orders[int(np.argmin(cost))]
@@ -97,6 +98,6 @@ def _check_velocity_leg_order(log: SensorLog, moved: Array, integrated: Array) -
     ):
         names = " ".join(LEGS[best.index(k)] for k in range(4))
         raise Error(
-            f"{log.source}: columns 'q' and 'dq': got velocities that are the change of q with "
-            f"legs in the order {names}, expected FR FL RR RL in both"
+            f"{log.source}: columns 'q' and 'dq': got velocities that match q with the legs in "
+            f"the order {names}, expected FR FL RR RL in both"
         )

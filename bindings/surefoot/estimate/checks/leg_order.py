@@ -1,4 +1,8 @@
-"""Legs in the order FR FL RR RL, hips of the SDK's sign: seen from where the feet are."""
+"""Checks of the order of the legs (FR FL RR RL) and of the signs of the hips, by foot positions.
+
+Each foot must be in its own quadrant of the base. Stance feet must also keep their distances while
+the base moves. If another order of legs or mirrored hips keep them far better, the log is wrong.
+"""
 
 from __future__ import annotations
 
@@ -14,20 +18,20 @@ from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw
 from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
 
-_QUADRANT_SIGNS = np.array([[1, -1], [1, 1], [-1, -1], [-1, 1]])  # of x and y, FR FL RR RL
+_QUADRANT_SIGNS = np.array([[1, -1], [1, 1], [-1, -1], [-1, 1]])  # of x and y, rows FR FL RR RL
 _SIGN = {1: "> 0", -1: "< 0"}
 _MIRRORED_LEGS = {"": [], "right hips": [0, 2], "left hips": [1, 3], "all hips": [0, 1, 2, 3]}
 SPAN_WINDOWS = 3  # windows in one comparison
-COMPARISONS = 12  # comparisons, where joints move the most: half a second of motion is enough
-MAX_FOOT_SLIDE = 0.0015  # [m] feet that stand do not move so far against each other in 0.3 s
-ORDER_FIT_RATIO = 0.15  # of the squared slide: another order explains the rest
+COMPARISONS = 12  # comparisons, where the joints move the most
+MAX_FOOT_SLIDE = 0.0015  # [m] more than stance feet move relative to each other in 0.3 s
+ORDER_FIT_RATIO = 0.15  # of the squared slide: another order below it fits far better
 
 
 class _FootKinematics:
-    """Positions of a robot's feet from its joint angles."""
+    """Forward kinematics of the feet from the joint angles."""
 
     def __init__(self, robot: Robot) -> None:
-        import pinocchio  # a second to load: only when a log is checked
+        import pinocchio  # takes a second to load, so only when a log is checked
 
         self._pin: Any = pinocchio
         self._model = pinocchio.Model()
@@ -39,19 +43,19 @@ class _FootKinematics:
         self._motors = list(robot.motor_to_q)
 
     def __call__(self, angles: Array) -> Array:
-        """Return the centres (4, 3) [m] in base axes of angles (4, 3) [rad]."""
+        """Return the foot centres (4, 3) [m] in base axes for joint angles (4, 3) [rad]."""
         self._q[self._motors] = angles.ravel()
         self._pin.framesForwardKinematics(self._model, self._data, self._q)
         return np.array([self._data.oMf[i].translation for i in self._robot.foot_frame_ids])
 
 
 def check_legs(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
-    """Find feet in others' quadrants, or feet that only stand if legs are exchanged.
+    """Check the quadrants of the feet, and that stance feet keep their distances.
 
     Raises:
-        Error: Where the median of q puts a foot on another's side of the base; where the feet slide
-            against each other as logged and stand in another order or with hips mirrored. Where
-            torques do not tell that the feet bear weight, that is only doubtful.
+        Error: The median of q puts a foot into the quadrant of another; or the feet slide relative
+            to each other as logged, but not in another order of legs or with mirrored hips. If
+            the torques do not show that the feet are loaded, the slide is only a warning.
     """
     feet = _FootKinematics(robot)
     median = finite_median(log.columns["q"]).reshape(4, 3)
@@ -70,12 +74,12 @@ def check_legs(robot: Robot, log: SensorLog, windows: Windows) -> list[str]:
 def _check_stance(
     robot: Robot, log: SensorLog, windows: Windows, feet: _FootKinematics
 ) -> list[str]:
-    """Feet that stand keep their distances: find the order of legs in which they do."""
+    """Find the order of legs, and the mirrored hips, that keep the distances of the feet best."""
     moved, turned = (_span_sums(values) for values in (windows.q_change, windows.gyro_rotation))
     most_moving = np.argsort(-np.linalg.norm(moved, axis=1))[:COMPARISONS]
     if len(most_moving) == 0:
         return []
-    # [window, start or end, hip sign, leg, whose angles, xyz]
+    # [window, start or end, hip sign, leg, leg that the angles come from, xyz]
     rows = np.stack(
         [windows.start[most_moving], windows.end[most_moving + SPAN_WINDOWS - 1]], axis=1
     )
@@ -98,22 +102,22 @@ def _check_stance(
         table[:, :, 0, np.arange(4), np.arange(4)], np.swapaxes(back, 1, 2)
     )
     if reversed_gyro_slide < slides[flip, order]:
-        found = "a gyroscope that turned the other way"
-    slid = f"feet that slide by {1000 * np.sqrt(logged_slide):.0f} mm in 0.3 s as logged"
+        found = "the gyroscope reversed"
+    slid = f"feet that slide by {1000 * np.sqrt(logged_slide):.0f} mm in 0.3 s"
     if not feet_are_loaded(robot, log, rows.ravel()):
-        return [f"q has {slid} and keep their distances with {found}; or do they hang?"]
+        return [f"q has {slid}, but stand still with {found}: is the order wrong, or do they hang?"]
     raise Error(
-        f"{log.source}: columns 'q' and 'gyroscope': got {slid} and stand with {found}, expected "
-        "FR FL RR RL, signs of the SDK"
+        f"{log.source}: columns 'q' and 'gyroscope': got {slid}, but stand still with {found}; "
+        "expected FR FL RR RL, signs of the SDK"
     )
 
 
 def _median_slide(placed: Array, back: Array) -> float:
-    """Return the median of how far feet move against each other, squared and summed [m^2].
+    """Return the median over windows of the summed squared relative motion of the feet [m^2].
 
     Args:
         placed: (w, 2, 4, 3) feet in base axes at start and end [m].
-        back: (w, 3, 3) base axes at the start to those at the end.
+        back: (w, 3, 3) rotation matrices, base axes at the start to base axes at the end.
     """
     placed = placed - placed.mean(axis=2, keepdims=True)
     slide = placed[:, 1] - np.einsum("nij,nlj->nli", back, placed[:, 0])
@@ -121,13 +125,13 @@ def _median_slide(placed: Array, back: Array) -> float:
 
 
 def _span_sums(values: Array) -> Array:
-    """Return sums (w - SPAN + 1, k) of SPAN windows in a row of values (w, k)."""
+    """Return the sums (w - SPAN_WINDOWS + 1, k) over SPAN_WINDOWS consecutive values (w, k)."""
     total = np.cumsum(np.vstack([np.zeros_like(values[:1]), values]), axis=0)
     return np.asarray(total[SPAN_WINDOWS:] - total[:-SPAN_WINDOWS])
 
 
 def _feet_with_exchanged_angles(feet: _FootKinematics, log: SensorLog, row: int) -> Array:
-    """Return every leg's foot with every leg's angles, (hip sign 2, leg 4, whose 4, 3)."""
+    """Return each leg's foot with each leg's angles: (hip sign 2, leg 4, source leg 4, xyz 3)."""
     angles = log.columns["q"][row].reshape(4, 3)
     table = np.zeros((2, 4, 4, 3))
     for mirrored, shift in itertools.product(range(2), range(4)):
@@ -138,7 +142,7 @@ def _feet_with_exchanged_angles(feet: _FootKinematics, log: SensorLog, row: int)
 
 
 def _base_rotations(robot: Robot, turned: Array) -> Array:
-    """Return the rotations (n, 3, 3), base axes at the end to those at the start, of windows."""
+    """Return the rotations (n, 3, 3) from base axes at the end to base axes at the start."""
     w, x, y, z = robot.config.quat_base_imu
     axes = turned @ matrices_from_xyzw(np.array([[x, y, z, w]]))[0].T
     angle = np.linalg.norm(axes, axis=1, keepdims=True)

@@ -1,4 +1,4 @@
-"""The quaternion: w x y z, IMU to world."""
+"""Checks of the quaternion: order w x y z, rotation from IMU to world."""
 
 from __future__ import annotations
 
@@ -14,18 +14,21 @@ from surefoot.estimate.checks.windows import (
 from surefoot.geometry.batch_rotations import Array, matrices_from_xyzw, rotation_vectors
 from surefoot.sensor_log.sensor_log import SensorLog
 
-WRONG_TILT, RIGHT_TILT = 20.0, 10.0  # [deg] between two verticals
-WRONG_ROTATION_ERROR, RIGHT_ROTATION_ERROR = 0.5, 0.15  # squared error of turns, of their size
-_MIN_ROTATION = 0.01  # [rad] in a window: a tenth of a rad/s, which no bias hides
-_NORM_TOLERANCE = 0.1  # of unit length
+WRONG_TILT, RIGHT_TILT = 20.0, 10.0  # [deg] between the verticals of quaternion and accelerometer
+WRONG_ROTATION_ERROR, RIGHT_ROTATION_ERROR = (
+    0.5,
+    0.15,
+)  # squared error of rotations over their square
+_MIN_ROTATION = 0.01  # [rad] in a window: 0.1 rad/s, well above a bias
+_NORM_TOLERANCE = 0.1  # allowed error of the length 1
 
 
 def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
-    """Compare its vertical with the accelerometer's and its turns with the gyroscope's.
+    """Compare its vertical with the accelerometer and its rotations with the gyroscope.
 
     Raises:
-        Error: Both fit better, beyond doubt, if it is read as x y z w or as world to IMU, or with
-            an accelerometer of the other sign.
+        Error: Both clearly fit better if the quaternion is read as x y z w or as world to IMU, or
+            if the accelerometer has the opposite sign.
     """
     if "quaternion" not in log.columns or len(windows) == 0:
         return []
@@ -33,14 +36,14 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
     lengths = np.linalg.norm(np.stack([first, second]), axis=2)
     unit = (np.abs(lengths - 1.0) < _NORM_TOLERANCE).all(axis=0)
     if not unit.any():
-        # All zeros is how a dead field looks: the estimator's own verdict says so.
+        # An unused field is all zeros; the estimator then gives it the verdict ZERO.
         return [] if np.all(lengths == 0.0) else ["quaternion is far from unit length"]
     first, second = first[unit], second[unit]
     up, turned = unit_rows(windows.mean_acceleration[unit]), windows.gyro_rotation[unit]
     readings = {
         "w x y z": (first[:, [1, 2, 3, 0]], second[:, [1, 2, 3, 0]]),
         "x y z w": (first, second),
-        "world to IMU (or if the gyroscope turned the other way)": (
+        "world to IMU (or the gyroscope is reversed)": (
             _inverse(first),
             _inverse(second),
         ),
@@ -49,8 +52,8 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
     tilt, error = scores.pop("w x y z")
     if tilt > 180.0 - RIGHT_TILT and not error > WRONG_ROTATION_ERROR:
         raise Error(
-            f"{log.source}: column 'accelerometer': got a vertical {tilt:.0f} deg from the "
-            "quaternion's, whose turns are the gyroscope's, expected the specific force: + g "
+            f"{log.source}: column 'accelerometer': got a vertical {tilt:.0f} deg from that "
+            "of the quaternion, which agrees with the gyroscope; expected the specific force: + g "
             "upwards at rest"
         )
     for name, (other_tilt, other_error) in scores.items():
@@ -64,9 +67,9 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
         )
         if by_gravity or by_turns:
             what = (
-                f"a vertical {tilt:.0f} deg from the accelerometer's"
+                f"a vertical {tilt:.0f} deg from that of the accelerometer"
                 if by_gravity
-                else "turns that are not the gyroscope's"
+                else "rotations that disagree with the gyroscope"
             )
             raise Error(
                 f"{log.source}: column 'quaternion': got {what}, expected w x y z, IMU to world; "
@@ -76,7 +79,7 @@ def check_quaternion(log: SensorLog, windows: Windows) -> list[str]:
 
 
 def quaternion_rotations(log: SensorLog, windows: Windows) -> Array | None:
-    """Return the turn in each window (w, 3) [rad]; None without a quaternion of unit length."""
+    """Return the rotation vector of each window (w, 3) [rad]; None without unit quaternions."""
     if "quaternion" not in log.columns:
         return None
     pair = [
@@ -93,13 +96,16 @@ def _inverse(wxyz: Array) -> Array:
 
 
 def _rotations(first: Array, second: Array) -> Array:
-    """Return the rotation vectors between quaternions x y z w, in the first's own axes."""
+    """Return the rotation vectors from first to second, quaternions x y z w, in axes of first."""
     R = np.swapaxes(matrices_from_xyzw(first), 1, 2) @ matrices_from_xyzw(second)
     return rotation_vectors(R)
 
 
 def _score(first: Array, second: Array, up: Array, turned: Array) -> tuple[float, float]:
-    """Return the median angle of the verticals [deg] and the error of turns; NaN: cannot tell."""
+    """Return the median angle between verticals [deg] and the rotation error.
+
+    The error is relative and squared, and NaN if too few windows rotate.
+    """
     tilt = float(np.median(angles_between(matrices_from_xyzw(first)[:, 2, :], up)))
     rotating = np.linalg.norm(turned, axis=1) > _MIN_ROTATION
     if rotating.sum() < MIN_WINDOWS:
@@ -111,9 +117,11 @@ def _score(first: Array, second: Array, up: Array, turned: Array) -> tuple[float
 def _warnings(tilt: float, error: float, wxyz: Array) -> list[str]:
     doubts = []
     if tilt > WRONG_TILT:
-        doubts.append(f"quaternion's vertical is {tilt:.0f} deg from the accelerometer's")
+        doubts.append(f"quaternion: vertical {tilt:.0f} deg from that of the accelerometer")
     elif not error < WRONG_ROTATION_ERROR and abs(wxyz[0, 0]) < 0.1 and abs(wxyz[0, 3]) > 0.99:
-        doubts.append("quaternion begins as 0 0 0 1: a heading of 180 deg, or order x y z w?")
+        doubts.append(
+            "quaternion starts as 0 0 0 1: is it a heading of 180 deg, or the order x y z w?"
+        )
     if error > WRONG_ROTATION_ERROR:
-        doubts.append("quaternion's turns are not the gyroscope's")
+        doubts.append("quaternion: rotations disagree with the gyroscope")
     return doubts

@@ -1,4 +1,4 @@
-"""Joint torques: of the sign that carries the robot."""
+"""Checks of the joint torques: the sign that carries the robot."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.sensor_log.sensor_log import SensorLog
 
 GRAVITY = 9.81
-MAX_PULLING_SHARE = -0.3  # of a leg's share of the weight
-MIN_LOADED_SHARE = 0.3
+MAX_PULLING_SHARE = -0.3  # of a leg's share of the weight: below it the foot pulls the ground up
+MIN_LOADED_SHARE = 0.3  # of a leg's share of the weight: above it the foot is loaded
 
 
 def check_torques(robot: Robot, log: SensorLog) -> list[str]:
-    """Compare calf torques (median) with what carries the weight in the median pose.
+    """Compare the median calf torques with those that carry the weight in the median pose.
 
     Raises:
-        Error: All four pull the ground up.
+        Error: All four feet pull the ground up.
     """
     if "tauEst" not in log.columns:
         return []
     share = finite_median(log.columns["tauEst"])[2::3] / _standing_torques(robot, log)[2::3]
     if np.all(share < MAX_PULLING_SHARE):
         raise Error(
-            f"{log.source}: column 'tauEst': got calf torques (median) of {np.mean(share):.2f} "
-            "times those that carry the robot, expected their sign"
+            f"{log.source}: column 'tauEst': got median calf torques {np.mean(share):.2f} "
+            "times those that carry the robot, expected the same sign"
         )
     pulling = [leg for leg, value in zip(LEGS, share, strict=True) if value < MAX_PULLING_SHARE]
     return [f"tauEst of {', '.join(pulling)} pulls the ground up most of the time"] * bool(pulling)
 
 
 def feet_are_loaded(robot: Robot, log: SensorLog, rows: npt.NDArray[np.int64]) -> bool:
-    """Return whether in most of some rows all calf torques tell that feet bear weight."""
+    """Return whether the median calf torques over `rows` show that all feet are loaded."""
     if "tauEst" not in log.columns:
         return False
     share = finite_median(log.columns["tauEst"][rows])[2::3] / _standing_torques(robot, log)[2::3]
@@ -43,7 +43,7 @@ def feet_are_loaded(robot: Robot, log: SensorLog, rows: npt.NDArray[np.int64]) -
 
 
 def _standing_torques(robot: Robot, log: SensorLog) -> Array:
-    """Return the torques (12,) [N.m] of a level robot at rest on four equally loaded feet."""
+    """Compute the torques (12,) [N.m] of a level robot at rest on four equally loaded feet."""
     import pinocchio
 
     model = pinocchio.Model()

@@ -1,4 +1,4 @@
-"""What a log's sensors say of the same tenths of a second, for comparing them."""
+"""Sensor data of a log over windows of 0.1 s, so that the checks can compare sensors."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from surefoot.sensor_log.sensor_log import SensorLog
 
 WINDOW_TIME = 0.1  # [s]
 MIN_ROTATION = 0.003  # [rad] in a window: 0.03 rad/s, above noise and bias of a gyroscope
-MIN_WINDOWS = 5  # windows that must tell the same
+MIN_WINDOWS = 5  # windows that a comparison needs
 DEG_PER_RAD = 180.0 / np.pi
 
 
 @dataclass(frozen=True)
 class Windows:
-    """A log's finite rows, cut into windows of about 0.1 s.
+    """The finite rows of a log, cut into windows of about 0.1 s.
 
     Attributes:
         start: (w,) rows of the log where the windows begin.
-        end: (w,) rows where they end, which are where others begin.
-        gyro_rotation: (w, 3) integral of the gyroscope, IMU axes [rad] (if it is in rad/s).
-        q_change: (w, 12) change of q.
-        dq_integral: (w, 12) integral of dq; zeros if the log has none.
-        mean_acceleration: (w, 3) mean of the accelerometer.
+        end: (w,) rows of the log where the windows end.
+        gyro_rotation: (w, 3) integral of the gyroscope, IMU axes [rad].
+        q_change: (w, 12) change of q [rad].
+        dq_integral: (w, 12) integral of dq [rad]; zeros if the log has no dq.
+        mean_acceleration: (w, 3) mean of the accelerometer, IMU axes [m/s^2].
     """
 
     start: npt.NDArray[np.int64]
@@ -41,7 +41,7 @@ class Windows:
 
 
 def cut_windows(log: SensorLog) -> Windows:
-    """Cut a log into windows; those much shorter or longer than 0.1 s are left out."""
+    """Cut a log into windows; leave out those shorter than 0.05 s or longer than 0.15 s."""
     names = [name for name in ("gyroscope", "accelerometer", "q", "dq") if name in log.columns]
     good = np.isfinite(log.time)
     for name in names:
@@ -75,7 +75,7 @@ def cut_windows(log: SensorLog) -> Windows:
 
 
 def finite_median(values: Array) -> Array:
-    """Return the median (k,) of the finite rows of values (n, k); NaN without any."""
+    """Return the median (k,) of the finite rows of values (n, k); NaN if there are none."""
     finite = values[np.isfinite(values).all(axis=1)]
     return np.median(finite, axis=0) if len(finite) else np.full(values.shape[1], np.nan)
 

@@ -1,1 +1,1 @@
-"""Kinds of faults and how each changes commands, states, link or surroundings."""
+"""Kinds of faults: how each changes commands, samples, the link or the surroundings."""

@@ -1,4 +1,4 @@
-"""Faults of time: what LowState.tick says, and when the control loop comes to its turn."""
+"""Faults of time: LowState.tick, periods that the control loop misses, operator actions."""
 
 from __future__ import annotations
 
@@ -10,14 +10,16 @@ from surefoot._core import LowCmd, LowState, Supervisor, damping_low_cmd
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Plant
 
-WATCHDOG_PERIODS = 50  # [periods] after which a robot that is told nothing damps by itself
+WATCHDOG_PERIODS = (
+    50  # [control periods] without a command after which a robot damps by itself: 100 ms
+)
 
 
 class TickFault(Fault):
-    """The robot's clock says something else.
+    """The robot's clock reports wrong ticks.
 
     Args:
-        reported: What it says [ms] where it should say this, in the k-th period.
+        reported: Returns the reported tick [ms] for the true tick and the period k.
     """
 
     uses_frames = True
@@ -26,7 +28,7 @@ class TickFault(Fault):
         self._reported = reported
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change the tick."""
+        """Replace the tick."""
         state.tick = self._reported(state.tick, k) % 2**32
 
 
@@ -34,7 +36,7 @@ class TickOverflow(Fault):
     """The robot's clock overflows soon after the fault begins.
 
     Args:
-        bits: Of the counter that does: 32, or 31 where it is read as signed.
+        bits: Size of the counter: 32, or 31 where the tick is read as a signed number.
     """
 
     uses_frames = True
@@ -43,36 +45,36 @@ class TickOverflow(Fault):
         self._bits = bits
 
     def tick0(self, onset: int) -> int | None:
-        """Return the tick that begins 100 ms before the overflow, less what passes until then."""
+        """Return the first tick for which the overflow comes 100 ms after the onset."""
         return int((2**self._bits - 100 - onset) % 2**32)
 
 
 class MissedPeriods(Fault):
-    """The control loop does not come to its turn; the motors go on with the last command.
+    """The control loop misses periods; the motors keep the last command.
 
     Args:
-        missed: Does it miss the k-th period?
+        missed: Returns True if the loop misses period k.
     """
 
     def __init__(self, missed: Callable[[int], bool]) -> None:
         self._missed, self._missed_count = missed, 0
 
     def loop_runs(self, k: int) -> bool:
-        """Return whether it runs."""
+        """Return False in a missed period."""
         self._missed_count = self._missed_count + 1 if self._missed(k) else 0
         return self._missed_count == 0
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Have the robot damp by itself after 100 ms without a command."""
+        """Damp the motors after 100 ms without a command, as the robot does by itself."""
         if self._missed_count > WATCHDOG_PERIODS:
             command.raw[:] = damping_low_cmd(3.0).raw
 
 
 class ProgramSuspended(MissedPeriods):
-    """The program stands still once; it is judged by what it does when it goes on.
+    """The control process is suspended once; its reaction counts from when it resumes.
 
     Args:
-        periods: For so long.
+        periods: Duration of the suspension in control periods.
     """
 
     def __init__(self, periods: int) -> None:
@@ -80,34 +82,34 @@ class ProgramSuspended(MissedPeriods):
         self._remaining = periods
 
     def is_observable(self, plant: Plant) -> bool:
-        """Return whether it goes on."""
+        """Return True once the process has resumed."""
         self._remaining -= 1
         return self._remaining < 0
 
 
 class OperatorAction(Fault):
-    """Somebody does something to the supervisor.
+    """An operator calls functions of the supervisor.
 
     Args:
-        act: What, before the k-th tick.
+        act: Called with the supervisor and k before each tick k.
     """
 
     def __init__(self, act: Callable[[Supervisor, int], object]) -> None:
         self._act = act
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Do it."""
+        """Perform the action."""
         self._act(supervisor, k)
 
 
 def random_periods(share: float) -> Callable[[int], bool]:
-    """Return what is true by chance."""
+    """Return a function of the period that is True at random with probability `share`."""
     rng = np.random.default_rng(11)
     return lambda k: bool(rng.uniform() < share)
 
 
 class FrozenTick(TickFault):
-    """The tick stands still, whatever else is new."""
+    """The tick is constant while all other data is new."""
 
     def __init__(self) -> None:
         ticks: list[int] = []
@@ -120,12 +122,12 @@ class FrozenTick(TickFault):
 
 
 def restarted_clock() -> Callable[[int, int], int]:
-    """Return a clock that begins anew, period after period."""
+    """Return a clock that restarts at 0 and advances by 2 ms per period."""
     return lambda tick, k: 2 * k
 
 
 def clock_at_speed(per_period: int) -> Callable[[int, int], int]:
-    """Return a clock that goes on by so many milliseconds a period, from where it is."""
+    """Return a clock that advances by `per_period` [ms] per period from its value at the onset."""
     ticks: list[int] = []
 
     def reported(tick: int, k: int) -> int:

@@ -1,4 +1,4 @@
-"""A fault: where it takes hold of what goes to and fro between robot and supervisor."""
+"""Base class of faults: hooks between the robot (plant) and its supervisor."""
 
 from __future__ import annotations
 
@@ -8,74 +8,78 @@ from surefoot.sim import Plant, PlantSettings
 
 
 class Fault:
-    """Nothing goes wrong: every hook leaves things as they are.
+    """A fault with hooks that all leave the data unchanged; subclasses override some of them.
 
-    k counts control periods since the fault began; hooks with a k are called only from then on.
+    k counts control periods since the fault began. Hooks with a k are called only from then on.
 
     Attributes:
-        from_start: It is there before the robot is armed, and not from a moment in a mode.
-        uses_frames: Reports and commands travel as frames through a UdpLink.
+        from_start: True if the fault exists before arming, instead of from a moment in a mode on.
+        uses_frames: True if samples travel as frames through a UdpLink.
     """
 
     from_start = False
     uses_frames = False
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
-        """Return the plant's settings."""
+        """Return the settings of the plant."""
         return settings
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Return what the supervisor takes the robot for."""
+        """Return the robot model that the supervisor receives."""
         return robot
 
     def tick0(self, onset: int) -> int | None:
-        """Return LowState.tick of the first report, from that at the fault's begin if that is 0."""
+        """Return LowState.tick of the first sample [ms], or None for 0.
+
+        Args:
+            onset: Time from the first sample to the onset of the fault [ms].
+        """
         return None
 
     def set_options(self, options: SupervisorOptions) -> None:
-        """Change the supervisor's options, in place."""
+        """Change the options of the supervisor in place."""
 
     def start(self, plant: Plant, lying: Array) -> LowState:
-        """Put the robot where it is at first, and return its first report.
+        """Put the robot into its initial state and return the first sample.
 
         Args:
-            plant: The robot.
-            lying: MuJoCo's qpos of a robot that lies at rest.
+            plant: Plant of the robot.
+            lying: MuJoCo qpos of the robot lying at rest.
         """
         return plant.reset_lying_at(lying)
 
     def prepare(self, supervisor: Supervisor) -> None:
-        """Do what must be done before the first report."""
+        """Prepare the supervisor before the first sample."""
 
     def begin(self, plant: Plant) -> None:
-        """Do what is done once as it begins."""
+        """Change the plant once at the onset."""
 
     def loop_runs(self, k: int) -> bool:
-        """Return whether the control loop comes to its turn."""
+        """Return True if the control loop runs in period k."""
         return True
 
     def update_before(self, supervisor: Supervisor) -> None:
-        """Do what is done in every period until it begins."""
+        """Call functions of the supervisor in every period before the onset."""
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change a report, in place."""
+        """Change a sample in place."""
 
     def change_frame(self, frame: bytes, k: int) -> list[bytes]:
-        """Return the datagrams that arrive in place of a report's frame."""
+        """Return the datagrams that arrive instead of a sample's frame."""
         return [frame]
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Do what an operator does, before the tick."""
+        """Perform operator actions before tick k."""
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Change what reaches the motors, in place."""
+        """Change the command to the motors in place."""
 
     def is_observable(self, plant: Plant) -> bool:
-        """Return whether it is there to be seen; from the first such period times count."""
+        """Return True if the fault can be observed; times count from the first such period."""
         return True
 
     def problems(self) -> list[str]:
-        """Return what this fault itself found to be not as it should be."""
+        """Return the problems that the fault itself found."""
         return []
 
 
@@ -83,7 +87,7 @@ class CombinedFault(Fault):
     """Several faults at once.
 
     Args:
-        faults: In the order in which they take hold.
+        faults: Faults, in the order in which their hooks run.
     """
 
     def __init__(self, *faults: Fault) -> None:
@@ -92,28 +96,28 @@ class CombinedFault(Fault):
         self.from_start = any(fault.from_start for fault in faults)
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Return what it is taken for after all of them."""
+        """Return the robot model after all faults."""
         for fault in self._faults:
             robot = fault.assumed_robot(robot)
         return robot
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
-        """Return the settings after all of them."""
+        """Return the plant settings after all faults."""
         for fault in self._faults:
             settings = fault.plant_settings(settings)
         return settings
 
     def begin(self, plant: Plant) -> None:
-        """Begin all."""
+        """Begin all faults."""
         for fault in self._faults:
             fault.begin(plant)
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change a report by all of them."""
+        """Change a sample by all faults."""
         for fault in self._faults:
             fault.change_state(state, k)
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Change a command by all of them."""
+        """Change a command by all faults."""
         for fault in self._faults:
             fault.change_command(command, k)

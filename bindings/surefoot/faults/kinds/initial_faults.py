@@ -1,4 +1,4 @@
-"""Faults from before the robot is armed: wiring, mistaken robots, what is not modelled."""
+"""Faults from before arming: wiring, wrong robot model, unmodelled surroundings and payload."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from surefoot.geometry.rotations import Array
 from surefoot.robot.loading import load_robot
 from surefoot.sim import Plant, PlantSettings
 
-SIMILAR_ROBOT = {"a1": "go1", "go1": "a1", "go2": "go1", "b1": "go2"}  # the robot most like it
-DIFFERENT_ROBOT = {"a1": "b1", "go1": "b1", "go2": "b1", "b1": "go1"}
+SIMILAR_ROBOT = {"a1": "go1", "go1": "a1", "go2": "go1", "b1": "go2"}  # most similar robot
+DIFFERENT_ROBOT = {"a1": "b1", "go1": "b1", "go2": "b1", "b1": "go1"}  # robot of another size
 
 
 class WrongWiring(Fault):
-    """Motors are connected in another order, from the start.
+    """Motors are wired in another order or turn the other way, from the start.
 
     Args:
-        order: order[i] is the motor that is driven, and reported, as motor i.
-        reversed_motors: Motors that turn the other way round.
+        order: order[i] is the motor that is driven and reported as motor i.
+        reversed_motors: Motors that turn the other way.
     """
 
     from_start = True
@@ -33,14 +33,14 @@ class WrongWiring(Fault):
         self._reversed_motors = reversed_motors
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Report them in that order."""
+        """Report the motors in the wrong order and direction."""
         motors = state.raw[75 : 75 + 12 * 38].reshape(12, 38)
         motors[:] = motors[self._order]
         for name in ("q", "dq", "tauEst"):
             signal_view(state, name)[list(self._reversed_motors)] *= -1.0
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Drive them in that order."""
+        """Drive the motors in the wrong order and direction."""
         for i in self._reversed_motors:
             motor = command.motorCmd[i]
             motor.tau, motor.dq = -motor.tau, -motor.dq if abs(motor.dq) < 1e3 else motor.dq
@@ -50,10 +50,10 @@ class WrongWiring(Fault):
 
 
 class WrongRobot(Fault):
-    """The supervisor is set up for another robot, from the start.
+    """The supervisor has the model of another robot, from the start.
 
     Args:
-        others: By this robot's name, the one it is taken for.
+        others: Name of the model by the robot's name.
     """
 
     from_start = True
@@ -62,17 +62,17 @@ class WrongRobot(Fault):
         self._others = others
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Return the other robot."""
+        """Return the model of the other robot."""
         return load_robot(self._others.get(robot.name, "go1"))
 
 
 class ChangedSurroundings(Fault):
-    """The surroundings are not what is modelled, from the start.
+    """The surroundings differ from the model, from the start.
 
     Args:
-        friction: Of the ground.
-        sink: How far feet sink into it [m].
-        hung: The robot hangs in the air.
+        friction: Friction coefficient of the ground.
+        sink: Depth that feet sink into the ground [m]; see PlantSettings.soft_ground_sink.
+        hung: True if the robot hangs in the air.
     """
 
     from_start = True
@@ -81,23 +81,23 @@ class ChangedSurroundings(Fault):
         self._friction, self._sink, self._hung = friction, sink, hung
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
-        """Return the settings with them."""
+        """Return the plant settings with the changed surroundings."""
         return replace(
             settings, friction=self._friction, soft_ground_sink=self._sink, hung=self._hung
         )
 
     def start(self, plant: Plant, lying: Array) -> LowState:
-        """Lay it down, unless it hangs."""
+        """Lay the robot down unless it hangs."""
         return plant.reset() if self._hung else super().start(plant, lying)
 
 
 class UnknownPayload(Fault):
-    """The robot carries what its model does not know, from the start.
+    """The robot carries a payload that is not in its model, from the start.
 
     Args:
-        share: Of its own mass.
-        x: Of the load, forward of the base [m].
-        limit: That the supervisor is told it may bear, as a share; 0 is any load.
+        share: Payload as a share of the robot's mass.
+        x: Forward position of the payload in the base frame [m].
+        limit: SupervisorOptions.payload_limit as a share of the robot's mass; 0 sets no limit.
     """
 
     from_start = True
@@ -106,39 +106,39 @@ class UnknownPayload(Fault):
         self._share, self._x, self._limit, self._mass = share, x, limit, 0.0
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Learn its mass."""
+        """Store the mass of the robot."""
         self._mass = robot.mass
         return robot
 
     def set_options(self, options: SupervisorOptions) -> None:
-        """Set what it may bear."""
+        """Set the payload limit."""
         if self._limit > 0.0:
             options.payload_limit = self._limit * self._mass
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
-        """Return the settings with the load."""
+        """Return the plant settings with the payload."""
         load = self._share * self._mass
         return replace(settings, payload_kg=load, payload_position=(self._x, 0.0, 0.1))
 
 
 class StartsStanding(Fault):
-    """The robot stands in position mode as the program starts."""
+    """The robot stands in position mode when the supervisor starts."""
 
     from_start = True
 
     def start(self, plant: Plant, lying: Array) -> LowState:
-        """Stand it up."""
+        """Put the robot into its standing pose."""
         return plant.reset()
 
 
 def swapped_legs(one: int, other: int) -> dict[int, int]:
-    """Return the order in which two legs are swapped; 0 .. 3 are FR FL RR RL."""
+    """Return a motor order with two legs swapped; legs 0 .. 3 are FR FL RR RL."""
     first, second = 3 * one, 3 * other
     return {a + i: b + i for a, b in ((first, second), (second, first)) for i in range(3)}
 
 
 def reported_slope() -> Fault:
-    """Return that reports say that the robot lies at 35 degrees."""
+    """Return a fault whose samples show a pitch of 35 degrees for a robot that lies level."""
     angle = np.radians(35.0)
     return CombinedFault(
         AttitudeFault(lambda k: 35.0, 1),

@@ -1,4 +1,4 @@
-"""The ways in which a signal goes wrong: off, stuck, garbage and so on."""
+"""Changes that make a signal wrong: off, stuck, garbage and so on."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ import numpy.typing as npt
 Values = npt.NDArray[Any]
 
 Change = Callable[[Values, int], None]
-"""Changes a signal in place, k control periods after the fault began."""
+"""Changes a signal in place; the int is k, the control periods since the fault began."""
 
 INJECTIONS = ("off", "stuck", "garbage", "wrong", "slow", "delayed", "intermittent")
 
 
 def off(values: Values, k: int) -> None:
-    """Say zero."""
+    """Set the signal to zero."""
     values[...] = 0
 
 
 def constant(value: float) -> Change:
-    """Return what says the same number, whatever is."""
+    """Return a change that sets the signal to a constant."""
 
     def change(values: Values, k: int) -> None:
         values[...] = value
@@ -32,7 +32,7 @@ def constant(value: float) -> Change:
 
 
 def offset(by: float | npt.ArrayLike) -> Change:
-    """Return what adds to a signal."""
+    """Return a change that adds an offset."""
 
     def change(values: Values, k: int) -> None:
         values[...] = values + np.asarray(by, dtype=values.dtype)
@@ -41,7 +41,7 @@ def offset(by: float | npt.ArrayLike) -> Change:
 
 
 def scaled(by: float) -> Change:
-    """Return what multiplies a signal."""
+    """Return a change that multiplies the signal."""
 
     def change(values: Values, k: int) -> None:
         values[...] = values * by
@@ -50,7 +50,7 @@ def scaled(by: float) -> Change:
 
 
 def drifting(per_tick: float) -> Change:
-    """Return what adds more to a signal every period."""
+    """Return a change that adds an offset which grows by `per_tick` every period."""
 
     def change(values: Values, k: int) -> None:
         values[...] = values + np.asarray((k + 1) * per_tick).astype(values.dtype)
@@ -59,7 +59,7 @@ def drifting(per_tick: float) -> Change:
 
 
 def garbage(size: float, whole: bool = False) -> Change:
-    """Return what says anything between -size and size."""
+    """Return a change to uniform random values from -size to size; `whole` rounds them."""
     rng = np.random.default_rng(7)
 
     def change(values: Values, k: int) -> None:
@@ -70,7 +70,7 @@ def garbage(size: float, whole: bool = False) -> Change:
 
 
 def noise(size: float) -> Change:
-    """Return what adds anything between -size and size."""
+    """Return a change that adds uniform noise from -size to size."""
     draw = garbage(size)
 
     def change(values: Values, k: int) -> None:
@@ -82,7 +82,7 @@ def noise(size: float) -> Change:
 
 
 def slow(ticks: int) -> Change:
-    """Return what passes a new value on only every so many periods; 1000 and more is stuck."""
+    """Return a change that updates the signal only every `ticks` periods and holds it between."""
     held: list[Values] = []
 
     def change(values: Values, k: int) -> None:
@@ -94,12 +94,12 @@ def slow(ticks: int) -> Change:
 
 
 def stuck() -> Change:
-    """Return what says for ever what was said when it began."""
+    """Return a change that holds the value from the onset."""
     return slow(10**9)
 
 
 def delayed(ticks: int) -> Change:
-    """Return what says everything so many periods late."""
+    """Return a change that delays the signal by `ticks` periods."""
     queue: deque[Values] = deque()
 
     def change(values: Values, k: int) -> None:
@@ -112,7 +112,7 @@ def delayed(ticks: int) -> Change:
 
 
 def intermittent(change: Change, every: int, length: int = 1) -> Change:
-    """Return a change that comes every so many periods for a few."""
+    """Return a change that acts in the first `length` of every `every` periods."""
 
     def change_at_intervals(values: Values, k: int) -> None:
         if k % every < length:
@@ -122,7 +122,7 @@ def intermittent(change: Change, every: int, length: int = 1) -> Change:
 
 
 def repeated(every: int) -> Change:
-    """Return what says in one period of so many what was said in the one before."""
+    """Return a change that repeats the previous value in one of `every` periods."""
     last: list[Values] = []
 
     def change(values: Values, k: int) -> None:
@@ -135,7 +135,7 @@ def repeated(every: int) -> Change:
 
 
 def ramp(start: float, per_second: float) -> Change:
-    """Return what says a number that grows, at 500 reports a second."""
+    """Return a change to a ramp in units per second at 500 samples per second, within 0 .. 127."""
 
     def change(values: Values, k: int) -> None:
         values[...] = np.clip(start + per_second * k / 500.0, 0, 127)

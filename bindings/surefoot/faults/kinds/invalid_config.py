@@ -1,4 +1,4 @@
-"""Options and gains that make no sense: they must be refused by name, and nothing else happen."""
+"""Invalid options and gains: the supervisor must refuse each by its name."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from surefoot.faults.kinds.fault import Fault
 
 
 class InvalidConfig(Fault):
-    """Supervisors are made with options and gains that make no sense."""
+    """Supervisors are constructed with invalid options and gains."""
 
     def __init__(self) -> None:
         self._robot: Robot | None = None
         self._problems: list[str] = []
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Remember for which robot."""
+        """Store the robot model."""
         self._robot = robot
         return robot
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Make them; each must be refused by name."""
+        """Construct the supervisors; each error must name the invalid value."""
         robot = self._robot
         if k or robot is None:
             return
@@ -39,12 +39,12 @@ class InvalidConfig(Fault):
                 attempt()
             except Error as refusal:
                 if name not in str(refusal):
-                    self._problems.append(f"{name}: refused without its name: {refusal}")
+                    self._problems.append(f"{name}: the error does not name it: {refusal}")
             else:
-                self._problems.append(f"{name}: taken")
+                self._problems.append(f"{name}: accepted")
 
     def problems(self) -> list[str]:
-        """Return what was not refused."""
+        """Return the invalid values that were not refused by name."""
         return self._problems
 
 

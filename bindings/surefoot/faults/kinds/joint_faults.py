@@ -1,4 +1,4 @@
-"""Faults of what a joint says: beyond its stop, or taking too much power."""
+"""Faults of measured joint angles and power: beyond a stop, or above the protection's level."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from surefoot._core import LowState, Robot
 from surefoot.faults.kinds.fault import Fault
 from surefoot.robot.power_level import power_level
 
-WATTS_PER_LEVEL = 100.0
-KNEE_SPEED = 5.0  # [rad/s] of the knees whose power is too much
+WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's power protection
+KNEE_SPEED = 5.0  # [rad/s] reported speed of the knees
 
 
 class JointOutsideLimits(Fault):
-    """A joint says that it is outside its limits.
+    """A joint reports an angle outside its limits.
 
     Args:
-        by: How far [rad].
-        motor: Its number.
-        below: The lower limit's.
-        every: In one report of so many.
+        by: Distance beyond the limit [rad].
+        motor: Motor number.
+        below: True for the lower limit, False for the upper.
+        every: The fault is in one of this many samples.
     """
 
     def __init__(self, by: float, motor: int, below: bool, every: int = 1) -> None:
@@ -27,25 +27,25 @@ class JointOutsideLimits(Fault):
         self._q = math.nan
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Learn where the limit is."""
+        """Compute the reported angle from the joint limits."""
         config = robot.config
         lower, upper = config.q_lower[self._motor], config.q_upper[self._motor]
         self._q = lower - self._by if self._below else upper + self._by
         return robot
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Say so."""
+        """Replace the joint angle."""
         if k % self._every == 0:
             state.motorState[self._motor].q = self._q
 
 
 class PowerOverload(Fault):
-    """The four knees say that they take more power than the protection allows.
+    """The four knees report more power than the power protection allows.
 
     Args:
-        power_ratio: Of the level's power.
-        every: In how many reports of so many ...
-        length: ... they say so.
+        power_ratio: Reported power over the power of the protection's level.
+        every: Length of a cycle in samples.
+        length: Number of samples at the start of each cycle that report it.
     """
 
     def __init__(self, power_ratio: float, every: int = 1, length: int = 1) -> None:
@@ -53,13 +53,13 @@ class PowerOverload(Fault):
         self._torque = 0.0
 
     def assumed_robot(self, robot: Robot) -> Robot:
-        """Learn the level."""
+        """Compute the reported torque from the robot's power level."""
         watts = self._power_ratio * WATTS_PER_LEVEL * power_level(robot.name)
         self._torque = watts / 4 / KNEE_SPEED
         return robot
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Say so."""
+        """Replace speed and torque of the knees."""
         if k % self._every < self._length:
             for motor in (2, 5, 8, 11):
                 state.motorState[motor].dq = KNEE_SPEED

@@ -1,4 +1,4 @@
-"""Faults of the link: what becomes of a report's frame on its way."""
+"""Faults of the link: changes of the LowState frames on their way."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.protocol import crc32
 
 FrameChange = Callable[[bytes, int], list[bytes]]
-"""Datagrams that arrive in the k-th period in place of a frame."""
+"""Returns the datagrams that arrive instead of a frame in period k."""
 
 
 class LinkFault(Fault):
     """Frames do not arrive as they were sent.
 
     Args:
-        damage: What becomes of them.
+        damage: Change of the frames.
     """
 
     uses_frames = True
@@ -26,17 +26,17 @@ class LinkFault(Fault):
         self._damage = damage
 
     def change_frame(self, frame: bytes, k: int) -> list[bytes]:
-        """Return what arrives."""
+        """Return the datagrams that arrive."""
         return self._damage(frame, k)
 
 
 def no_frame(frame: bytes, k: int) -> list[bytes]:
-    """Lose it."""
+    """Lose the frame."""
     return []
 
 
 def frozen_frame() -> FrameChange:
-    """Return what sends the first frame for ever."""
+    """Return a change that repeats the first frame."""
     kept: list[bytes] = []
 
     def damage(frame: bytes, k: int) -> list[bytes]:
@@ -47,24 +47,24 @@ def frozen_frame() -> FrameChange:
 
 
 def flipped_bit(frame: bytes, k: int) -> list[bytes]:
-    """Turn one bit round, without the CRC's knowing."""
+    """Flip one bit; the CRC stays the old one."""
     damaged = bytearray(frame)
     damaged[(37 * k) % len(frame)] ^= 1 << k % 8
     return [bytes(damaged)]
 
 
 def random_bytes(frame: bytes, k: int) -> list[bytes]:
-    """Send anything, as long as a frame."""
+    """Replace the frame by random bytes of the same length."""
     return [np.random.default_rng(k).bytes(len(frame))]
 
 
 def truncated(frame: bytes, k: int) -> list[bytes]:
-    """Cut a frame off."""
+    """Cut off the second half of the frame."""
     return [frame[: len(frame) // 2]]
 
 
 def wrong_length(size: int) -> FrameChange:
-    """Return what sends frames as long as another generation's, their CRC right."""
+    """Return a change to frames of another generation's length, with a valid CRC."""
 
     def damage(frame: bytes, k: int) -> list[bytes]:
         body = frame[: size - 4].ljust(size - 4, b"\0")
@@ -74,18 +74,18 @@ def wrong_length(size: int) -> FrameChange:
 
 
 def random_loss(share: float) -> FrameChange:
-    """Return what loses frames by chance."""
+    """Return a change that loses frames at random with probability `share`."""
     rng = np.random.default_rng(5)
     return lambda frame, k: [] if rng.uniform() < share else [frame]
 
 
 def intermittent(damage: FrameChange, every: int, length: int = 1) -> FrameChange:
-    """Return damage that comes every so many frames for a few."""
+    """Return a change that acts on the first `length` of every `every` frames."""
     return lambda frame, k: damage(frame, k) if k % every < length else [frame]
 
 
 def delayed(ticks: int, every: int = 1) -> FrameChange:
-    """Return what brings every so many'th frame so many periods late, the others at once."""
+    """Return a change that delays one of `every` frames by `ticks` periods."""
     waiting: list[tuple[int, bytes]] = []
 
     def damage(frame: bytes, k: int) -> list[bytes]:
@@ -100,10 +100,10 @@ def delayed(ticks: int, every: int = 1) -> FrameChange:
 
 
 def swapped(every: int) -> FrameChange:
-    """Return what lets a frame be overtaken by the next, every so many."""
+    """Return a change in which the next frame overtakes one of `every` frames."""
     return delayed(1, every)
 
 
 def duplicated(frame: bytes, k: int) -> list[bytes]:
-    """Bring it twice."""
+    """Deliver the frame twice."""
     return [frame, frame]

@@ -1,4 +1,4 @@
-"""Faults of motors: what becomes of a command, and what the motor then says."""
+"""Faults of motors: how a motor changes its command, and what it then reports."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.faults.kinds.signals import signal_view
 from surefoot.sim.hardware.motors import DAMPING_MODE
 
-OVERHEATED_MODE = 8
+OVERHEATED_MODE = 8  # motor mode of an overheated motor
 
 
 class WeakMotor(Fault):
-    """A motor makes less torque than it is told to, and says so by tauEst.
+    """A motor makes less torque than commanded, and tauEst shows it.
 
     Args:
-        motor: Its number.
-        share: Of the torque that is left.
+        motor: Motor number.
+        share: Share of the commanded torque that the motor makes.
     """
 
     def __init__(self, motor: int, share: float) -> None:
         self._motor, self._share = motor, share
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Scale all that makes torque."""
+        """Scale torque, Kp and Kd of the command."""
         motor = command.motorCmd[self._motor]
         motor.tau, motor.Kp, motor.Kd = (
             self._share * value for value in (motor.tau, motor.Kp, motor.Kd)
@@ -35,16 +35,16 @@ class DeadMotor(Fault):
     """A motor switches itself off.
 
     Args:
-        motor: Its number.
-        mode: That it reports; 0x00 brakes, 0x08 (overheated) lets go.
-        periods: Until it is back.
+        motor: Motor number.
+        mode: Reported motor mode: with 0x00 the motor brakes, with 0x08 (overheated) it is free.
+        periods: Control periods until the motor works again.
     """
 
     def __init__(self, motor: int, mode: int, periods: int = 10**9) -> None:
         self._motor, self._mode, self._periods = motor, mode, periods
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Take the command away."""
+        """Remove the command of the motor."""
         if k >= self._periods:
             return
         motor = command.motorCmd[self._motor]
@@ -54,7 +54,7 @@ class DeadMotor(Fault):
             motor.tau = motor.Kp = motor.Kd = 0.0
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Report the mode; a motor that has let go makes no torque."""
+        """Report the mode; a free motor reports no torque."""
         if k < self._periods:
             motor = state.motorState[self._motor]
             motor.mode = self._mode
@@ -62,10 +62,10 @@ class DeadMotor(Fault):
 
 
 class UnresponsiveMotors(Fault):
-    """Motors go on with the command of the moment when it began, and say that all is well.
+    """Motors keep the command from the onset and report no problem.
 
     Args:
-        motors: Their numbers.
+        motors: Motor numbers.
     """
 
     def __init__(self, motors: list[int]) -> None:
@@ -73,7 +73,7 @@ class UnresponsiveMotors(Fault):
         self._held_command: LowCmd | None = None
 
     def change_command(self, command: LowCmd, k: int) -> None:
-        """Replace it."""
+        """Replace the command by the held one."""
         if self._held_command is None:
             self._held_command = LowCmd()
             self._held_command.raw[:] = command.raw
@@ -84,10 +84,10 @@ class UnresponsiveMotors(Fault):
 
 
 class SecondController(Fault):
-    """Another controller holds the robot's joints where they are.
+    """Another controller holds the joints at their angles from the onset.
 
     Args:
-        every: It overwrites every so many'th command.
+        every: It overwrites one of this many commands.
     """
 
     def __init__(self, every: int = 1) -> None:
@@ -95,7 +95,7 @@ class SecondController(Fault):
         self._q = np.zeros(12)
 
     def change_state(self, state: LowState, k: int) -> None:
-        """See where they are."""
+        """Store the joint angles at the onset."""
         if k == 0:
             self._q = signal_view(state, "q").astype(float)
 

@@ -1,4 +1,4 @@
-"""What people and programs do to a supervisor: stops, jumps, requests out of order, bad options."""
+"""Faults of operators and calling programs: stops, jumps of references, invalid requests."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from surefoot._core import (
 from surefoot.faults.kinds.clock_faults import OperatorAction
 from surefoot.faults.kinds.fault import Fault
 
-BUTTON_B = 2  # of the remote's byte 3
+BUTTON_B = 2  # mask of button B in byte 3 of wirelessRemote
 
 
 def stop(supervisor: Supervisor, k: int) -> None:
-    """Stop once."""
+    """Stop the robot once."""
     if k == 0:
         supervisor.stop()
 
 
 def stop_from_a_thread(supervisor: Supervisor, k: int) -> None:
-    """Stop once, from a thread of its own."""
+    """Stop the robot once from another thread."""
     if k == 0:
         thread = threading.Thread(target=supervisor.stop)
         thread.start()
@@ -35,22 +35,22 @@ def stop_from_a_thread(supervisor: Supervisor, k: int) -> None:
 
 
 def lower_by_20_cm(supervisor: Supervisor, k: int) -> None:
-    """Ask for 20 cm less height."""
+    """Request 20 cm less height."""
     supervisor.set_body_reference(BodyReference(height=-0.2))
 
 
 def nan_reference(supervisor: Supervisor, k: int) -> None:
-    """Ask for what is no number."""
+    """Request a height of NaN."""
     supervisor.set_body_reference(BodyReference(height=float("nan")))
 
 
 def alternating_pose(supervisor: Supervisor, k: int) -> None:
-    """Ask for 3 cm left and right by turns."""
+    """Request 3 cm to the left and to the right in turns, 50 periods each."""
     supervisor.set_body_reference(BodyReference(y=0.03 if k // 50 % 2 else -0.03))
 
 
 def random_poses() -> OperatorAction:
-    """Return who asks for another pose in every tick."""
+    """Return an operator action that requests another random pose in every tick."""
     rng = np.random.default_rng(17)
 
     def request_pose(supervisor: Supervisor, k: int) -> None:
@@ -63,56 +63,56 @@ class RemoteStopPressed(Fault):
     """Button B of the remote is pressed for 0.1 s."""
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Press it."""
+        """Set the button in the sample."""
         if k < 50:
             state.wirelessRemote[3] = BUTTON_B
 
 
 class HeartbeatLost(Fault):
-    """The operator, there until now, sends no heartbeat any more.
+    """The operator's heartbeats end at the onset.
 
     Args:
-        timeout: That the supervisor waits [s].
+        timeout: SupervisorOptions.operator_timeout [s].
     """
 
     def __init__(self, timeout: float) -> None:
         self._timeout = timeout
 
     def set_options(self, options: SupervisorOptions) -> None:
-        """Have it wait."""
+        """Set the timeout."""
         options.operator_timeout = self._timeout
 
     def update_before(self, supervisor: Supervisor) -> None:
-        """Be there."""
+        """Send a heartbeat."""
         supervisor.heartbeat()
 
 
 class OutOfOrderRequests(Fault):
-    """Every mode that is not next is asked for in every tick."""
+    """All modes that are not allowed next are requested in every tick."""
 
     def __init__(self) -> None:
         self._accepted: set[str] = set()
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Ask."""
+        """Request all modes that are not allowed next."""
         current = supervisor.mode
         allowed = {Mode.PASSIVE: Mode.RISE, Mode.RISE: Mode.SIT, Mode.STAND: Mode.SIT}
         for mode in (Mode.PASSIVE, Mode.RISE, Mode.STAND, Mode.SIT, Mode.DAMPING):
             if mode == allowed.get(current):
                 continue
             if supervisor.request(mode) == RequestStatus.ACCEPTED:
-                self._accepted.add(f"{mode.name} taken from {current.name}")
+                self._accepted.add(f"{mode.name} accepted in {current.name}")
 
     def problems(self) -> list[str]:
-        """Return which were taken."""
+        """Return the requests that were accepted."""
         return sorted(self._accepted)
 
 
 class ConcurrentRequests(OutOfOrderRequests):
-    """The same from four threads at once, now and then."""
+    """The same requests come from four threads at once, in one of 50 ticks."""
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Ask from all."""
+        """Send the requests from four threads."""
         if k % 50:
             return
         request = super().operate

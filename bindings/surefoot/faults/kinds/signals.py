@@ -1,4 +1,4 @@
-"""Faults of what a report says: one signal, changed."""
+"""Faults of signals in a LowState: one signal, or all sensors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SOC, _CELLS, _REMOTE = slice(838, 839), slice(850, 870), slice(889, 929)  # byt
 
 
 def signal_view(state: LowState, name: str) -> Values:
-    """Return a writable view of a signal: of an array of LowState, or of all twelve motors."""
+    """Return a writable view of a signal: a LowState array, or a field of all twelve motors."""
     fields = state.raw.view(LOW_STATE)[0]
     if name in _MOTOR:
         return np.asarray(fields["motorState"][name][:MOTOR_COUNT])
@@ -33,12 +33,12 @@ def signal_view(state: LowState, name: str) -> Values:
 
 
 class SignalFault(Fault):
-    """A signal that goes wrong.
+    """One signal is wrong.
 
     Args:
-        name: Of the signal: quaternion, gyroscope, q, tauEst, SOC and so on.
-        change: How.
-        parts: Of it: a motor's or foot's number, or several; all by default.
+        name: Signal: quaternion, gyroscope, q, tauEst, SOC and so on.
+        change: Change of the signal.
+        parts: Index or indices of motors, feet or axes to change; None changes all.
     """
 
     def __init__(self, name: str, change: Change, parts: int | list[int] | None = None) -> None:
@@ -57,33 +57,33 @@ class SignalFault(Fault):
 
 
 class AllSensorsFault(Fault):
-    """All that is measured goes wrong alike, while the tick goes on.
+    """All sensors are wrong in the same way, while the tick advances.
 
     Args:
-        change: How, on the bytes of IMU, motors and feet.
+        change: Change of the bytes of IMU, motors and feet.
     """
 
     def __init__(self, change: Change) -> None:
         self._change = change
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Change them."""
+        """Change the bytes of the sensors."""
         self._change(state.raw[22:885], k)
 
 
 class AttitudeFault(Fault):
-    """The IMU's attitude is turned further.
+    """The attitude of the IMU has an additional rotation.
 
     Args:
-        angle: By how much, in the k-th period [deg].
-        axis: To turn about: the IMU's 0 roll or 1 pitch; 2, the world's vertical.
+        angle: Angle in period k [deg].
+        axis: Axis: 0 roll or 1 pitch of the IMU, 2 the vertical of the world.
     """
 
     def __init__(self, angle: Callable[[int], float], axis: int) -> None:
         self._angle, self._axis = angle, axis
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Turn it."""
+        """Rotate the quaternion."""
         q = signal_view(state, "quaternion")
         half = np.radians(self._angle(k)) / 2
         turn = np.zeros(4)
@@ -93,18 +93,18 @@ class AttitudeFault(Fault):
 
 
 class RandomAttitudeFault(Fault):
-    """The IMU says any attitude, another one every time."""
+    """The IMU reports another random attitude in every sample."""
 
     def __init__(self) -> None:
         self._rng = np.random.default_rng(13)
 
     def change_state(self, state: LowState, k: int) -> None:
-        """Draw it."""
+        """Replace the quaternion by a random one."""
         q = self._rng.normal(size=4)
         signal_view(state, "quaternion")[:] = q / np.linalg.norm(q)
 
 
 def _product(a: Values, b: Values) -> Values:
-    """Return the quaternion a b; w, x, y, z."""
+    """Return the quaternion product a b; order w, x, y, z."""
     scalar = a[0] * b[0] - a[1:] @ b[1:]
     return np.concatenate([[scalar], a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:])])

@@ -1,4 +1,4 @@
-"""Faults of the world: pushes that nothing saves, hands that lift, solvers that fail."""
+"""Faults of the surroundings and the QP: strong pushes, external lifts, corrupt QP data."""
 
 from __future__ import annotations
 
@@ -8,62 +8,62 @@ from surefoot._core import RobotState, Supervisor, Task, TaskRows
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Lift, Plant, PlantSettings, Push
 
-PUSH_DURATION = 0.1  # [s] of pushes
+PUSH_DURATION = 0.1  # [s] duration of pushes
 
 
 class PushFault(Fault):
-    """A push far beyond what the robot survives.
+    """A push far above the LIP push limit.
 
     Args:
-        push_ratio: Of the push that the pendulum survives.
-        height: Above the centre of mass, as a share of its own height.
-        until_down: Judged from when a body part touches the ground or the tilt is beyond 60
-            degrees; else from when the push begins.
+        push_ratio: Impulse over the LIP push limit.
+        height: Height above the centre of mass, as a share of the height of the centre of mass.
+        until_down: True: times count from when a part other than a foot touches the ground, or the
+            tilt exceeds 60 degrees. False: they count from the start of the push.
     """
 
     def __init__(self, push_ratio: float, height: float, until_down: bool) -> None:
         self._push_ratio, self._height, self._until_down = push_ratio, height, until_down
 
     def begin(self, plant: Plant) -> None:
-        """Push."""
+        """Start the push."""
         height = self._height * float(plant.data.subtree_com[plant.handles.root][2])
         impulse = self._push_ratio * plant.lip_push_limit("lateral")
         plant.add_push(Push("lateral", impulse, PUSH_DURATION, plant.time, height))
 
     def is_observable(self, plant: Plant) -> bool:
-        """Return whether it lies."""
+        """Return True once the robot has fallen, or always if not until_down."""
         return plant.truth.fell if self._until_down else True
 
 
 class LiftFault(Fault):
-    """A hand lifts the trunk, or a foot, and puts or lets it down.
+    """An external lift of the trunk or of a foot; the grip opens at the full height.
 
     Args:
         part: "trunk" or a foot.
-        height: [m].
-        duration: [s].
-        ramp: In which the grip opens [s].
+        height: Height of the lift [m].
+        duration: Duration until the grip begins to open [s].
+        ramp: Time in which the grip opens [s].
     """
 
     def __init__(self, part: str, height: float, duration: float, ramp: float = 0.02) -> None:
         self._part, self._height, self._duration, self._ramp = part, height, duration, ramp
 
     def begin(self, plant: Plant) -> None:
-        """Take hold."""
+        """Start the lift."""
         lift = Lift(self._part, plant.time, self._duration, self._height, ramp=self._ramp)
         plant.add_lift(lift)
 
 
 class WorkingFootSensors(Fault):
-    """Feet have sensors that work, whatever the real robot's do."""
+    """The plant has working foot force sensors, even if those of the real robot do not work."""
 
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
-        """Return the settings with them."""
+        """Return the plant settings with foot force sensors."""
         return replace(settings, foot_force="est")
 
 
 class _CorruptTask(Task):
-    """A task of one row that asks for nothing, until it asks for a value."""
+    """Task of one row with weight 0; while active, it requests the corrupt value."""
 
     def __init__(self, value: float, weight: float) -> None:
         super().__init__()
@@ -82,13 +82,13 @@ class _CorruptTask(Task):
 
 
 class CorruptQp(Fault):
-    """The program's numbers are spoilt, by a task among those of the StandController.
+    """The data of the QP is corrupt, because of a task in the StandController.
 
     Args:
-        value: That is asked for, of the base's acceleration sideways.
-        every: In every so many'th period ...
-        burst: ... and in so many in all, one after the other.
-        weight: Of the row.
+        value: Lateral base acceleration that the task requests.
+        every: Length of a cycle in periods.
+        burst: Number of periods at the start of each cycle in which the task is active.
+        weight: Weight of the row.
     """
 
     def __init__(self, value: float, every: int = 1, burst: int = 1, weight: float = 1.0) -> None:
@@ -99,5 +99,5 @@ class CorruptQp(Fault):
         supervisor.stand_controller.add_task(self._task)
 
     def operate(self, supervisor: Supervisor, k: int) -> None:
-        """Spoil, or not."""
+        """Activate or deactivate the task."""
         self._task.active = k % self._every < self._burst

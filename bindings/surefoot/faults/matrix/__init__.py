@@ -1,1 +1,1 @@
-"""The fault matrix: set up a cell, run it, observe it, judge it, report it."""
+"""Fault matrix: set up a cell, run it, observe it, judge it, report it."""

@@ -1,4 +1,4 @@
-"""What every command is held against, whatever goes wrong: numbers, torque, rate, power, age."""
+"""Checks of every command during a fault: finite values, torque, rate, power, hold time."""
 
 from __future__ import annotations
 
@@ -12,44 +12,42 @@ from surefoot.faults.expectation import MAX_HOLD_TIME
 from surefoot.messages.low_cmd_layout import LOW_CMD
 from surefoot.messages.low_state_layout import MOTOR_COUNT
 
-PERIOD = 0.002  # [s]
-MAX_TORQUE_STEP = (
-    0.1  # of a motor's torque limit, in one control period: 50 times the limit a second
-)
+PERIOD = 0.002  # [s] control period
+MAX_TORQUE_STEP = 0.1  # largest torque step per control period, over the motor's torque limit
 _ROUNDING = 1e-6
 
 
 def motors_of(command: LowCmd) -> npt.NDArray[Any]:
-    """Return the twelve motors of a command as one array of fields; a view."""
+    """Return the fields of a command's twelve motors as a view."""
     fields: npt.NDArray[Any] = command.raw.view(LOW_CMD)[0]["motorCmd"][:MOTOR_COUNT]
     return fields
 
 
 def is_damping(command: LowCmd) -> bool:
-    """Return whether all motors brake by themselves, and do nothing else."""
+    """Return True if all motors damp and have no torque and no stiffness."""
     motors = motors_of(command)
     brakes = (motors["Kd"] > 0) & (motors["dq"] == 0) & (motors["tau"] == 0) & (motors["Kp"] == 0)
     return bool(np.all(brakes & (motors["mode"] == 0x0A)))
 
 
 class CommandMonitor:
-    """Looks at every command that leaves.
+    """Monitor of every command that the supervisor sends.
 
-    Rates are those of the command's own making: the change of tau, and of Kd at the speed that the
-    joint has. Going over to the motors' own damping is at once by design and is not counted.
+    The torque step is the part that the command causes: the change of tau, and of Kd at the present
+    joint velocity. The switch to damping is immediate by design and does not count.
 
     Args:
-        robot: For its limits.
-        level: Of the power protection.
+        robot: Model of the robot, for its limits.
+        level: Power protection level.
 
     Attributes:
-        not_finite: Commands with a number that is none.
-        torque_share: Greatest feed-forward torque, of its motor's limit.
-        rate_share: Greatest change of torque in a period, of its motor's limit.
-        power_trips: Commands with torques that left although the power protection refused them.
-        power: Greatest power that was measured while torques were on [W].
+        not_finite: Number of commands with a NaN or an infinity.
+        torque_share: Largest feed-forward torque over the motor's limit.
+        rate_share: Largest torque step in a period over the motor's limit.
+        power_trips: Number of torque commands that the power protection refused.
+        power: Largest measured power while the motors had torques [W].
         hold_time: Longest time for which the same torques were repeated [s].
-        position_mode: Commands that ask a joint for a position.
+        position_mode: Number of commands with Kp > 0.
     """
 
     def __init__(self, robot: Robot, level: int) -> None:
@@ -61,12 +59,12 @@ class CommandMonitor:
         self.torque_share = self.rate_share = self.power = self.hold_time = 0.0
 
     def check(self, command: LowCmd, sample: LowState, dq: npt.NDArray[np.float64]) -> None:
-        """Judge a command.
+        """Check a command.
 
         Args:
-            command: That leaves.
-            sample: What the robot really measured, before anything damaged it.
-            dq: (12,) true speeds of the motors [rad/s].
+            command: Command that the supervisor sends.
+            sample: LowState of the robot, before the fault changed it.
+            dq: (12,) true joint velocities of the motors [rad/s].
         """
         motors = motors_of(command).copy()
         fields = np.stack([motors[name] for name in ("q", "dq", "tau", "Kp", "Kd")]).astype(float)
@@ -100,13 +98,13 @@ class CommandMonitor:
         same = bool(np.array_equal(motors, previous))
         self._repeats = self._repeats + 1 if same else 0
         self.hold_time = max(self.hold_time, self._repeats * PERIOD)
-        # A motor that brakes at its limit makes no more than that, whatever its damping asks for.
+        # The motor limits its torque, so damping never makes more than the torque limit.
         continued_torque = previous["tau"] + (motors["Kd"].astype(float) - previous["Kd"]) * dq
         step = motors["tau"] - np.clip(continued_torque, -self._tau_max, self._tau_max)
         self.rate_share = max(self.rate_share, float(np.max(np.abs(step) / self._tau_max)))
 
     def violations(self) -> list[str]:
-        """Return what was not as it must be, in words."""
+        """Return the violations, each as text."""
         found = []
         if self.not_finite:
             found.append(f"{self.not_finite} commands not finite")

@@ -1,8 +1,8 @@
-"""The way of a report through real frames: a UdpLink on loopback, in lockstep with the plant.
+"""Transport of samples as real frames: a UdpLink on loopback, in lockstep with the plant.
 
-The robot's end is a socket of this process; loopback delivers before send() returns, so what was
-sent in a period is there when the link is read in it, and nothing waits for a clock. What the link
-says of wall time, UdpLink.state_age, is therefore not put to the test here.
+A socket of this process is the robot's end. Loopback delivers before send() returns, so the link
+reads each frame in the period in which it was sent, and nothing waits for a clock. For this reason
+the wall time of the link (UdpLink.state_age) is not tested here.
 """
 
 from __future__ import annotations
@@ -12,15 +12,15 @@ import socket
 from surefoot._core import LowState, UdpLink
 from surefoot.protocol import default_generation, encode_low_state
 
-_DEFAULT_GENERATION = "go1-v3.8"  # a go2 has no UDP frames of its own
-_ROBOTS_WITHOUT_FRAMES = ("go2",)
+_DEFAULT_GENERATION = "go1-v3.8"  # for robots without UDP frames
+_ROBOTS_WITHOUT_FRAMES = ("go2",)  # DDS only
 
 
 class FrameLoopback:
-    """Both ends.
+    """Both ends of a loopback link.
 
     Args:
-        robot: Its name; a robot without frames of its own speaks go1-v3.8.
+        robot: Name of the robot; a robot without UDP frames uses go1-v3.8.
     """
 
     def __init__(self, robot: str) -> None:
@@ -32,18 +32,18 @@ class FrameLoopback:
         self._address = ("127.0.0.1", self._link.local_port)
 
     def encode(self, state: LowState) -> bytes:
-        """Return a report's frame."""
+        """Return the frame of a sample."""
         return encode_low_state(state, self._generation)
 
     def receive(self, datagrams: list[bytes]) -> LowState:
-        """Send datagrams as the robot and return the link's newest report, as a loop has it."""
+        """Send datagrams as the robot and return the newest LowState of the link."""
         for data in datagrams:
             self._robot_socket.sendto(data, self._address)
         self._link.receive()
         return self._link.state
 
     def close(self) -> None:
-        """Close the robot's socket; the link goes with this object."""
+        """Close the robot's socket; the link closes with this object."""
         self._robot_socket.close()
 
 

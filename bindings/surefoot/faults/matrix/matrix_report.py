@@ -1,4 +1,4 @@
-"""The report of a matrix: the table, what failed, how long reactions took; summary.json."""
+"""HTML report of a fault matrix: table, failures, reaction times, and summary.json."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ _HEADER = "".join(f"<td><b>{word}</b></td>" for word in ("injection", "what", "e
 
 
 def write_faults_report(result: dict[str, Any], folder: Path, command: str) -> Path:
-    """Write a report into a folder and return the page to open; raises OSError.
+    """Write the report into a folder and return the path of its page; raises OSError.
 
     Args:
-        result: What run_faults() returned.
-        folder: Made if it is not there.
-        command: What started the run.
+        result: Result of run_faults().
+        folder: Target folder; created if missing.
+        command: Command line that started the run.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(result, indent=2, allow_nan=False)
@@ -43,7 +43,7 @@ def _page(result: dict[str, Any], command: str) -> str:
     mark = "bad" if result["failed"] else "good"
     tiles = [
         ("cells passed", f"{result['passed']} of {total}"),
-        ("power protection's level", str(result["power_level"])),
+        ("power protection level", str(result["power_level"])),
         ("commands not finite", str(_sum(result, "not_finite"))),
         ("commands that the power protection refused", str(_sum(result, "power_trips"))),
     ]
@@ -54,10 +54,10 @@ def _page(result: dict[str, Any], command: str) -> str:
     body = f"""{_STYLE}<h1><span class="mark {mark}"></span>Faults: {escape(result["robot"])}</h1>
 <pre>{escape(command)}</pre>
 <div class="tiles" style="margin-top: 20px">{tiles_html(tiles)}</div>
-<section class="card"><h2>What failed</h2>{failures or "<p>Nothing.</p>"}</section>
+<section class="card"><h2>Failed cells</h2>{failures or "<p>None.</p>"}</section>
 <section class="card"><h2>The matrix</h2>
-<p class="soft">Each cell: when the expected reaction came. Point at it for more; every number is in
-<a href="summary.json">summary.json</a>.</p>
+<p class="soft">Each cell has the time of the expected reaction. The tooltip has more; all numbers
+are in <a href="summary.json">summary.json</a>.</p>
 <div class="scroll"><table class="matrix">{_rows(result)}</table></div></section>
 {plots_html(PLOTS)}"""
     return page_html(f"faults of a {result['robot']}", body)

@@ -1,4 +1,4 @@
-"""What a matrix of faults is asked to be."""
+"""Settings of a fault matrix."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ MAX_JOBS = 256
 
 @dataclass(frozen=True)
 class FaultSettings:
-    """Robot, cells and processes.
+    """Settings of a fault matrix: robot, cells and processes.
 
     Attributes:
-        robot: A name of surefoot.available_robots(), or what describe_robot() returns of files.
-        seed: Of sensors, motors and the lying pose.
-        jobs: Processes; 1 runs in this one.
-        only: Patterns of cells (see catalogue.choose_cells); all if empty.
-        store: File that keeps every cell when it is done; a run that ended goes on with it.
-        taken_over: The supervisor finds the robot standing, and takes it over unchecked: cells that
-            begin while it stands or is pushed, less those of faults that are there before.
+        robot: A name of surefoot.available_robots(), or a description from describe_robot().
+        seed: Seed of sensors, motors and the lying pose.
+        jobs: Number of processes; 1 uses this process.
+        only: Patterns of cells (see catalogue.choose_cells); empty selects all cells.
+        store: File that keeps the result of every cell and from which a run resumes; None: no file.
+        taken_over: True: the supervisor starts with a standing robot and without arming checks.
+            Only cells with mode standing or pushed run, without faults from before arming.
     """
 
     robot: str | RobotDescription = "go1"
@@ -41,11 +41,11 @@ class FaultSettings:
 
     @property
     def description(self) -> RobotDescription:
-        """The robot's files; raises Error."""
+        """Description of the robot; raises Error."""
         return describe_robot(self.robot) if isinstance(self.robot, str) else self.robot
 
     def identity_values(self) -> dict[str, Any]:
-        """Return as plain data what makes a cell of two runs the same; raises Error."""
+        """Return the plain data that identifies a cell across runs; raises Error."""
         robot = build_robot(self.description)
         requested = {"seed": self.seed, "taken_over": self.taken_over}
         return {**robot_identity(self.description, robot), **requested}

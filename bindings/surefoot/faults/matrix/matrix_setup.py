@@ -1,4 +1,4 @@
-"""What all runs of a matrix have in common: the robot, where it lies, what is put to the test."""
+"""Common setup of all cells of a matrix: robot, lying pose, and supervisor under test."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
-_LYING_RNG_STREAM = 99  # stream of the random numbers that draw the lying pose
+_LYING_RNG_STREAM = 99  # random stream for the lying pose
 
 
 @dataclass(frozen=True)
 class MatrixSetup:
-    """What all scenes of a matrix have in common.
+    """Common setup of all cells of a matrix.
 
     Attributes:
-        description: The robot.
-        seed: Of sensors, motors and the lying pose.
-        lying_qpos: MuJoCo's qpos of the robot at rest.
-        standing_height: Of the standing base [m].
-        make_supervisor: Makes what is put to the test.
-        taken_over: The robot stands from the start, and is taken over so.
+        description: Description of the robot.
+        seed: Seed of sensors, motors and the lying pose.
+        lying_qpos: MuJoCo qpos of the robot lying at rest.
+        standing_height: Height of the standing base [m].
+        make_supervisor: Constructs the supervisor under test.
+        taken_over: True if the robot stands from the start and the supervisor takes over.
     """
 
     description: RobotDescription
@@ -43,7 +43,7 @@ def make_setup(
     make_supervisor: Callable[[Robot, SupervisorOptions], Supervisor] | None = None,
     taken_over: bool = False,
 ) -> MatrixSetup:
-    """Drop a robot until it lies well, and return the setup; raises Error."""
+    """Drop a robot until it lies at rest and return the setup; raises Error."""
     plant = Plant(description, PlantSettings(seed=seed, physics_dt=COARSE_DT))
     height = float(plant.data.qpos[2])
     plant.reset_lying(np.random.default_rng([seed, _LYING_RNG_STREAM]))
@@ -54,5 +54,5 @@ def make_setup(
 
 
 def default_supervisor(robot: Robot, options: SupervisorOptions) -> Supervisor:
-    """Return the supervisor as everybody gets it."""
+    """Construct a supervisor with the robot's own gains."""
     return Supervisor(robot, options=options)

@@ -1,4 +1,4 @@
-"""A matrix of faults for people to read."""
+"""Result of a fault matrix as text."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _WIDTH = 46
 
 
 def faults_text(result: dict[str, Any]) -> str:
-    """Return a matrix as a table: a line for each injection, a column for each mode."""
+    """Return a matrix as a table: one line for each injection, one column for each mode."""
     total = result["passed"] + result["failed"]
     title = f"{result['robot']}, seed {result['seed']}, power level {result['power_level']}"
     title += ", taken over standing" if result["taken_over"] else ""
@@ -35,7 +35,7 @@ def faults_text(result: dict[str, Any]) -> str:
 
 
 def by_injection(cells: list[dict[str, Any]]) -> dict[str, dict[str, dict[str, Any]]]:
-    """Return cells by row and injection, each by mode."""
+    """Return the cells by ROW/INJECTION, then by mode."""
     lines: dict[str, dict[str, dict[str, Any]]] = {}
     for cell in cells:
         lines.setdefault(cell["id"].rpartition("/")[0], {})[cell["mode"]] = cell
@@ -43,10 +43,11 @@ def by_injection(cells: list[dict[str, Any]]) -> dict[str, dict[str, dict[str, A
 
 
 def list_text(cells: list[Cell]) -> str:
-    """Return the cells that would be run, one a line."""
+    """Return the cells of a run, one per line."""
     width = max(len(cell.id) for cell in cells)
     return "\n".join(
-        f"{cell.id.ljust(width)}  {cell.expectation.reaction.value}{_within(cell)}: {cell.case.description}"
+        f"{cell.id.ljust(width)}  {cell.expectation.reaction.value}{_within(cell)}: "
+        f"{cell.case.description}"
         for cell in cells
     )
 

@@ -1,4 +1,4 @@
-"""What a robot does after a fault has begun, until it has done what is expected of it."""
+"""Observation of a robot from the onset of a fault until the expected reaction is complete."""
 
 from __future__ import annotations
 
@@ -12,35 +12,35 @@ from surefoot.faults.matrix.reach_mode import RISE_TIME
 from surefoot.faults.matrix.scenario import PERIOD, Scenario
 from surefoot.sim.truth import has_fallen
 
-SETTLED_TIME = 0.6  # [s] that a latched damping, and a rest, are looked at
-STAND_TIME = 3.0  # [s] that standing is looked at, and waited for a fall
-LIE_TIME = 1.2  # [s] of lying
-SIT_TIME = 9.0  # [s] that sitting down may take
+SETTLED_TIME = 0.6  # [s] of observation after latched damping, or after the robot lies
+STAND_TIME = 3.0  # [s] of observing a standing robot, or waiting for it to damp
+LIE_TIME = 1.2  # [s] of observing a lying robot
+SIT_TIME = 9.0  # [s] limit of sitting down
 
 
 @dataclass
 class Observation:
-    """What was seen; times since the fault was there to be seen [s], None for never.
+    """Observed reaction. Times count from the first observable period [s]; None: not observed.
 
     Attributes:
-        damped_at: When the motors damped first.
-        torque_resumed_at: When they had torques again after that.
-        sat_at: When it began to sit down, or let go on its way up.
-        passive_at: When it lay, motors damping, not latched.
-        stood_at: When it stood first.
-        fell_at: When, while standing, something but a foot touched the ground, or it tilted beyond 60
-            degrees.
-        refused_at: When arming and rising were refused first; asked in every period from the time
-            stated on.
-        accepted_at: When one of them was accepted; then it is asked no more.
-        mode: At the end.
-        max_descent_speed: Greatest speed of the body downwards [m/s].
-        min_height: Of the body's height [m].
-        max_rise: Greatest height of the body above the lowest before it [m].
-        duration: Seen for so long.
-        reported_at: When the fault expected was told.
-        latch_reason: Name of the fault that the damping latched for.
-        answers: What a request to rise and one to arm were told last.
+        damped_at: Time at which the motors first damped.
+        torque_resumed_at: Time at which they had torques again after that.
+        sat_at: Time at which the supervisor was first in mode SIT or PASSIVE.
+        passive_at: Time at which it was first in mode PASSIVE with damping motors.
+        stood_at: Time at which it was first in mode STAND.
+        fell_at: Time at which, in mode STAND, a part other than a foot touched the ground, or the
+            tilt exceeded 60 degrees.
+        refused_at: Time at which arming and rising were first refused. They are requested in every
+            period from Expectation.within on, or at once if the robot is not armed.
+        accepted_at: Time at which one of them was accepted; requests end then.
+        mode: Mode at the end.
+        max_descent_speed: Largest downward speed of the base [m/s].
+        min_height: Smallest height of the base [m].
+        max_rise: Largest height of the base above its smallest height before [m].
+        duration: Duration of the observation [s].
+        reported_at: Time at which the expected fault was reported.
+        latch_reason: Name of the fault for which damping latched.
+        answers: Last answers to the requests to rise and to arm.
     """
 
     damped_at: float | None = None
@@ -62,7 +62,7 @@ class Observation:
 
 
 def observe(scenario: Scenario, expectation: Expectation, mode: str) -> Observation:
-    """Go on with a scene whose fault begins now, for as long as the expectation needs."""
+    """Run a scenario from the onset of its fault, for as long as the expectation needs."""
     observed, periods = Observation(), 0
     refuses = expectation.reaction == Reaction.REFUSE and mode == "lying"
     scenario.begin()
@@ -97,7 +97,7 @@ def _max_duration(expectation: Expectation, mode: str) -> float:
 
 
 def _is_complete(observed: Observation, expectation: Expectation, mode: str) -> bool:
-    """Return whether what is expected, or its contrary, has been seen for long enough."""
+    """Return True if the expected reaction, or its opposite, was observed for long enough."""
     since = observed.damped_at if expectation.reaction != Reaction.SIT else observed.passive_at
     if expectation.reaction in (Reaction.DAMP, Reaction.SIT, Reaction.STAY):
         return since is not None and observed.duration > since + SETTLED_TIME
@@ -134,14 +134,18 @@ def _observe_period(scenario: Scenario, observed: Observation, time: float) -> N
 
 
 def _fault_count(scenario: Scenario, expectation: Expectation) -> int:
-    """Return how often the fault expected has begun."""
+    """Return how often the expected fault has begun."""
     if not expectation.fault:
         return 0
     return int(scenario.supervisor.faults.count(FaultId[expectation.fault.upper()]))
 
 
 def _request_rise(scenario: Scenario, observed: Observation, time: float) -> None:
-    """Ask to rise, and where that is refused to arm; a robot that was disarmed may be again."""
+    """Request a rise and, if it is refused, arming.
+
+    A robot that was armed and now refuses with NOT_ARMED is not armed again, because its arming
+    checks may rightly pass.
+    """
     rise = scenario.supervisor.request(Mode.RISE)
     done = rise == RequestStatus.ACCEPTED or (scenario.armed and rise == RequestStatus.NOT_ARMED)
     arm = None if done else scenario.supervisor.arm()

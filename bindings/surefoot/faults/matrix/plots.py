@@ -1,4 +1,4 @@
-"""Pictures of a matrix: how long reactions took, and how far commands were from their limits."""
+"""Plots of a fault matrix: reaction times, and the margins of commands to their limits."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def _draw_times(result: dict[str, Any]) -> Figure:
         )
     ax.axline((1.0, 1.0), (1e4, 1e4), color="#8a929b", linewidth=0.8)
     ax.set(xscale="log", yscale="log", xlim=(1, 2e4), ylim=(0.8, 2e4))
-    ax.set(xlabel="allowed [ms]", ylabel="taken [ms]")
+    ax.set(xlabel="time limit [ms]", ylabel="reaction time [ms]")
     ax.legend()
     return figure
 
@@ -43,24 +43,24 @@ def _draw_limits(result: dict[str, Any]) -> Figure:
     steps = [cell["torque_step_share"] for cell in result["cells"] if "torque_share" in cell]
     torque.hist(shares, 40, color=BLUE)
     torque.axvline(1.0, color=RED)
-    torque.set(xlabel="greatest torque, share of the limit", ylabel="cells")
+    torque.set(xlabel="largest torque / limit", ylabel="cells")
     step.hist(steps, 40, color=BLUE)
     step.axvline(MAX_TORQUE_STEP, color=RED)
-    step.set(xlabel="greatest step in 2 ms, share of the torque limit")
+    step.set(xlabel="largest torque step in 2 ms / torque limit")
     return figure
 
 
 PLOTS: tuple[Plot[dict[str, Any]], ...] = (
     Plot(
         "times.png",
-        "How long reactions took",
-        "One point a cell that expects one; points above the line came too late.",
+        "Reaction times",
+        "One point for each cell with a reaction; points above the line are too late.",
         _draw_times,
     ),
     Plot(
         "limits.png",
-        "How near commands came to their limits",
-        "One count a cell; what is right of a red line is a violation.",
+        "Commands against their limits",
+        "One count for each cell; values right of a red line are violations.",
         _draw_limits,
     ),
 )

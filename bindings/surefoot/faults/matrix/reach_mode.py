@@ -1,4 +1,4 @@
-"""How a robot comes to the moment in which a fault begins."""
+"""Motion of a robot from its start to the moment at which a fault begins."""
 
 from __future__ import annotations
 
@@ -6,16 +6,20 @@ from surefoot._core import Mode
 from surefoot.faults.matrix.scenario import Scenario
 from surefoot.sim import Push
 
-RISE_REQUESTED = "asked to rise"  # no further than that
-RISE_FRACTION = 0.4  # of the way up, where a rise is disturbed
-RISE_TIME = 15.0  # [s] that a rise may take
-SETTLE_TIME = 1.5  # [s] of standing before
-PUSH_FRACTION = 0.4  # of the push that the pendulum survives
-PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] of the push; and of it before the fault
+RISE_REQUESTED = "rise requested"  # mode that ends with the request to rise
+RISE_FRACTION = 0.4  # share of the rise at which a fault begins
+RISE_TIME = 15.0  # [s] limit of a rise
+SETTLE_TIME = 1.5  # [s] of standing before the fault or the push
+PUSH_FRACTION = 0.4  # of the LIP push limit
+PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] duration of the push; part of it before the fault
 
 
 def reach_mode(scenario: Scenario, mode: str) -> str:
-    """Bring a robot to a mode's moment; return why it did not get there, or ""."""
+    """Bring a robot to the moment at which a fault of a mode begins.
+
+    Returns:
+        "", or the reason why the robot did not get there.
+    """
     if scenario.taken_over:
         scenario.step()
         return _stand(scenario, mode) if scenario.is_armed() else "was not taken over"

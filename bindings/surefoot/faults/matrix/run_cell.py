@@ -1,4 +1,4 @@
-"""One cell of the matrix, run and judged."""
+"""One cell of the matrix: run it and judge it."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from surefoot.files.json_values import json_value
 
 
 def run_cell(setup: MatrixSetup, name: str) -> dict[str, Any]:
-    """Run a cell and return what came of it as plain JSON types.
+    """Run a cell and return its result as JSON values.
 
     Args:
-        setup: The robot, and where it lies.
-        name: The cell's id.
+        setup: Setup of the matrix.
+        name: Id of the cell.
     """
     cell = find_cell(name)
     fault = cell.case.make_fault()
@@ -47,26 +47,35 @@ def _run(scenario: Scenario, cell: Cell, height: float) -> dict[str, Any]:
         problem = reach_mode(
             scenario, RISE_REQUESTED if _may_show_on_rise_request(scenario, cell) else cell.mode
         )
-    if _may_show_on_rise_request(scenario, cell) and not scenario.armed and scenario.arming_failures:
-        # Arming refuses by name: as good, and sooner.
+    if (
+        _may_show_on_rise_request(scenario, cell)
+        and not scenario.armed
+        and scenario.arming_failures
+    ):
+        # Arming names the fault, which is as good as detecting it during the rise, and earlier.
         return _record(scenario, cell, Observation(), scenario.monitor.violations())
     observed = Observation() if problem else observe(scenario, cell.expectation, cell.mode)
     problems = [problem] if problem else deviations(observed, cell.expectation, cell.mode, height)
-    if not problem and cell.case.refusal_text and cell.case.refusal_text not in scenario.arming_failures:
+    if (
+        not problem
+        and cell.case.refusal_text
+        and cell.case.refusal_text not in scenario.arming_failures
+    ):
         problems.append(
-            f"the refusal does not name {cell.case.refusal_text}: {scenario.arming_failures or 'nothing'}"
+            f"the refusal does not name {cell.case.refusal_text}: "
+            f"{scenario.arming_failures or 'nothing'}"
         )
     if not problem:
         problems += unreported_fault(observed, cell.expectation)
         problems += descends_too_fast(observed, height) if cell.case.slow_descent else []
     if cell.row.id == "healthy":
-        problems += [f"a false {fault}" for fault in scenario.reported_faults]
+        problems += [f"false report of {fault}" for fault in scenario.reported_faults]
     problems += scenario.fault.problems() + scenario.monitor.violations()
     return _record(scenario, cell, observed, problems)
 
 
 def _may_show_on_rise_request(scenario: Scenario, cell: Cell) -> bool:
-    """Return whether a fault from the start may show as soon as the robot is asked to rise."""
+    """Return True if a fault from before arming may show as soon as a rise is requested."""
     expectation = cell.expectation
     return scenario.fault.from_start and (
         expectation.reaction == Reaction.STAY or expectation.alternative != ""
@@ -106,7 +115,7 @@ def _record(
 
 
 def _ticks_before(setup: MatrixSetup, cell: Cell) -> int:
-    """Return how far the robot's clock goes until the fault begins [ms]."""
+    """Return the advance of the robot's clock until the fault begins [ms]."""
     trial = Scenario(setup, cell.case.make_fault(), cell.case.level)
     first = trial.tick
     try:
@@ -117,7 +126,7 @@ def _ticks_before(setup: MatrixSetup, cell: Cell) -> int:
 
 
 def error_result(name: str, problem: BaseException) -> dict[str, Any]:
-    """Return what stands for a cell that could not be run."""
+    """Return the result of a cell that could not be run."""
     cell = find_cell(name)
     if isinstance(problem, Error):
         text = str(problem)

@@ -1,4 +1,4 @@
-"""The matrix: every cell run, in this process or in several, and what came of it."""
+"""Fault matrix: run all cells, in this process or in several, and collect the results."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from surefoot.system.machine import describe_machine
 from surefoot.system.worker_processes import killable_pool
 
 Progress = Callable[[int, int], None]
-"""Called with how many cells are done, and how many there are."""
+"""Called with the number of cells done and their total."""
 
 
 def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dict[str, Any]:
-    """Run a matrix and return everything as plain JSON types.
+    """Run a fault matrix and return the results as JSON values.
 
     Args:
-        settings: What to run.
-        progress: Told how far it is.
+        settings: Settings of the matrix.
+        progress: Called after every cell.
 
     Raises:
-        Error: An unknown robot or pattern; a process that died; a store of another run.
-        OSError: The store cannot be written; what is in it is safe.
+        Error: The robot or a pattern is unknown, a process died, or the store is of another run.
+        OSError: The store cannot be written; results that it already has are kept.
     """
     names = [cell.id for cell in choose_cells(settings.only, settings.taken_over)]
     setup = make_setup(settings.description, settings.seed, taken_over=settings.taken_over)
@@ -50,7 +50,7 @@ def run_faults(settings: FaultSettings, progress: Progress | None = None) -> dic
 def summarise(
     settings: FaultSettings, setup: MatrixSetup, cells: list[dict[str, Any]]
 ) -> dict[str, Any]:
-    """Return what a matrix's JSON has."""
+    """Return the JSON values of a matrix."""
     failures = [cell for cell in cells if cell["verdict"] != "pass"]
     robot = setup.description.name
     return {
@@ -78,11 +78,13 @@ def _results(setup: MatrixSetup, names: list[str], jobs: int) -> Iterator[dict[s
             for future in as_completed(futures):
                 yield future.result()
         except BrokenProcessPool:
-            raise Error("faults: a process died; is there enough memory for --jobs?") from None
+            raise Error(
+                "faults: a worker process died; memory may be too small, try fewer --jobs"
+            ) from None
 
 
 def run_or_fail(setup: MatrixSetup, name: str) -> dict[str, Any]:
-    """Run a cell; one that cannot be run is a failure as well."""
+    """Run a cell; an error of the run gives a failed result."""
     try:
         return run_cell(setup, name)
     except Exception as problem:

@@ -1,4 +1,4 @@
-"""A supervised robot on its plant with one fault: control period by control period."""
+"""Scenario: a supervised robot on its plant with one fault, one control period at a time."""
 
 from __future__ import annotations
 
@@ -20,25 +20,25 @@ from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
-PERIOD = 0.002  # [s]
+PERIOD = 0.002  # [s] control period
 
 
 class Scenario:
-    """One run.
+    """One run of a supervised robot with a fault.
 
     Args:
-        setup: What it has in common with others.
-        fault: What goes wrong.
-        level: Of the power protection; None is the robot's usual one.
-        tick0: LowState.tick of the first report [ms].
+        setup: Common setup of the matrix.
+        fault: Fault to inject.
+        level: Power protection level; None is the robot's default.
+        tick0: LowState.tick of the first sample [ms].
 
     Attributes:
-        plant, supervisor: As they are.
-        monitor: Of the commands so far.
-        fault: As given; begin() starts it.
-        command: That the supervisor made last.
-        armed: Was it armed by arm(), or taken over?
-        taken_over: It stands from the start, and is armed so.
+        plant, supervisor: Plant of the robot, and supervisor under test.
+        monitor: Monitor of the commands.
+        fault: The fault; begin() starts it.
+        command: Last command of the supervisor.
+        armed: True if the supervisor was armed by arm(), or took over a standing robot.
+        taken_over: True if the robot stands from the start and is armed without checks.
         k: Control periods since the fault began, or None.
     """
 
@@ -72,17 +72,17 @@ class Scenario:
 
     @property
     def tick(self) -> int:
-        """LowState.tick of the report that comes next [ms]."""
+        """LowState.tick of the next sample [ms]."""
         return int(self._state.tick)
 
     def begin(self) -> None:
-        """Let the fault begin with the next period."""
+        """Begin the fault with the next period."""
         if self.k is None:
             self.k = 0
             self.fault.begin(self.plant)
 
     def step(self) -> None:
-        """Take one control period: a report, the fault, a tick, the fault, the physics."""
+        """Run one control period: sample, fault, tick, fault, physics."""
         fault, k = self.fault, self.k
         received = LowState()
         received.raw[:] = self._state.raw
@@ -111,12 +111,12 @@ class Scenario:
         self._state = self.plant.step(delivered)
 
     def run(self, seconds: float) -> None:
-        """Take as many periods as fit."""
+        """Run the periods of a time [s]."""
         for _ in range(round(seconds / PERIOD)):
             self.step()
 
     def run_until_mode(self, mode: Mode, seconds: float) -> bool:
-        """Go on until a mode is there, or the time is over; return whether it is."""
+        """Run until a mode is reached or the time is over; return True if it is reached."""
         for _ in range(round(seconds / PERIOD)):
             if self.supervisor.mode == mode:
                 return True
@@ -124,9 +124,9 @@ class Scenario:
         return self.supervisor.mode == mode
 
     def arm(self) -> bool:
-        """Wait for the arming checks and arm; return whether it is.
+        """Wait for the arming checks and arm; return True if the supervisor is armed.
 
-        Who stood sinks first, its motors braking, for up to three seconds.
+        A robot that stands first sinks with damping motors, for up to three seconds.
         """
         for _ in range(round(6.0 / PERIOD)):
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
@@ -136,14 +136,14 @@ class Scenario:
         return False
 
     def is_armed(self) -> bool:
-        """Return whether it is armed; from now on what is told counts."""
+        """Return True if the supervisor is armed; faults reported from now on count."""
         self.armed = bool(self.supervisor.armed)
         self._counts_before_arming = self._counts()
         return self.armed
 
     @property
     def reported_faults(self) -> list[str]:
-        """Names of the faults that the supervisor has told of since it was armed."""
+        """Names of the faults that the supervisor has reported since it was armed."""
         return [
             name
             for name, n in self._counts().items()
@@ -156,10 +156,10 @@ class Scenario:
 
     @property
     def arming_failures(self) -> str:
-        """The arming checks that fail, in one line."""
+        """Arming checks that fail, in one line."""
         return "; ".join(str(self.supervisor.arming.failures(self.plant.robot)).splitlines())
 
     def close(self) -> None:
-        """Let go of sockets."""
+        """Close the sockets."""
         if self._loopback is not None:
             self._loopback.close()

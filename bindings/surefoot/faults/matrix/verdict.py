@@ -1,4 +1,4 @@
-"""Whether what was seen is what is expected."""
+"""Verdict: compare an observation with the expectation."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from surefoot.faults.expectation import TIME_TOLERANCE, Expectation, Reaction
 from surefoot.faults.matrix.observation import Observation
 
 GRAVITY = 9.81  # [m/s^2]
-LYING_SHARE = 0.4  # of its standing height: legs that fold prop healthy bodies up by 0.36 at most
+LYING_SHARE = 0.4  # of the standing height; folding legs raise healthy bodies by at most 0.36
 
 
 def fall_speed(height: float) -> float:
-    """Return the speed that counts as a fast fall: half of a free fall's from a height [m/s]."""
+    """Return the limit of the descent speed [m/s]: half of the speed after a free fall."""
     return 0.5 * math.sqrt(2.0 * GRAVITY * height)
 
 
 def reaction_time(observed: Observation, expectation: Expectation) -> float | None:
-    """Return when the reaction expected came [s]; None too of one that has no moment.
+    """Return the time of the expected reaction [s]; None if there is none to measure.
 
-    A refusal is asked for from the time stated on, not looked for before.
+    A refusal has no time: it is requested only from Expectation.within on.
     """
     return {
         Reaction.DAMP: observed.damped_at,
@@ -35,13 +35,13 @@ def reaction_time(observed: Observation, expectation: Expectation) -> float | No
 def deviations(
     observed: Observation, expectation: Expectation, mode: str, height: float
 ) -> list[str]:
-    """Return in words what is not as expected; empty if all is.
+    """Return the deviations from the expectation as text; empty if there are none.
 
     Args:
-        observed: What was seen.
-        expectation: What is expected.
-        mode: In which the fault began.
-        height: Of the standing base [m].
+        observed: Observation of the reaction.
+        expectation: Expected reaction.
+        mode: Mode in which the fault began.
+        height: Height of the standing base [m].
     """
     if expectation.reaction == Reaction.DAMP:
         return _damps(observed, expectation)
@@ -55,20 +55,23 @@ def deviations(
 
 
 def descends_too_fast(observed: Observation, height: float) -> list[str]:
-    """Return that it went down too fast, if it did."""
+    """Return a problem if the descent was too fast."""
     if observed.max_descent_speed <= fall_speed(height):
         return []
-    return [f"went down at {observed.max_descent_speed:.2f} m/s, expected {fall_speed(height):.2f}"]
+    return [
+        f"went down at {observed.max_descent_speed:.2f} m/s, "
+        f"expected at most {fall_speed(height):.2f} m/s"
+    ]
 
 
 def unreported_fault(observed: Observation, expectation: Expectation) -> list[str]:
-    """Return that the operator could not read the fault, or too late, if so."""
+    """Return a problem if the expected fault was not reported, or too late."""
     if not expectation.fault:
         return []
     if observed.reported_at is None:
-        return [f"fault {expectation.fault} is not told"]
+        return [f"fault {expectation.fault} was not reported"]
     if observed.reported_at > expectation.within + TIME_TOLERANCE:
-        return [f"fault {expectation.fault} told after {_ms(observed.reported_at)}"]
+        return [f"fault {expectation.fault} reported after {_ms(observed.reported_at)}"]
     return []
 
 
@@ -105,7 +108,7 @@ def _sits(observed: Observation, expectation: Expectation) -> list[str]:
             f"sat down after {_ms(observed.sat_at)}, expected {_ms(expectation.within)}"
         )
     if observed.passive_at is None:
-        problems.append(f"did not come to lie, {observed.mode.name} at the end")
+        problems.append(f"did not lie down, {observed.mode.name} at the end")
     return problems
 
 
@@ -114,9 +117,9 @@ def _refuses(observed: Observation) -> list[str]:
     if observed.accepted_at is not None:
         problems.append(f"not refused after {_ms(observed.accepted_at)} ({observed.answers})")
     elif observed.refused_at is None:
-        problems.append("never asked")
+        problems.append("arming and rising were never requested")
     if observed.damped_at is None or observed.torque_resumed_at is not None:
-        problems.append("the motors got torques")
+        problems.append("the motors had torques")
     return problems
 
 
@@ -128,7 +131,9 @@ def _goes_on(observed: Observation, expectation: Expectation, mode: str) -> list
     ):
         return []
     if mode == "lying":
-        problems = [] if observed.accepted_at is not None else [f"may not rise ({observed.answers})"]
+        problems = (
+            [] if observed.accepted_at is not None else [f"rise refused ({observed.answers})"]
+        )
         return problems + _rests(observed)
     problems = []
     if observed.damped_at is not None:

@@ -1,1 +1,1 @@
-"""The fault catalogue as data: rows, their injections, and what is expected of each."""
+"""Rows of the fault catalogue: faults, their injections, and the expected reactions."""

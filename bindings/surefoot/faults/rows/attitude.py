@@ -1,4 +1,4 @@
-"""Rows about the IMU's attitude."""
+"""Rows: attitude of the IMU."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ ROWS = (
             ),
             case(
                 "wrong",
-                "the other sign in every second report",
+                "opposite sign in every second sample",
                 lambda: SignalFault("quaternion", intermittent(inject.scaled(-1.0), 2)),
                 WATCH,
                 WATCH,
             ),
             case(
                 "intermittent",
-                "zero in 1 report of 10",
+                "zero in 1 sample of 10",
                 lambda: SignalFault("quaternion", intermittent(inject.off, 10)),
                 WATCH,
             ),
@@ -73,14 +73,14 @@ ROWS = (
             ),
             case(
                 "stuck",
-                "it stands still",
+                "it is constant",
                 lambda: SignalFault("quaternion", inject.stuck()),
                 WATCH,
                 WATCH,
             ),
             case(
                 "slow",
-                "it leans over at 3 deg/s",
+                "it drifts by 3 deg/s",
                 lambda: AttitudeFault(lambda k: 0.006 * k, 1),
                 WATCH,
                 None,
@@ -94,7 +94,7 @@ ROWS = (
             ),
             case(
                 "intermittent",
-                "10 degrees of roll in 1 report of 10",
+                "10 degrees of roll in 1 sample of 10",
                 lambda: AttitudeFault(lambda k: 10.0 if k % 10 == 0 else 0.0, 0),
                 WATCH,
                 None,

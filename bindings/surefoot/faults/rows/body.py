@@ -1,4 +1,4 @@
-"""Rows about the body, the ground, falls and hands."""
+"""Rows: model errors, ground, payload, falls and external lifts."""
 
 from __future__ import annotations
 
@@ -8,15 +8,14 @@ from surefoot.faults.kinds import initial_faults as setup
 from surefoot.faults.kinds.world_faults import LiftFault, PushFault
 
 RISING, LYING = ("rising",), ("lying",)
-FALL = expect_damp(
-    table_expectation("tilt").within
-)  # a shove may trip the power protection before it tilts it
-LANDING_LEVEL = 10  # of the power protection: a landing takes power
+# Any fault may damp: a push may trip the power protection before the tilt is detected.
+FALL = expect_damp(table_expectation("tilt").within)
+LANDING_LEVEL = 10  # power protection level: a landing takes more power than the default allows
 
 MODEL = (
     Row(
         "model_mismatch",
-        "mass or centre of mass are not the model's",
+        "mass or centre of mass differ from the model",
         (
             case(
                 "wrong",
@@ -56,11 +55,11 @@ MODEL = (
     ),
     Row(
         "payload",
-        "it bears more than it is allowed to",
+        "the payload is above its limit",
         (
             case(
                 "wrong",
-                "15 % of its mass, 10 % allowed",
+                "payload 15 % of the mass, limit 10 %",
                 lambda: setup.UnknownPayload(0.15, limit=0.1),
                 table_expectation("payload", 7.0),
                 modes=RISING,
@@ -69,7 +68,7 @@ MODEL = (
     ),
     Row(
         "hanging",
-        "it hangs, and is asked to rise",
+        "the robot hangs while it is requested to rise",
         (
             case(
                 "wrong",
@@ -82,14 +81,12 @@ MODEL = (
     ),
     Row(
         "unknown_pose",
-        "it starts from a pose that it should not",
+        "the initial pose is not a lying pose",
         (
-            case(
-                "wrong", "it stands, held by its motors", setup.StartsStanding, WATCH, modes=RISING
-            ),
+            case("wrong", "it stands in position mode", setup.StartsStanding, WATCH, modes=RISING),
             case(
                 "wrong",
-                "it says that it lies at 35 degrees",
+                "its IMU reports 35 degrees of pitch",
                 setup.reported_slope,
                 WATCH,
                 expect_refusal(0.5),
@@ -106,7 +103,7 @@ FALLS = (
         (
             case(
                 "wrong",
-                "it is rolled over",
+                "a push rolls it over",
                 lambda: PushFault(4.0, 1.0, until_down=True),
                 FALL,
                 modes=OFF_GROUND_MODES,
@@ -119,7 +116,7 @@ FALLS = (
         (
             case(
                 "wrong",
-                "a push of twice what it survives",
+                "a push of twice the LIP push limit",
                 lambda: PushFault(2.0, 0.0, until_down=True),
                 FALL,
                 modes=STANDING_MODES,
@@ -128,7 +125,7 @@ FALLS = (
     ),
     Row(
         "lifted",
-        "it is lifted, and put down",
+        "the robot is lifted and put down",
         (
             case(
                 "wrong",
@@ -150,7 +147,7 @@ FALLS = (
     ),
     Row(
         "dropped",
-        "it is dropped",
+        "the robot is dropped",
         (
             case(
                 "wrong",

@@ -1,4 +1,4 @@
-"""Rows about the feet's sensors and contacts."""
+"""Rows: foot force sensors and contacts."""
 
 from __future__ import annotations
 
@@ -28,13 +28,15 @@ def _foot_at_60() -> Fault:
 ROWS = (
     Row(
         "foot_sensor",
-        "foot sensors are stuck, zero, drifting or saturated",
+        "foot sensors are constant, zero, drifting or saturated",
         (
             case("off", "all zero", lambda: _feet(inject.off, inject.off), WATCH, WATCH),
-            case("stuck", "all", lambda: _feet(inject.stuck(), inject.stuck()), WATCH, WATCH),
+            case(
+                "stuck", "all constant", lambda: _feet(inject.stuck(), inject.stuck()), WATCH, WATCH
+            ),
             case(
                 "garbage",
-                "all say anything up to 300",
+                "all random up to 300",
                 lambda: _feet(inject.garbage(300), inject.garbage(300)),
                 WATCH,
                 WATCH,
@@ -63,7 +65,7 @@ ROWS = (
             ),
             case(
                 "intermittent",
-                "all zero in 1 report of 3",
+                "all zero in 1 sample of 3",
                 lambda: _feet(intermittent(inject.off, 3), intermittent(inject.off, 3)),
                 WATCH,
                 WATCH,
@@ -72,21 +74,25 @@ ROWS = (
     ),
     Row(
         "phantom_contact",
-        "a contact is missed, or there is none",
+        "a contact is missed, or reported without load",
         (
             case(
-                "off", "one foot says zero", lambda: _feet(inject.off, inject.off, 1), WATCH, WATCH
+                "off",
+                "one foot reports zero",
+                lambda: _feet(inject.off, inject.off, 1),
+                WATCH,
+                WATCH,
             ),
             case(
                 "wrong",
-                "a foot that a hand lifts by 2 cm says 60 N",
+                "a foot lifted by 2 cm reports 60 N",
                 lambda: CombinedFault(_foot_at_60(), LiftFault("FR", 0.02, 0.4)),
                 WATCH,
                 modes=STANDING_MODES,
             ),
             case(
                 "garbage",
-                "a foot says zero or 60 N by turns",
+                "a foot alternates between zero and 60 N",
                 lambda: CombinedFault(
                     _foot_at_60(), _feet(*2 * (intermittent(inject.off, 20, 10),), 0)
                 ),

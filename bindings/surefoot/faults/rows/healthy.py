@@ -1,4 +1,4 @@
-"""The control: nothing goes wrong, and nothing may trip."""
+"""Row without a fault: the control, in which nothing may trip."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rows about the IMU."""
+"""Rows: gyroscope and accelerometer of the IMU."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from surefoot.faults.kinds import injections as inject
 from surefoot.faults.kinds.fault import CombinedFault, Fault
 from surefoot.faults.kinds.signals import SignalFault
 
-RISE_TIME = 6.0  # [s] what is seen while standing may wait so long
+RISE_TIME = 6.0  # [s] of rising; some faults can only be detected once the robot stands
 NO_RATE, NO_RATE_LATER = table_expectation("gyroscope"), table_expectation("gyroscope", RISE_TIME)
 NO_ACCELERATION = table_expectation("accelerometer")
 NO_INITIAL_ACCELERATION = expect_sit("accelerometer", RISE_TIME)
-SLOW_REFUSAL = expect_refusal(0.5)  # of what is averaged
+SLOW_REFUSAL = expect_refusal(0.5)  # for checks that average their signal
 intermittent = inject.intermittent
 
 
@@ -71,7 +71,7 @@ ROWS = (
     ),
     Row(
         "imu_dropout",
-        "the IMU is lost, frozen or saturated",
+        "the IMU is lost, constant or saturated",
         (
             case(
                 "off",
@@ -82,7 +82,7 @@ ROWS = (
             ),
             case(
                 "stuck",
-                "rates and accelerations frozen",
+                "rates and accelerations constant",
                 lambda: CombinedFault(*_frozen_imu()),
                 NO_RATE,
                 rising=NO_RATE_LATER,
@@ -98,7 +98,7 @@ ROWS = (
             ),
             case(
                 "garbage",
-                "rates anything up to 10 rad/s",
+                "rates random up to 10 rad/s",
                 lambda: SignalFault("gyroscope", inject.garbage(10.0)),
                 table_expectation("attitude"),
                 SLOW_REFUSAL,
@@ -112,7 +112,7 @@ ROWS = (
             ),
             case(
                 "stuck",
-                "accelerations frozen",
+                "accelerations constant",
                 lambda: SignalFault("accelerometer", inject.stuck()),
                 NO_ACCELERATION,
                 WATCH,

@@ -1,4 +1,4 @@
-"""Rows about what joints say."""
+"""Rows: joint angles and velocities."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ intermittent = inject.intermittent
 ROWS = (
     Row(
         "joint_limit",
-        "a joint is at its limit, or says so",
+        "a joint reports an angle beyond its limit",
         (
             case(
                 "wrong",
-                "a knee says 0.3 rad beyond its stop",
+                "a knee reports 0.3 rad beyond its stop",
                 lambda: JointOutsideLimits(0.3, KNEE, True),
                 table_expectation("joint_jump"),
             ),
             case(
                 "intermittent",
-                "a knee says 0.3 rad beyond its stop in 1 report of 25",
+                "a knee: 0.3 rad beyond its stop, 1 sample of 25",
                 lambda: JointOutsideLimits(0.3, KNEE, True, 25),
                 WATCH,
             ),
@@ -32,15 +32,17 @@ ROWS = (
     ),
     Row(
         "joint_speed",
-        "joint speeds at or beyond what motors can",
+        "joint speeds at or beyond the motors' limits",
         (
             case(
                 "wrong",
-                "a knee says 100 rad/s",
+                "a knee reports 100 rad/s",
                 lambda: SignalFault("dq", inject.constant(100.0), KNEE),
                 table_expectation("state_implausible"),
             ),
-            case("off", "a knee says 0", lambda: SignalFault("dq", inject.off, KNEE), WATCH, WATCH),
+            case(
+                "off", "a knee reports 0", lambda: SignalFault("dq", inject.off, KNEE), WATCH, WATCH
+            ),
             case(
                 "garbage",
                 "noise of 1 rad/s on all",
@@ -57,7 +59,7 @@ ROWS = (
             ),
             case(
                 "intermittent",
-                "a knee says 25 rad/s in 1 report of 25",
+                "a knee reports 25 rad/s in 1 sample of 25",
                 lambda: SignalFault("dq", intermittent(inject.constant(25.0), 25), KNEE),
                 WATCH,
                 None,

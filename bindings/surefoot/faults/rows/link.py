@@ -1,4 +1,4 @@
-"""Rows about the link and the clocks."""
+"""Rows: link and clocks."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from surefoot.faults.kinds import link_faults as link
 from surefoot.faults.kinds.fault import Fault
 
 STALE = table_expectation("stale_tick")
-SLOW = expect_refusal(0.5)  # until 1 % of the reports is missing
+SLOW = expect_refusal(0.5)  # [s] until 1 % of the samples is missing
 
 
 def _suspended() -> Fault:
@@ -19,18 +19,18 @@ def _suspended() -> Fault:
 LINK = (
     Row(
         "stale_tick",
-        "reports stand still",
+        "samples do not advance",
         (
             case(
                 "stuck",
-                "the same frame for ever",
+                "the same frame repeats",
                 lambda: link.LinkFault(link.frozen_frame()),
                 STALE,
             ),
             case("wrong", "new data, the same tick", lambda: clock.FrozenTick(), STALE),
             case(
                 "intermittent",
-                "3 frames of 50 are the one before",
+                "3 frames of 50 are lost",
                 lambda: link.LinkFault(link.intermittent(link.no_frame, 50, 3)),
                 WATCH,
             ),
@@ -61,7 +61,7 @@ LINK = (
             ),
             case(
                 "wrong",
-                "the robot begins anew at 0",
+                "the robot's clock restarts at 0",
                 lambda: clock.TickFault(clock.restarted_clock()),
                 STALE,
             ),
@@ -77,7 +77,7 @@ LINK = (
     ),
     Row(
         "tick_jump",
-        "the robot's clock jumps, or goes at another speed",
+        "the robot's clock jumps, or runs at another speed",
         (
             case("wrong", "50 ms ahead", lambda: clock.TickFault(lambda t, k: t + 50), WATCH, None),
             case(
@@ -108,10 +108,10 @@ LINK = (
         "packet_loss",
         "frames are lost or damaged",
         (
-            case("off", "silence", lambda: link.LinkFault(link.no_frame), STALE),
+            case("off", "no frames", lambda: link.LinkFault(link.no_frame), STALE),
             case(
                 "garbage",
-                "a bit of each is turned round",
+                "one bit of each is flipped",
                 lambda: link.LinkFault(link.flipped_bit),
                 STALE,
             ),
@@ -119,7 +119,7 @@ LINK = (
             case("wrong", "half of each is missing", lambda: link.LinkFault(link.truncated), STALE),
             case(
                 "wrong",
-                "as long as another SDK's",
+                "length of another SDK's frames",
                 lambda: link.LinkFault(link.wrong_length(795)),
                 STALE,
             ),
@@ -148,7 +148,7 @@ LINK = (
             ),
             case(
                 "intermittent",
-                "a bit of 1 in 10 is turned round",
+                "one bit of 1 in 10 is flipped",
                 lambda: link.LinkFault(link.intermittent(link.flipped_bit, 10)),
                 WATCH,
             ),
@@ -158,18 +158,18 @@ LINK = (
 CLOCK = (
     Row(
         "control_overrun",
-        "the control loop misses its turn",
+        "the control loop misses periods",
         (
             case(
                 "slow",
-                "every second",
+                "every second period",
                 lambda: clock.MissedPeriods(lambda k: k % 2 == 0),
                 WATCH,
                 None,
             ),
             case(
                 "intermittent",
-                "10 %",
+                "10 % of the periods",
                 lambda: clock.MissedPeriods(clock.random_periods(0.1)),
                 WATCH,
                 None,
@@ -185,11 +185,11 @@ CLOCK = (
     ),
     Row(
         "clock_gap",
-        "the program, or the robot's clock, stands still and goes on",
+        "the control process or the robot's clock stops for a time",
         (
             case(
                 "stuck",
-                "the program for 0.5 s",
+                "the process stops for 0.5 s",
                 lambda: clock.ProgramSuspended(250),
                 STALE,
                 expect_refusal(0.55),

@@ -1,4 +1,4 @@
-"""Rows about numbers in a report, and old data."""
+"""Rows: invalid numbers and old data in a LowState."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _leg() -> CombinedFault:
 ROWS = (
     Row(
         "nan_in_state",
-        "NaN or infinity in a report",
+        "NaN or infinity in a LowState",
         (
             case(
                 "garbage",
@@ -50,7 +50,7 @@ ROWS = (
             ),
             case(
                 "intermittent",
-                "joint speeds are NaN in 1 report of 25",
+                "joint speeds are NaN in 1 sample of 25",
                 lambda: SignalFault("dq", intermittent(inject.constant(NAN), 25)),
                 WATCH,
             ),
@@ -58,12 +58,12 @@ ROWS = (
     ),
     Row(
         "duplicate_data",
-        "old data under a tick that goes on",
+        "old data with a tick that advances",
         (
             case("slow", "IMU at 50 Hz", lambda: _imu(10), WATCH, WATCH),
             case(
                 "slow",
-                "accelerometer anew in every second report",
+                "accelerometer new in every second sample",
                 lambda: SignalFault("accelerometer", inject.slow(2)),
                 WATCH,
                 WATCH,
@@ -71,14 +71,14 @@ ROWS = (
             case("slow", "all at 50 Hz", lambda: AllSensorsFault(inject.slow(10)), WATCH, WATCH),
             case(
                 "stuck",
-                "all sensors",
+                "all sensors constant",
                 lambda: AllSensorsFault(inject.stuck()),
                 table_expectation("frozen"),
                 expect_refusal(0.05),
             ),
             case(
                 "stuck",
-                "angles and speeds of a leg",
+                "angles and speeds of a leg constant",
                 _leg,
                 watch_unless("encoder"),
                 lying=None,
@@ -89,7 +89,7 @@ ROWS = (
             ),
             case(
                 "intermittent",
-                "1 report of 10 repeats the last one's data",
+                "1 sample of 10 repeats the last data",
                 lambda: AllSensorsFault(inject.repeated(10)),
                 WATCH,
                 WATCH,

@@ -1,4 +1,4 @@
-"""Rows about motors: torque, life and heat."""
+"""Rows: torque, failure and temperature of motors."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ def _torque(change: inject.Change) -> SignalFault:
 
 
 def _dead(injection: str, what: str, number: int, mode: int) -> Case:
-    """Standing on four feet it goes on on three; a push may have taken it off those."""
+    """Return a case of a dead motor: a standing robot goes on on the other three legs.
+
+    After a push those legs may not hold the robot; the robot may then damp for motor_mode.
+    """
     return case(
         injection,
         what,
@@ -38,19 +41,27 @@ def _heat(change: inject.Change) -> SignalFault:
 ROWS = (
     Row(
         "tau_mismatch",
-        "measured torques are not those asked for",
+        "measured torques differ from the commanded ones",
         (
-            case("off", "a knee says 0", lambda: _torque(inject.off), WEAK, WATCH),
-            case("stuck", "a knee's", lambda: _torque(inject.stuck()), WEAK, WATCH),
+            case("off", "a knee reports 0", lambda: _torque(inject.off), WEAK, WATCH),
+            case("stuck", "a knee constant", lambda: _torque(inject.stuck()), WEAK, WATCH),
             case(
-                "garbage", "a knee says anything", lambda: _torque(inject.garbage(10)), WEAK, WATCH
+                "garbage",
+                "a knee reports random values",
+                lambda: _torque(inject.garbage(10)),
+                WEAK,
+                WATCH,
             ),
             case(
-                "wrong", "a knee makes 60 % of it", lambda: motor.WeakMotor(KNEE, 0.6), WEAK, WATCH
+                "wrong",
+                "a knee makes 60 % of its torque",
+                lambda: motor.WeakMotor(KNEE, 0.6),
+                WEAK,
+                WATCH,
             ),
             case(
                 "stuck",
-                "a leg goes on with old commands",
+                "a leg keeps an old command",
                 lambda: motor.UnresponsiveMotors([3, 4, 5]),
                 WEAK,
                 None,
@@ -64,7 +75,7 @@ ROWS = (
             ),
             case(
                 "intermittent",
-                "all 0 in 1 report of 10",
+                "all 0 in 1 sample of 10",
                 lambda: SignalFault("tauEst", intermittent(inject.off, 10)),
                 WATCH,
                 WATCH,
@@ -75,7 +86,7 @@ ROWS = (
         "motor_dead",
         "a motor is off",
         (
-            _dead("off", "a knee lets go, mode 8", KNEE, 8),
+            _dead("off", "a knee is free, mode 8", KNEE, 8),
             _dead("wrong", "a thigh brakes, mode 0", THIGH, 0),
             case(
                 "intermittent", "a knee, for 2 ms", lambda: motor.DeadMotor(KNEE, 8, 1), WATCH, None
@@ -95,10 +106,10 @@ ROWS = (
                 table_expectation("temperature", 8.0),
                 None,
             ),
-            case("garbage", "any number", lambda: _heat(inject.garbage(127, True)), WATCH, None),
+            case("garbage", "random values", lambda: _heat(inject.garbage(127, True)), WATCH, None),
             case(
                 "intermittent",
-                "120 C in 1 report of 25",
+                "120 C in 1 sample of 25",
                 lambda: _heat(intermittent(inject.constant(120), 25)),
                 WATCH,
                 None,

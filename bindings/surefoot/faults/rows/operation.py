@@ -1,4 +1,4 @@
-"""Rows about the program, its numbers, and who operates it."""
+"""Rows: QP data, references, operator, requests and options."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from surefoot.faults.kinds.world_faults import CorruptQp
 NAN = math.nan
 STOP, BUTTON = table_expectation("stop"), table_expectation("button")
 NO_SOLUTION, COMMAND_HELD = table_expectation("controller"), table_expectation("program")
-HEARTBEAT_TIMEOUT = 0.5  # [s] without a heartbeat
+HEARTBEAT_TIMEOUT = 0.5  # [s] SupervisorOptions.operator_timeout
 
 ROWS = (
     Row(
         "nan_in_command",
-        "the program's numbers are no numbers",
+        "the QP data is not finite or too large",
         (
             case(
                 "garbage",
@@ -60,7 +60,7 @@ ROWS = (
     ),
     Row(
         "command_jump",
-        "what is asked for jumps",
+        "the body reference jumps",
         (
             case(
                 "wrong",
@@ -78,14 +78,14 @@ ROWS = (
             ),
             case(
                 "off",
-                "a pose that is no number",
+                "a pose with NaN",
                 lambda: OperatorAction(operator.nan_reference),
                 WATCH,
                 modes=STANDING_MODES,
             ),
             case(
                 "intermittent",
-                "between two poses every 100 ms",
+                "two poses in turns of 100 ms",
                 lambda: OperatorAction(operator.alternating_pose),
                 WATCH,
                 modes=STANDING_MODES,
@@ -94,7 +94,7 @@ ROWS = (
     ),
     Row(
         "operator_link",
-        "the operator is not there any more",
+        "the operator is gone",
         (
             case(
                 "off",
@@ -107,19 +107,19 @@ ROWS = (
     ),
     Row(
         "emergency_stop",
-        "the operator stops it",
+        "the operator stops the robot",
         (
             case("wrong", "stop()", lambda: OperatorAction(operator.stop), STOP, STOP),
             case(
                 "intermittent",
-                "stop(), again and again",
+                "stop() in every tick",
                 lambda: OperatorAction(lambda s, k: s.stop()),
                 STOP,
                 STOP,
             ),
             case(
                 "stuck",
-                "from another thread",
+                "stop() from another thread",
                 lambda: OperatorAction(operator.stop_from_a_thread),
                 STOP,
                 STOP,
@@ -129,15 +129,17 @@ ROWS = (
     ),
     Row(
         "api_misuse",
-        "requests out of order",
+        "requests that are not allowed",
         (
-            case("wrong", "every mode that is not next", operator.OutOfOrderRequests, WATCH, WATCH),
+            case(
+                "wrong", "every mode that is not allowed", operator.OutOfOrderRequests, WATCH, WATCH
+            ),
             case("garbage", "requests from four threads", operator.ConcurrentRequests, WATCH, None),
         ),
     ),
     Row(
         "config_error",
-        "options and gains that make no sense",
+        "invalid options and gains",
         (
             case(
                 "garbage",

@@ -1,4 +1,4 @@
-"""Rows about power, limits, the battery, and who else commands the motors."""
+"""Rows: power, joint limits, battery, and a second controller."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ ROWS = (
         (
             case(
                 "wrong",
-                "reports say 3 times the level",
+                "samples show 3 times the level",
                 lambda: PowerOverload(3.0),
                 table_expectation("power"),
                 None,
             ),
             case(
                 "intermittent",
-                "2 reports of 10 say 3 times the level",
+                "2 samples of 10 show 3 times the level",
                 lambda: PowerOverload(3.0, 10, 2),
                 WATCH,
                 None,
@@ -39,7 +39,7 @@ ROWS = (
         (
             case(
                 "wrong",
-                "a hip says 0.2 rad outside",
+                "a hip reports 0.2 rad outside",
                 lambda: JointOutsideLimits(0.2, 3, False),
                 table_expectation("joint_jump"),
             ),
@@ -47,25 +47,25 @@ ROWS = (
     ),
     Row(
         "battery",
-        "the battery is empty or gone",
+        "the battery is empty or missing",
         (
             case(
                 "wrong",
-                "3 % of charge",
+                "charge 3 %",
                 lambda: SignalFault("SOC", inject.constant(3)),
                 LOW,
                 expect_refusal(LOW.within),
             ),
             case(
                 "slow",
-                "from 20 % by 10 % a second",
+                "charge falls from 20 % by 10 % a second",
                 lambda: SignalFault("SOC", inject.ramp(20, -10.0)),
                 table_expectation("battery", 1.0),
                 None,
             ),
             case(
                 "intermittent",
-                "0 % in 1 report of 10",
+                "0 % in 1 sample of 10",
                 lambda: SignalFault("SOC", intermittent(inject.off, 10)),
                 WATCH,
                 WATCH,
@@ -78,7 +78,7 @@ ROWS = (
         (
             case(
                 "stuck",
-                "always",
+                "every command",
                 lambda: motor.SecondController(),
                 table_expectation("overridden"),
                 None,

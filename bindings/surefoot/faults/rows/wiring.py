@@ -1,4 +1,4 @@
-"""Rows about what is connected: the order of the motors, the robot."""
+"""Rows: motor wiring and wrong robot model."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from surefoot.faults.kinds import initial_faults as setup
 KNEE, HIP = 5, 3  # FL_2, FL_0
 LYING, RISING = ("lying",), ("rising",)
 WRONG_ORDER, WRONG_ROBOT = expect_stay_down("wiring"), expect_stay_down("wrong_robot")
-ARMING_REFUSAL = expect_refusal(1.5)  # arming begins anew with every robot: a second and a little
+ARMING_REFUSAL = expect_refusal(
+    1.5
+)  # [s] above arming_time (1 s), when arming succeeds without a fault
 
 ROWS = (
     Row(
@@ -76,11 +78,11 @@ ROWS = (
     ),
     Row(
         "wrong_robot",
-        "it is another robot than it is taken for",
+        "the model is that of another robot",
         (
             case(
                 "wrong",
-                "the one most like it",
+                "the most similar robot",
                 lambda: setup.WrongRobot(setup.SIMILAR_ROBOT),
                 watch_unless("wrong_robot"),
                 None,
@@ -88,7 +90,7 @@ ROWS = (
             ),
             case(
                 "wrong",
-                "one of another size",
+                "a robot of another size",
                 lambda: setup.WrongRobot(setup.DIFFERENT_ROBOT),
                 WATCH,
                 WRONG_ROBOT,

@@ -1,1 +1,1 @@
-"""Motors, encoders, IMU, foot sensors and the quantised wire format."""
+"""Models of motors, encoders, IMU, foot sensors and the quantised wire format."""

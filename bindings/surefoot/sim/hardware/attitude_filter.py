@@ -1,21 +1,23 @@
-"""The vendor's attitude filter, imitated: gyro integrated, tilt pulled toward gravity."""
+"""Model of the vendor's attitude filter: integrates the gyro and corrects tilt towards gravity."""
 
 from __future__ import annotations
 
 from surefoot import _plant
 
 MAHONY_GAIN = (
-    0.5  # [1/s] slow: a push tilts the estimate little, a gyro bias tilts it by bias / GAIN
+    0.5  # [1/s] low: a push tilts the estimate little; a gyro bias tilts it by bias / MAHONY_GAIN
 )
 
 
 class MahonyFilter(_plant.MahonyFilter):
-    """Complementary filter on SO(3) with GAIN; see bindings/src/plant/imu.hpp.
+    """Complementary filter on SO(3) with MAHONY_GAIN; see bindings/src/plant/imu.hpp.
+
+    The filter starts with the tilt of an accelerometer sample at rest and with yaw 0.
 
     Args:
-        ax: Accelerometer at rest [m/s^2], IMU axes; the filter starts level with it, at yaw 0.
-        ay: The same.
-        az: The same.
+        ax: Accelerometer x at rest [m/s^2], IMU axes.
+        ay: Accelerometer y at rest [m/s^2], IMU axes.
+        az: Accelerometer z at rest [m/s^2], IMU axes.
     """
 
     def __init__(self, ax: float, ay: float, az: float) -> None:

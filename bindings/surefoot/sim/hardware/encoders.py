@@ -1,4 +1,4 @@
-"""Joint encoders: exact, or quantised and differentiated as a motor driver does it."""
+"""Joint encoders: exact, or with the quantisation, velocity filter and noise of a motor driver."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 
 from surefoot import _plant
 
-POSITION_QUANTUM = 2.0 * math.pi / 2**15 / 6.0  # [rad] 15 bits a rotor turn, gear ratio 6
-VELOCITY_CUTOFF = 100.0  # [Hz] of the driver's first-order filter: 1.6 ms of delay
+POSITION_QUANTUM = 2.0 * math.pi / 2**15 / 6.0  # [rad] 15 bits per rotor turn, gear ratio 6
+VELOCITY_CUTOFF = 100.0  # [Hz] of the driver's first-order filter; its delay is 1.6 ms
 VELOCITY_NOISE = 0.05  # [rad/s] standard deviation
 
 
@@ -21,11 +21,11 @@ class IdealEncoders(_plant.Encoders):
 
 
 class RealEncoders(_plant.Encoders):
-    """Quantised angles; velocities low-passed at 100 Hz with white noise on top.
+    """Quantised angles; velocities low-passed at 100 Hz, with white noise added.
 
     Args:
         dt: Physics step [s].
-        rng: Draws the noise.
+        rng: Source of the noise.
     """
 
     def __init__(self, dt: float, rng: np.random.Generator) -> None:

@@ -1,4 +1,4 @@
-"""Foot force sensors: newtons, raw counts, or nothing."""
+"""Foot force sensors with an output in newtons, in raw counts, or without output."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ FORCE_NOISE = 3.0  # [N] standard deviation of footForceEst
 COUNT_NOISE = 2.0  # counts, standard deviation of footForce
 COUNT_OFFSET = (5.0, 50.0)  # counts of an unloaded foot
 COUNT_GAIN = (1.0, 2.0)  # counts per newton
-COUNT_DRIFT = 10.0 / 2.0  # counts, standard deviation of the random walk after a minute
+COUNT_DRIFT = 10.0 / 2.0  # counts, standard deviation of the offset's random walk in a minute
 
 
 class FootSensors(_plant.FootSensors):
-    """Turns normal forces into the int16 that a LowState carries.
+    """Converts normal forces to the int16 values of a LowState.
 
     Args:
-        kind: "est" fills both fields, "raw" footForce alone, "dead" none.
-        period: Between readings [s].
-        rng: Draws offsets, gains, drift and noise; None reads exact newtons in both fields.
+        kind: "est" fills footForce and footForceEst, "raw" fills footForce, "dead" fills none.
+        period: Time between samples [s].
+        rng: Source of offsets, gains, drift and noise; None: exact newtons in both fields.
     """
 
     def __init__(self, kind: str, period: float, rng: np.random.Generator | None) -> None:

@@ -1,4 +1,4 @@
-"""What is wrong with a real IMU: a constant bias, noise, a sample a millisecond."""
+"""Errors of a real IMU: constant bias, white noise, and one sample per millisecond."""
 
 from __future__ import annotations
 
@@ -10,24 +10,25 @@ from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
 
 GYRO_NOISE = 0.005  # [rad/s] standard deviation of a sample
-GYRO_BIAS = 0.005  # [rad/s] constant, uniform in +- this
-ACCELEROMETER_NOISE = 0.05  # [m/s^2]
-ACCELEROMETER_BIAS = 0.05  # [m/s^2]
-SAMPLE_PERIOD = 0.001  # [s] of the real IMU and its filter
+GYRO_BIAS = 0.005  # [rad/s] constant, uniform in +- this value
+ACCELEROMETER_NOISE = 0.05  # [m/s^2] standard deviation of a sample
+ACCELEROMETER_BIAS = 0.05  # [m/s^2] constant, uniform in +- this value
+SAMPLE_PERIOD = 0.001  # [s] of the real IMU and its attitude filter
 
 
 def draw_imu_flaws(
     flaws: Flaws, dt: float, rng: np.random.Generator
 ) -> tuple[_plant.ImuErrorModel, Array]:
-    """Draw an IMU.
+    """Draw the errors of one IMU.
 
     Args:
-        flaws: What the biases are.
+        flaws: The biases, or how to draw them.
         dt: Physics step [s].
-        rng: Draws the biases; the noise comes from it, too, later.
+        rng: Source of the biases, and later of the noise.
 
     Returns:
-        The flaws, and the biases (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes.
+        The error model, and the biases (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU
+        axes.
     """
     gyro_bias = draw_bias(flaws.gyro_bias, GYRO_BIAS, rng)
     accelerometer_bias = draw_bias(flaws.accelerometer_bias, ACCELEROMETER_BIAS, rng)

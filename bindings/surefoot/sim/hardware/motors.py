@@ -1,4 +1,4 @@
-"""Twelve motors with their own drivers: the SDK's law, the torque-speed curve, a lag."""
+"""Twelve motors with drivers: the SDK's motor law, the torque-speed curve, a first-order lag."""
 
 from __future__ import annotations
 
@@ -14,22 +14,23 @@ from surefoot.sim.flaws import Flaws
 
 SERVO_MODE = 0x0A
 DAMPING_MODE = 0x00
-BRAKE_KD = 3.0  # [N.m.s/rad] of a motor that is not in servo mode
+BRAKE_KD = 3.0  # [N.m.s/rad] damping of a motor that is not in servo mode
 
 MotorLaw = _plant.MotorLaw
 
 
 def command_law(command: _plant.MotorCommands) -> MotorLaw:
-    """Return the law tau' = tau + Kp (q - q') + Kd (dq - dq') of a command.
+    """Return the motor law of a command: tau' = tau + Kp (q - q') + Kd (dq - dq').
 
-    q = PosStopF (or any angle of 1e9 rad and more) switches the position term off, dq = VelStopF
-    the velocity term. A motor in any mode but servo (0x0A) ignores all that and brakes.
+    q, dq, tau, Kp and Kd are the command; q' and dq' are the state of the joint. q = PosStopF, or
+    any |q| of at least 1e9 rad, switches the position term off; dq = VelStopF switches the velocity
+    term off. A motor in another mode than servo (0x0A) ignores the command and brakes.
     """
     return _plant.command_law(command, BRAKE_KD)
 
 
 def damping_law() -> MotorLaw:
-    """Return the law of motors that brake, as in mode 0x00."""
+    """Return the law of braking motors, as in mode 0x00."""
     mode = np.full(MOTOR_COUNT, DAMPING_MODE, np.uint8)
     return MotorLaw(
         np.zeros(MOTOR_COUNT), np.zeros(MOTOR_COUNT), np.full(MOTOR_COUNT, BRAKE_KD), mode
@@ -37,19 +38,25 @@ def damping_law() -> MotorLaw:
 
 
 def hold_law(q: Array, kp: float, kd: float) -> MotorLaw:
-    """Return the law of a robot held in position mode at joint angles q (12,) [rad]."""
+    """Return the position mode law that holds joint angles q (12,) [rad].
+
+    Args:
+        q: Joint angles (12,) [rad], SDK order.
+        kp: Stiffness [N.m/rad].
+        kd: Damping [N.m.s/rad].
+    """
     return MotorLaw(kp * q, np.full(MOTOR_COUNT, kp), np.full(MOTOR_COUNT, kd))
 
 
 class Motors(_plant.Motors):
-    """Turns the law in force into joint torques, one physics step at a time.
+    """Computes joint torques from the current motor law, one physics step at a time.
 
     Args:
-        config: Limits: tau_max up to corner_speed, none at no_load_speed.
+        config: Torque limits: tau_max up to corner_speed, zero at no_load_speed.
         dt: Physics step [s].
-        lag: Time constant of the torque [s]; 0 is none.
-        scale_rng: Draws each motor's lasting torque error; None for perfect motors.
-        flaws: Greatest fraction of that error, and a factor on all torques.
+        lag: Time constant of the torque [s]; 0: none.
+        scale_rng: Source of each motor's constant torque error; None: perfect motors.
+        flaws: Bound on that error, and a factor on all torques.
     """
 
     def __init__(
@@ -60,7 +67,7 @@ class Motors(_plant.Motors):
         scale_rng: np.random.Generator | None,
         flaws: Flaws | None = None,
     ) -> None:
-        # A first-order lag, exact for a target that holds for one step.
+        # Exact discretisation of a first-order lag whose input is constant during a step.
         lag_blend = 1.0 if lag <= 0.0 else -math.expm1(-dt / lag)
         scale = np.ones(MOTOR_COUNT)
         if scale_rng is not None:

@@ -1,4 +1,4 @@
-"""Everything a LowState says, put together: the robot as its controller sees it."""
+"""All sensors of the robot, combined into a LowState."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from surefoot.sim.settings import PlantSettings
 
 
 def mujoco_state(data: mujoco.MjData, handles: Handles) -> _plant.MujocoState:
-    """Return views of MuJoCo's memory: they follow it."""
+    """Return views of MuJoCo's memory, which change with it."""
     return _plant.MujocoState(
         *(data.qpos, data.qvel, data.qacc, data.qfrc_applied, data.sensordata),
         *(handles.motor_q.astype(np.int32), handles.motor_v.astype(np.int32)),
@@ -24,17 +24,17 @@ def mujoco_state(data: mujoco.MjData, handles: Handles) -> _plant.MujocoState:
 
 
 class Sensors(_plant.Sensors):
-    """Reads a MuJoCo state into LowStates.
+    """Converts the state of MuJoCo to LowStates.
 
     Args:
         robot: The robot.
         data: MuJoCo's state, read in place.
-        handles: Indices into it.
-        settings: Kind of sensors, rates, seed; foot_force resolved.
-        tick0: LowState.tick of the first reading [ms].
+        handles: Indices into data.
+        settings: Kind of sensors, rates, seed; with foot_force resolved.
+        tick0: LowState.tick of the first sample [ms].
 
     Attributes:
-        imu_bias: (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes; for judging.
+        imu_bias: True bias (6,) of gyroscope [rad/s] and accelerometer [m/s^2], IMU axes.
     """
 
     def __init__(
@@ -45,7 +45,7 @@ class Sensors(_plant.Sensors):
         settings: PlantSettings,
         tick0: int,
     ) -> None:
-        # A stream of random numbers for each: one sensor's draws never shift another's.
+        # Each sensor has its own random stream, so the draws of one do not change another's.
         imu_rng, encoder_rng, foot_rng = (
             np.random.default_rng([settings.seed, k]) for k in range(3)
         )

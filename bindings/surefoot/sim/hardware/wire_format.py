@@ -1,4 +1,4 @@
-"""What the packed frames carry of commands and states, and how coarsely."""
+"""Quantisation of commands and torques in the SDK's packed frames, and a default LowState."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ MotorCommands = _plant.MotorCommands
 
 
 class WireFormat(_plant.WireFormat):
-    """Reads commands and torques as the robot gets them; see bindings/src/plant/motors.hpp.
+    """Quantises commands and torques as the robot's frames do; see bindings/src/plant/motors.hpp.
 
     Args:
-        robot_name: "b1" has the coarser torque unit.
-        real: False passes values through unchanged.
+        robot_name: Name of the robot; "b1" has the coarser torque unit, 1/128 instead of 1/256 N.m.
+        real: False: values pass unchanged.
     """
 
     def __init__(self, robot_name: str, real: bool) -> None:
@@ -25,8 +25,8 @@ class WireFormat(_plant.WireFormat):
 
 
 def default_low_state() -> LowState:
-    """Return what a LowState says that no physics decides: motors on, 35 C, battery half full."""
-    state = LowState()  # head and levelFlag are in it
+    """Return a LowState with the constant fields set: motor modes, temperatures, battery."""
+    state = LowState()  # has head and levelFlag
     for i in range(MOTOR_COUNT):
         state.motorState[i].mode, state.motorState[i].temperature = SERVO_MODE, 35
     state.imu.temperature = 45
@@ -39,6 +39,6 @@ def default_low_state() -> LowState:
 
 
 def measured_power(state: LowState) -> float:
-    """Return the sum of |tauEst dq| over the motors [W]: the power that PowerProtect looks at."""
+    """Return the sum of |tauEst dq| over the motors [W], the power that PowerProtect monitors."""
     motors = state.raw.view(LOW_STATE)[0]["motorState"][:MOTOR_COUNT]
     return float(np.abs(motors["tauEst"] * motors["dq"]).sum())

@@ -1,12 +1,13 @@
-"""Play in the gears: rotors that turn on their own until a tooth meets its neighbour.
+"""Backlash: play in the gears, within which the rotor turns and transmits no torque.
 
-Every motor's joint gets a second coordinate, the rotor's angle reflected through the gear. The
-rotor's inertia, its friction and its damping move there from the joint, for seals, bearings and
-gears make most of a drive's friction on the rotor's side; the joint keeps the link alone. The two
-angles differ by at most half the play. Within it no torque passes; at its ends they push each
-other, and only push, through a unilateral constraint (a limited tendon over rotor minus joint),
-which MuJoCo solves implicitly, together with the feet's contacts. A rotor hangs on the world, as a
-reflected inertia does: it feels neither gravity nor the motion of the link that bears it.
+Each motor joint gets a second coordinate, the rotor angle reflected through the gear. Armature,
+friction and damping of the joint move to the rotor, because seals, bearings and gears cause most of
+a drive's friction on the rotor's side. The joint keeps the inertia of the link only.
+The two angles differ by at most half the play. Within the play no torque passes. At its ends the
+teeth push each other through a unilateral constraint: a limited tendon on rotor minus joint.
+MuJoCo solves it implicitly, together with the foot contacts.
+The rotor is a child of the world, as a reflected inertia: gravity and the motion of the link that
+carries it have no effect on it.
 """
 
 from __future__ import annotations
@@ -18,25 +19,27 @@ import mujoco
 from surefoot._core import Error, Robot
 from surefoot.sim.settings import PlantSettings
 
-# Teeth that meet: critically damped, so they part again with a tenth of their speed, and stiff:
-# under a standing robot's torques they yield by 0.001 deg. 2 ms are four default physics steps.
+# Contact of the teeth. Critically damped: they separate with a tenth of their speed. Stiff: they
+# yield by 0.001 deg under the torques of a standing robot. 2 ms are four default physics steps.
 TOOTH_SOLREF = [0.002, 1.0]
 TOOTH_SOLIMP = [0.999, 0.999, 0.001, 0.5, 2.0]
-# A rotor's inertia is its armature; MuJoCo wants a body to bear the coordinate all the same.
+# The armature is the rotor's inertia, but MuJoCo needs a body with mass for the coordinate.
 _BODY_MASS = 1e-9  # [kg]
 _BODY_INERTIA = 1e-12  # [kg.m^2]
 
 
 def rotor_name(joint: str) -> str:
-    """Return the name of the coordinate of a joint's rotor, of its body and of their tendon."""
+    """Return the name of a rotor's coordinate, of its body and of the tendon to its joint."""
     return f"surefoot_rotor_{joint}"
 
 
 def add_backlash(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Part rotors from joints, whose armature, friction and damping are set; 0 deg does nothing.
+    """Add a rotor to each motor joint if settings.backlash_deg is above 0.
+
+    Armature, friction and damping of the joints must be set before.
 
     Raises:
-        Error: A rotor without inertia: nothing would say how fast it turns within the play.
+        Error: A rotor without inertia; its speed within the play would be undefined.
     """
     if settings.backlash_deg <= 0.0:
         return
@@ -61,7 +64,7 @@ def add_backlash(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
 
 
 def _add_rotor(spec: mujoco.MjSpec, joint: mujoco.MjsJoint) -> None:
-    """Add a joint's rotor and give it what belongs to it."""
+    """Add a joint's rotor and move armature, friction and damping from the joint to it."""
     body = spec.worldbody.add_body(name=rotor_name(joint.name))
     body.mass, body.inertia, body.ipos = _BODY_MASS, [_BODY_INERTIA] * 3, [0.0, 0.0, 0.0]
     body.explicitinertial = True

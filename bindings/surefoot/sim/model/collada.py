@@ -1,6 +1,7 @@
-"""The triangles of a COLLADA (.dae) file: the format of most robots' visual meshes.
+"""Reader for the triangles of a COLLADA (.dae) file, the format of most visual meshes.
 
-MuJoCo does not read it, and Pinocchio's geometry library garbles meshes of several materials.
+MuJoCo does not read this format. Pinocchio's geometry library reads meshes of several materials
+incorrectly.
 """
 
 from __future__ import annotations
@@ -17,10 +18,9 @@ Faces = npt.NDArray[np.int64]
 
 
 def read_collada(path: Path) -> tuple[Array, Faces]:
-    """Return vertices (n, 3) and faces (k, 3) of the whole scene, nodes' transforms applied.
+    """Return vertices (n, 3) and faces (k, 3) of the whole scene, with node transforms applied.
 
-    Materials, normals and polygons of more than three corners are ignored, and so is up_axis,
-    as URDF tools do.
+    Ignores materials, normals, polygons of more than three corners and, as URDF tools do, up_axis.
     """
     root = ET.parse(path).getroot()
     meshes = {

@@ -1,8 +1,8 @@
-"""Ground that moves under a standing robot: a platform that tilts, a block that rises.
+"""Moving ground under a standing robot: a platform that tilts, or a block that rises.
 
-Either is a body on a joint of its own, so heavy that no robot moves it, whose velocity is set:
-feet feel a surface that moves, not one that is elsewhere the next instant, which would leave them
-in the air on the way down.
+The moving part is a body on its own joint. It is so heavy that the robot does not move it, and its
+velocity is set. Setting its position instead would make it jump, and a falling surface would leave
+the feet in the air.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ PLATFORM, BLOCK, GROUND_JOINT = "surefoot_platform", "surefoot_block", "surefoot
 PLATFORM_HALF_SIZE = (2.0, 2.0, 0.05)  # [m] half sides of the platform
 BLOCK_HALF_SIZE = (0.06, 0.06, 0.1)  # [m] half sides of the block
 BLOCK_PROTRUSION = (
-    0.001  # [m] of the block above the ground at first: its foot stands on nothing else
+    0.001  # [m] initial height of the block's top above the ground: the foot touches only the block
 )
-GROUND_INERTIA = 1e6  # [kg], [kg.m^2]
+GROUND_INERTIA = 1e6  # [kg] of the block, [kg.m^2] of the platform
 
 
 def set_ground_speed(model: mujoco.MjModel, data: mujoco.MjData, speed: float) -> None:
-    """Set how fast the ground moves; again in every control period, for robots do weigh.
+    """Set the speed of the moving ground, every control period: the robot's weight changes it.
 
     Args:
-        model: Of a plant with PlantSettings.platform_heading_deg or block_foot.
-        data: Its state.
-        speed: Of the platform's tilt [rad/s], or of the block upwards [m/s].
+        model: Model of a plant with PlantSettings.platform_heading_deg or block_foot.
+        data: State of the model.
+        speed: Tilt rate of the platform [rad/s], or upward speed of the block [m/s].
     """
     data.qvel[model.joint(GROUND_JOINT).dofadr[0]] = speed
 
@@ -39,9 +39,9 @@ def set_ground_speed(model: mujoco.MjModel, data: mujoco.MjData, speed: float) -
 def add_platform(
     spec: mujoco.MjSpec, heading_deg: float
 ) -> tuple[mujoco.MjsBody, mujoco.mjtGeom, list[float], list[float]]:
-    """Add a platform for the ground, and return its body, shape, size and place.
+    """Add a platform as ground, and return its body, shape, half sides [m] and position [m].
 
-    It tilts about the origin, up towards the heading, from forward towards left [deg].
+    It tilts about the origin, up towards the heading [deg], from forward towards left.
     """
     angle = math.radians(heading_deg)
     body = spec.worldbody.add_body(name=PLATFORM, gravcomp=1.0)
@@ -58,7 +58,7 @@ def add_platform(
 
 
 def add_block(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
-    """Add the block, if one is asked for."""
+    """Add the block if settings.block_foot is set."""
     if settings.block_foot is None:
         return
     body = spec.worldbody.add_body(name=BLOCK, gravcomp=1.0)
@@ -75,11 +75,11 @@ def add_block(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
         condim=3,
         rgba=[0.55, 0.6, 0.66, 1.0],
     )
-    spec.add_exclude(bodyname1="world", bodyname2=BLOCK)  # it is sunk in the ground
+    spec.add_exclude(bodyname1="world", bodyname2=BLOCK)  # the block overlaps the ground
 
 
 def place_block(model: mujoco.MjModel, robot: Robot, settings: PlantSettings) -> None:
-    """Put the block below its foot in the standing pose."""
+    """Place the block below its foot in the standing pose, if settings.block_foot is set."""
     if settings.block_foot is None:
         return
     data = mujoco.MjData(model)

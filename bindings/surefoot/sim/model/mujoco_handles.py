@@ -1,4 +1,4 @@
-"""Where the robot's parts are in MuJoCo's arrays, looked up by name once."""
+"""Indices of the robot's parts in MuJoCo's arrays, looked up once by name."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ Indices = npt.NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Handles:
-    """Indices into a model's arrays. Twelve run in SDK motor order, four FR FL RR RL.
+    """Indices into a model's arrays. Twelve entries: SDK motor order; four entries: FR FL RR RL.
 
     Attributes:
         root: Body of the base.
-        motor_q: (12,) in qpos: the rotor's side of the gear, where torque and encoder are.
-        motor_v: (12,) in qvel.
-        joint_q: (12,) in qpos: the link's side; the motor's own entry if the gear has no play.
-        joint_v: (12,) in qvel.
-        foot_bodies: (4,) bodies.
-        foot_geoms: (4,) spheres.
-        ground_geom: The plane.
-        ground_geoms: It, and the block that rises under a foot where there is one.
+        motor_q: (12,) in qpos, rotor side of the gears, where motor torque and encoder are.
+        motor_v: (12,) in qvel, rotor side.
+        joint_q: (12,) in qpos, link side; the same as motor_q without backlash.
+        joint_v: (12,) in qvel, link side.
+        foot_bodies: (4,) bodies of the feet.
+        foot_geoms: (4,) spheres of the feet.
+        ground_geom: Ground plane or platform.
+        ground_geoms: ground_geom, and the block under a foot if there is one.
         gyro: (3,) in sensordata, IMU axes.
         accelerometer: (3,) in sensordata, IMU axes.
         quaternion: (4,) in sensordata, IMU to world.
-        foot_forces: (4, 3) in sensordata: ground on foot, world axes.
-        ground_normal: (3,) unit vector, world axes.
+        foot_forces: (4, 3) in sensordata, ground on foot, world axes.
+        ground_normal: (3,) unit vector, world axes, at compile time.
     """
 
     root: int
@@ -56,7 +56,7 @@ class Handles:
 
 
 def find_handles(model: mujoco.MjModel, robot: Robot) -> Handles:
-    """Look every part up by its name."""
+    """Look up all parts by name."""
     joints, feet = robot.config.joint_names, robot.config.foot_frames
     rotors = [rotor_name(name) for name in joints]
     has_rotors = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_JOINT, rotors[0]) >= 0

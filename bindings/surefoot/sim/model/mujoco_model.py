@@ -1,4 +1,4 @@
-"""A MuJoCo model made in code from the URDF that the controller's own model is made from."""
+"""Builds the MuJoCo model from the same URDF as the controller's model."""
 
 from __future__ import annotations
 
@@ -34,16 +34,16 @@ def build_model(
 ) -> mujoco.MjModel:
     """Build the MuJoCo model of a robot on its ground.
 
-    Torques go in through qfrc_applied: the model has no actuators.
+    The model has no actuators: motor torques are written to qfrc_applied.
 
     Args:
-        robot: The robot that the controller knows.
-        description: Its files.
+        robot: The robot as the controller knows it.
+        description: The files of the robot.
         settings: Ground, payload, friction, armature, backlash, step.
-        visuals: Add the visual meshes, for pictures; collision geometry is then hidden.
+        visuals: Add the visual meshes for pictures, and hide the collision geometry.
 
     Raises:
-        Error: A joint, foot body or mesh that is not there; a gear with play but no rotor.
+        Error: A missing joint, foot body or mesh; backlash without rotor inertia.
     """
     spec = load_urdf(description)
     set_physics(spec, settings)
@@ -71,7 +71,7 @@ def build_model(
 def set_joints(
     spec: mujoco.MjSpec, robot: Robot, description: RobotDescription, settings: PlantSettings
 ) -> None:
-    """Give the motors' joints armature, friction and damping: the TOML's, or else the URDF's."""
+    """Set armature, friction and damping of the motor joints, from the TOML or else the URDF."""
     table = description.table.get("simulation", {})
     for i, name in enumerate(robot.config.joint_names):
         joint = spec.joint(name)
@@ -86,7 +86,7 @@ def set_joints(
 
 
 def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Make every foot a sphere at its frame, and name every geom after its body."""
+    """Replace each foot's geometry by a sphere at its frame; name all geoms after their body."""
     for body in spec.bodies:
         if body.name in ("world", PLATFORM):
             continue
@@ -96,7 +96,9 @@ def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
     names = [body.name for body in spec.bodies]
     for name in robot.config.foot_frames:
         if name not in names:
-            raise Error(f"foot frame '{name}' is no link of the URDF; links: {', '.join(names)}")
+            raise Error(
+                f"foot frame: got '{name}', expected a link of the URDF: {', '.join(names)}"
+            )
         body = spec.body(name)
         for geom in list(body.geoms):
             spec.delete(geom)
@@ -105,7 +107,7 @@ def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
             type=mujoco.mjtGeom.mjGEOM_SPHERE,
             size=[robot.config.foot_radius, 0.0, 0.0],
             density=0.0,
-            # Priority: in a contact with a foot, the foot's friction and stiffness hold.
+            # Priority: contacts of a foot use the foot's friction and stiffness.
             priority=1,
             condim=3,
             friction=[settings.friction, 0.005, 0.0001],
@@ -115,7 +117,7 @@ def set_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> 
 
 
 def exclude_collision_pairs(spec: mujoco.MjSpec, description: RobotDescription) -> None:
-    """Exclude the SRDF's disabled pairs: neighbouring links overlap at rest."""
+    """Exclude the collision pairs that the SRDF disables, because neighbouring links overlap."""
     if description.srdf is None or not description.srdf.is_file():
         return
     names = {body.name for body in spec.bodies}
@@ -133,12 +135,12 @@ def find_trunk(spec: mujoco.MjSpec) -> mujoco.MjsBody:
 
 
 def trunk_mass(description: RobotDescription) -> float:
-    """Return the trunk's mass [kg]; raises Error."""
+    """Return the trunk's mass [kg]; raise Error if the URDF or a mesh is missing."""
     return float(find_trunk(load_urdf(description)).mass)
 
 
 def apply_trunk_flaws(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
-    """Scale the trunk and move its centre of mass."""
+    """Scale the trunk's mass and inertia, and shift its centre of mass."""
     scale, shift = settings.flaws.trunk_mass_scale, settings.flaws.trunk_com_shift
     trunk = find_trunk(spec)
     trunk.mass *= scale
@@ -148,7 +150,7 @@ def apply_trunk_flaws(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
 
 
 def add_payload(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
-    """Weld the payload to the base as a body of its own: a cube as dense as water."""
+    """Weld the payload to the base, as a cube with the density of water."""
     mass = settings.payload_kg
     if mass <= 0.0:
         return
@@ -170,7 +172,7 @@ def add_payload(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
 
 
 def add_sensors(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Add the IMU at its mount and the ground's net force on each foot."""
+    """Add the IMU at its mount, and a sensor of the net ground force on each foot."""
     root_body(spec).add_site(
         name=IMU_SITE, pos=robot.config.p_base_imu, quat=robot.config.quat_base_imu
     )
@@ -188,6 +190,6 @@ def add_sensors(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> N
             objname=BLOCK if leg == settings.block_foot else GROUND,
             reftype=mujoco.mjtObj.mjOBJ_GEOM,
             refname=name,
-            # Which fields, how contacts are merged (3: net force, world axes), how many.
+            # Fields, reduction of contacts (3: net force, world axes), number of contacts.
             intprm=[1 << int(mujoco.mjtConDataField.mjCONDATA_FORCE), 3, 1],
         )

@@ -1,4 +1,4 @@
-"""The world around the robot: ground, light, sky, and how physics is stepped."""
+"""The scene: ground, light, sky and physics options."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ from surefoot.sim.model.moving_ground import add_platform
 from surefoot.sim.settings import PlantSettings
 
 GROUND = "ground"
-BODY_FRICTION = 0.6  # of everything that is not a foot
-IMPRATIO = 100.0  # how much stiffer friction is than the normal force
+BODY_FRICTION = 0.6  # coefficient of all geoms but the feet
+IMPRATIO = 100.0  # stiffness of friction relative to that of the normal force
 
-# A foot on the ground: critically damped with a time constant of 5 ms, ten default physics
-# steps, so the step does not show; with an impedance this near 1 a standing robot's feet sink
-# by 10 .. 20 um and creep by 20 .. 35 um in ten seconds.
+# Contact of a foot with the ground. Critically damped, with a time constant of 5 ms: ten default
+# physics steps, so results do not depend on the step. With an impedance this close to 1, the feet
+# of a standing robot sink by 10 .. 20 um and creep by 20 .. 35 um in ten seconds.
 FOOT_SOLREF = [0.005, 1.0]
 FOOT_SOLIMP = [0.995, 0.999, 0.001, 0.5, 2.0]
 
 
 def set_physics(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
-    """Choose integrator, solver and friction cone.
+    """Set time step, integrator, friction cone and gravity.
 
-    Euler treats joint damping implicitly, which is all the implicit treatment a model without
-    actuators can use; the motors' velocity feedback is slow against the step. The elliptic cone
-    has no preferred direction, and a large impratio makes its friction much stiffer than its
-    normal force, so that feet do not creep.
+    The Euler integrator treats joint damping implicitly. A model without actuators has no other
+    implicit terms, and the motors' velocity feedback is slow compared with the step. The elliptic
+    cone has no preferred direction. A large impratio makes friction much stiffer than the normal
+    force, so that feet do not creep.
     """
     spec.option.timestep = settings.physics_dt
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_EULER
@@ -35,7 +35,7 @@ def set_physics(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
 
 
 def add_ground(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
-    """Add an endless checkered plane through the origin, tilted by the slope; or a platform."""
+    """Add the ground: a platform, or an infinite plane through the origin, tilted by the slope."""
     spec.add_texture(
         name=GROUND,
         type=mujoco.mjtTexture.mjTEXTURE_2D,
@@ -64,7 +64,7 @@ def add_ground(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
 
 
 def add_light_and_sky(spec: mujoco.MjSpec) -> None:
-    """Add a pale sky and a sun that stays above the robot, for its shadow to be sharp."""
+    """Add a sky, and a light that follows the robot so that its shadow stays sharp."""
     spec.add_texture(
         name="sky",
         type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,

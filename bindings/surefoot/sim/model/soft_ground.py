@@ -1,21 +1,22 @@
-"""Ground that feet sink into: a linear spring and a damper below each foot.
+"""Soft ground: a linear spring and a damper below each foot.
 
-MuJoCo has no spring contact as such. It solves for a force f with R f = a_ref - a, where
-a_ref = -(damping v + stiffness r) / d follows from penetration r, R = A (1 - d) / d from the
-impedance d, and A is a fixed guess of the foot's inverse inertia. With
+MuJoCo has no spring contact. It solves R f = a_ref - a for the contact force f, where a is the
+acceleration, a_ref = -(damping v + stiffness r) / d the reference acceleration at penetration r and
+velocity v, d the impedance, R = A (1 - d) / d, and A a constant estimate of the foot's inverse
+inertia. With
 
     stiffness = K (1 - d) A,    damping = C (1 - d) A
 
-that is f = -K r - C v - a / R: a spring and a damper in newtons, and 1 / R [kg] of ground that
-moves along. The smaller d, the lighter that ground, and the sooner an explicit damper is too stiff
-for the physics step; so d is small where it can be.
+the force is f = -K r - C v - a / R: a spring, a damper, and a ground mass of 1 / R [kg] that moves
+with the foot. A smaller d makes this mass lighter. It also makes an explicit damper too stiff for
+the physics step earlier. So d is chosen as small as the step allows.
 
-Friction keeps the rigid ground's own laws: its regularisation comes from R through impratio, and
-its velocity gain would come from the spring's damping. Both are set such that in tangential
-direction nothing changes, for else feet would creep and a sliding foot would ride up.
+Friction stays that of rigid ground. MuJoCo derives its regularisation from R and impratio, and by
+default its velocity gain from the damping of the spring. Both are set so that the tangential
+behaviour does not change. Otherwise feet would creep, and a sliding foot would rise.
 
-The link that bears a foot goes down with it: shins do not touch soft ground. To everything else,
-knees among it, the ground is as rigid as ever.
+The shin sinks with its foot, so shins do not touch soft ground. For all other parts, knees
+included, the ground is rigid.
 """
 
 from __future__ import annotations
@@ -30,11 +31,11 @@ from surefoot.sim.settings import PlantSettings
 
 GRAVITY = 9.81  # [m/s^2]
 _MIN_IMPEDANCE = 0.1
-_MAX_STEP_RATIO = 0.5  # of the damper's own time constant on a foot that bears nothing
+_MAX_STEP_RATIO = 0.5  # physics step over the damper's time constant on an unloaded foot
 
 
 def add_soft_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings) -> None:
-    """Give every foot a contact of its own with the ground; a sink of 0 does nothing."""
+    """Add a separate ground contact for each foot, if settings.soft_ground_sink is above 0."""
     if settings.soft_ground_sink <= 0.0:
         return
     friction = settings.friction
@@ -53,15 +54,15 @@ def add_soft_contacts(spec: mujoco.MjSpec, robot: Robot, settings: PlantSettings
 
 
 def set_contact_stiffness(model: mujoco.MjModel, robot: Robot, settings: PlantSettings) -> None:
-    """Set the stiffness of those contacts, which rests on inertias of the compiled model."""
+    """Set stiffness and damping of the soft contacts, from inertias of the compiled model."""
     if settings.soft_ground_sink <= 0.0:
         return
-    # Critically damped for a quarter of the robot.
+    # Critical damping for a quarter of the robot's mass.
     mass = robot.mass / 4.0
     stiffness = mass * GRAVITY / settings.soft_ground_sink
     damping = 2.0 * math.sqrt(stiffness * mass)
     rigid_impedance = FOOT_SOLIMP[0]
-    velocity_gain = 2.0 / (FOOT_SOLREF[0] * FOOT_SOLIMP[1])  # of friction on the rigid ground
+    velocity_gain = 2.0 / (FOOT_SOLREF[0] * FOOT_SOLIMP[1])  # of friction on rigid ground
     for name in robot.config.foot_frames:
         pair = model.pair(name)
         inverse_inertia = float(model.body_invweight0[model.body(name).id, 0])

@@ -1,4 +1,4 @@
-"""A URDF as a floating MuJoCo robot: what MuJoCo cannot read in it is put right."""
+"""Loads a URDF as a MuJoCo robot with a free base, and corrects parts that MuJoCo cannot read."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from surefoot.robot.loading import RobotDescription
 
 
 def load_urdf(description: RobotDescription) -> mujoco.MjSpec:
-    """Read the URDF and set its base free; raises Error if it or a mesh is missing."""
+    """Read the URDF and add a free joint to its base; raise Error if it or a mesh is missing."""
     if not description.urdf.is_file():
         raise Error(f"URDF not found: got '{description.urdf}', expected a file")
     spec = mujoco.MjSpec.from_file(str(description.urdf))
-    # Fixed links stay bodies of their own: feet and IMU are among them.
+    # Fixed links stay separate bodies, because feet and IMU are fixed links.
     spec.compiler.fusestatic = False
     for mesh in spec.meshes:
         mesh.file = str(find_mesh(mesh.file, description.mesh_root))
@@ -32,12 +32,12 @@ def root_body(spec: mujoco.MjSpec) -> mujoco.MjsBody:
 
 
 def find_mesh(name: str, mesh_root: Path) -> Path:
-    """Find the file of a ``package://`` or relative mesh path; raises Error."""
+    """Return the file of a ``package://`` or relative mesh path; raise Error if it is missing."""
     if Path(name).is_absolute():
         return Path(name)
     parts = Path(name.removeprefix("package://")).parts
     for folder in (mesh_root, *mesh_root.parents):
-        # The first part names the package; its folder may or may not carry that name.
+        # The first part is the name of the package. Its folder may have another name.
         for candidate in (folder.joinpath(*parts[1:]), folder.joinpath(*parts)):
             if candidate.is_file():
                 return candidate
@@ -45,8 +45,8 @@ def find_mesh(name: str, mesh_root: Path) -> Path:
 
 
 def _repair_inertia(body: mujoco.MjsBody) -> None:
-    # go1's and b1's massless base link has all six entries 1e-6: not positive definite, which
-    # Pinocchio never notices and MuJoCo refuses. The diagonal alone is valid.
+    # The massless base link of go1 and b1 has all six inertia entries 1e-6. This is not positive
+    # definite: Pinocchio accepts it, MuJoCo rejects it. The diagonal alone is valid.
     xx, yy, zz, xy, xz, yz = body.fullinertia
     if np.isnan(xx):
         return

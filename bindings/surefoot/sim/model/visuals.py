@@ -1,4 +1,4 @@
-"""The URDF's visual meshes in a MuJoCo model, for pictures only."""
+"""Adds the URDF's visual meshes to a MuJoCo model, for pictures only."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from surefoot.sim.model.urdf import find_mesh
 VISUAL_GROUP = 2  # of geoms; MuJoCo shows groups 0 .. 2
 HIDDEN_GROUP = 3
 MERGE_CELLS = 250  # cells along a mesh's diagonal when its vertices are merged
-_LINK_COLOURS = {  # by what a link's name contains
+_LINK_COLOURS = {  # key: a part of the link's name
     "hip": (0.20, 0.21, 0.23, 1.0),
     "thigh": (0.55, 0.58, 0.62, 1.0),
     "calf": (0.16, 0.17, 0.19, 1.0),
@@ -30,9 +30,9 @@ _TRUNK_COLOUR = (0.72, 0.74, 0.77, 1.0)
 
 
 def add_visuals(spec: mujoco.MjSpec, description: RobotDescription) -> None:
-    """Add every visual mesh of the URDF and hide the collision geometry of legs and trunk.
+    """Add all visual meshes of the URDF, and hide the collision geometry of legs and trunk.
 
-    A mesh that is missing is left out; if all are, the collision geometry stays in sight.
+    Missing meshes are skipped. If all are missing, the collision geometry stays visible.
     """
     spec.compiler.discardvisual = False
     added = 0
@@ -74,7 +74,7 @@ def _add_visual(spec: mujoco.MjSpec, link: str, visual: ET.Element, mesh_root: P
 
 def _add_mesh(spec: mujoco.MjSpec, name: str, path: Path, scale: list[float]) -> None:
     mesh = spec.add_mesh(name=name, scale=scale)
-    # A visual mesh need not be closed, so it may have no volume.
+    # A visual mesh may be open and then has no volume.
     mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
     if path.suffix.lower() != ".dae":
         mesh.file = str(path)
@@ -85,12 +85,12 @@ def _add_mesh(spec: mujoco.MjSpec, name: str, path: Path, scale: list[float]) ->
 
 @functools.cache
 def load_mesh(path: Path) -> tuple[Array, Faces]:
-    """Read a .dae once: vertices (n, 3), those that nearly coincide merged, and faces (k, 3)."""
+    """Return vertices (n, 3) and faces (k, 3) of a .dae file, close vertices merged; cached."""
     return merge_vertices(*read_collada(path))
 
 
 def merge_vertices(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
-    """Replace all vertices in a cell of a fine grid by their mean, and drop flattened faces."""
+    """Replace the vertices in each cell of a fine grid by their mean, and drop degenerate faces."""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     cell = max(float(np.linalg.norm(high - low)) / MERGE_CELLS, 1e-9)
     keys = np.round((vertices - low) / cell).astype(np.int64)
@@ -102,7 +102,8 @@ def merge_vertices(vertices: Array, faces: Faces) -> tuple[Array, Faces]:
     faces = new_index[faces]
     a, b, c = faces.T
     faces = faces[(a != b) & (b != c) & (a != c)]
-    # The same triangle twice flickers; its two sides are not the same, thin walls need both.
+    # Remove duplicate triangles, because they flicker. Triangles of opposite orientation stay: thin
+    # walls need both.
     corners = (np.argmin(faces, axis=1)[:, None] + np.arange(3)) % 3
     rotated = np.take_along_axis(faces, corners, axis=1)
     return merged, np.unique(rotated, axis=0)
@@ -112,7 +113,7 @@ def _hide_collisions(spec: mujoco.MjSpec) -> None:
     for geom in spec.geoms:
         if "_collision_" in geom.name:
             geom.group = HIDDEN_GROUP
-        elif geom.priority == 1:  # feet: the sphere that touches the ground is worth seeing
+        elif geom.priority == 1:  # feet: show the sphere that touches the ground
             geom.rgba = _LINK_COLOURS["foot"]
 
 

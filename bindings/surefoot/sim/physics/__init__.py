@@ -1,1 +1,1 @@
-"""What acts on the simulated robot: time steps, pushes, lifts, initial poses."""
+"""Time steps, pushes, external lifts and initial poses of the simulated robot."""

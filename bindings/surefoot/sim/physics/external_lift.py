@@ -1,7 +1,8 @@
-"""Hands that lift: the trunk off the ground and back, or one foot of a standing robot.
+"""External lifts: a person or a crane lifts the trunk, or one foot of a standing robot.
 
-A hand is a spring and a damper to a place above the one where it took hold. Its grip closes and
-opens in a few milliseconds, so loads leave the feet, and come back, faster than a leg could do it.
+A lift is a spring and a damper between the lifted part and a point above its pose at the start of
+the grip. The grip closes and opens within a few milliseconds, so foot loads vanish and return
+faster than by any motion of a leg.
 """
 
 from __future__ import annotations
@@ -18,26 +19,27 @@ from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.model.mujoco_handles import Handles
 
 LIFT_PARTS = ("trunk", *LEGS)
-TRUNK_FREQUENCY = 40.0  # [rad/s] of the critically damped hold
+TRUNK_FREQUENCY = 40.0  # [rad/s] of the critically damped spring on the trunk
 TRUNK_SPECIFIC_INERTIA = (
-    0.1  # [m^2] inertia per kilogram that the hold of the attitude reckons with
+    0.1  # [m^2] assumed inertia per kilogram of robot, for the spring on the attitude
 )
-FOOT_STIFFNESS = 250.0  # [N/m] per kilogram of robot: lifts a foot that pushes a quarter of it down
+FOOT_STIFFNESS = 250.0  # [N/m] per kilogram of robot: lifts a foot with a quarter of the weight
 FOOT_DAMPING = 4.0  # [N.s/m] per kilogram
 
 
 @dataclass(frozen=True)
 class Lift:
-    """One lift.
+    """One external lift.
 
     Attributes:
         part: "trunk", or a foot: "FR", "FL", "RR", "RL".
-        time: When the grip begins to close, since reset [s].
-        duration: Until it begins to open [s].
-        height: How far above the place of the grip the hand wants the part [m].
-        speed: With which it wants it there [m/s].
-        ramp: In which the grip closes, and opens [s].
-        lowering: Speed of putting it down before the grip opens [m/s]; None: let go up there.
+        time: Time since reset when the grip begins to close [s].
+        duration: Time from there until the grip begins to open [s].
+        height: Desired height of the part above its position at the start of the grip [m].
+        speed: Speed at which the desired height rises [m/s].
+        ramp: Time in which the grip closes, and in which it opens [s].
+        lowering: Speed of lowering the part before the grip opens [m/s]; None: the grip opens at
+            the full height.
     """
 
     part: str
@@ -57,31 +59,31 @@ class Lift:
             check_number("lowering", self.lowering, 1e-6, 100.0)
         if self.duration < self.ramp:
             raise Error(
-                f"duration: got {self.duration:g} s, expected the ramp's {self.ramp:g} or more"
+                f"duration: got {self.duration:g} s, expected at least the ramp, {self.ramp:g} s"
             )
 
     def desired_height(self, time: float) -> float:
-        """Return how far above the place of the grip the hand wants the part at a time [m]."""
+        """Return the desired height above the start of the grip [m] at a time [s]."""
         height = min(self.height, self.speed * (time - self.time))
         if self.lowering is not None:
             height = min(height, self.lowering * (self.time + self.duration - time))
         return max(0.0, height)
 
     def grip(self, time: float) -> float:
-        """Return how firm the grip is, 0 .. 1, at a time [s]."""
+        """Return the firmness of the grip, 0 .. 1, at a time [s]."""
         closing = (time - self.time) / self.ramp
         opening = 1.0 - (time - self.time - self.duration) / self.ramp
         return max(0.0, min(1.0, closing, opening))
 
 
 class ExternalLift:
-    """Carries out one lift.
+    """Applies the forces of one external lift.
 
     Args:
         model: MuJoCo's model.
-        handles: Indices into it.
-        robot: For its mass.
-        lift: What to do.
+        handles: Indices into model.
+        robot: The robot, for its mass.
+        lift: The lift.
     """
 
     def __init__(self, model: mujoco.MjModel, handles: Handles, robot: Robot, lift: Lift) -> None:
@@ -92,7 +94,7 @@ class ExternalLift:
         self._grip_pose: tuple[Array, Array] | None = None
 
     def apply(self, data: mujoco.MjData, time: float) -> None:
-        """Add to xfrc_applied for the step that begins at `time` [s]."""
+        """Add the force and moment to xfrc_applied, for the step that begins at `time` [s]."""
         grip = self._lift.grip(time)
         if grip <= 0.0:
             self._grip_pose = None
@@ -122,6 +124,6 @@ class ExternalLift:
 
 
 def rotation_error(desired: Array, actual: Array) -> Array:
-    """Return the rotation (3,) [rad], small, that takes attitude `actual` (3, 3) to `desired`."""
+    """Return the small rotation (3,) [rad], world axes, from attitude `actual` to `desired`."""
     E = desired @ actual.T
     return 0.5 * np.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]])

@@ -1,4 +1,4 @@
-"""A robot hung up: its base fixed in the air, level, its legs free."""
+"""A hung robot: the base is fixed in the air, level, and the legs are free."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from surefoot._core import Robot
 from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 
-CLEARANCE = 0.1  # [m] below the feet of straight legs
-# A base without its free joint would change what every index into qpos and qvel means; a weld would
-# be a spring and cost solver time. So it is heavy, and held by a damper that MuJoCo treats
-# implicitly: the legs' weight moves it by less than 1 um in ten minutes. More inertia instead of
-# the damper costs the solver its digits: at 1e8 it begins to miss the legs' accelerations, at 1e12
-# joint limits and collisions throw legs about.
+CLEARANCE = 0.1  # [m] between the ground and the feet of straight legs
+# The base keeps its free joint, because removing it would change all indices into qpos and qvel. A
+# weld would be a spring and cost solver time. Instead the base is heavy, and a damper that MuJoCo
+# integrates implicitly holds it: the weight of the legs moves it by less than 1 um in ten minutes.
+# A larger inertia without the damper loses solver precision: at 1e8 the leg accelerations become
+# inexact, at 1e12 joint limits and collisions produce wrong leg motions.
 _BASE_INERTIA = 1e6  # [kg], [kg.m^2]
 _BASE_DAMPING = 1e12  # [N.s/m], [N.m.s]
 
 
 def fix_base(model: mujoco.MjModel, handles: Handles) -> None:
-    """Fix the base wherever it is put.
+    """Fix the base at any position that qpos sets.
 
-    It is done to the compiled model because the solver's tolerances, which come from the robot's
-    mean inertia, must not change.
+    This changes the compiled model, because the solver's tolerances depend on the mean inertia at
+    compile time and must not change.
     """
     start = int(model.body_dofadr[handles.root])
     model.dof_armature[start : start + 6] = _BASE_INERTIA
@@ -34,7 +34,7 @@ def hanging_height(
 ) -> float:
     """Return the height of the base at which straight legs clear flat ground [m].
 
-    Leaves `data` with straight legs, its kinematics up to date.
+    On return, `data` has straight legs and kinematics up to date.
     """
     data.qpos[handles.joint_q] = 0.0
     mujoco.mj_kinematics(model, data)

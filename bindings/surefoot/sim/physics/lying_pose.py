@@ -1,4 +1,4 @@
-"""How a robot comes to lie: dropped with its legs anyhow, its motors braking, until it rests."""
+"""Lying poses: the robot is dropped with random joint angles and braking motors until it rests."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from surefoot._core import Robot
 from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 
-FIRST_CHECK_TIME = 1.0  # [s] after which most of those that will not rest well can be told
-LYING_SETTLE_TIME = 4.0  # [s] braking motors take to let the body down
-REST_SPEED = 0.05  # [m/s], [rad/s]
-MAX_DROPS = 400  # one in four to thirty rests well, by robot and ground
+FIRST_CHECK_TIME = 1.0  # [s] after a drop; most drops that will fail can be detected by then
+LYING_SETTLE_TIME = 4.0  # [s] that braking motors need to lower the body
+REST_SPEED = 0.05  # [m/s], [rad/s] a slower robot is at rest
+MAX_DROPS = 400  # one drop in four to thirty succeeds, depending on robot and ground
 MAX_REST_TILT = np.radians(20.0)
 _ABORT_TILT = np.radians(40.0)
 _DROP_TILT = np.radians(10.0)
@@ -27,10 +27,10 @@ def drop_robot(
     robot: Robot,
     rng: np.random.Generator,
 ) -> None:
-    """Put the robot just above the ground, legs drawn from all their range, clear of each other.
+    """Place the robot just above the ground, with random attitude and random, clear legs.
 
-    Joint angles are uniform over the middle 94 % of each range, roll and pitch within 10 degrees,
-    heading any. The front and the rear leg of a side do not interlace.
+    Joint angles are uniform in the middle 94 % of each range, roll and pitch within 10 degrees, and
+    the heading is arbitrary. legs_clear() holds.
     """
     lower, upper = np.array(robot.config.q_lower), np.array(robot.config.q_upper)
     mujoco.mj_resetData(model, data)
@@ -51,20 +51,20 @@ def drop_robot(
 
 
 def may_settle(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> bool:
-    """Return whether it may yet come to rest well: not far tipped over, its legs clear."""
+    """Return whether the drop may still succeed: the tilt is below 40 degrees, the legs clear."""
     tipped = data.xmat[handles.root, 8] < np.cos(_ABORT_TILT)
     return not tipped and legs_clear(model, data, handles)
 
 
 def is_settled(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> bool:
-    """Return whether it lies still, within 20 degrees of level, its legs clear."""
+    """Return whether the robot is at rest, within 20 degrees of level, with its legs clear."""
     level = data.xmat[handles.root, 8] > np.cos(MAX_REST_TILT)
     still = float(np.abs(data.qvel).max()) < REST_SPEED
     return bool(level and still and legs_clear(model, data, handles))
 
 
 def legs_clear(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> bool:
-    """Return whether no link rests on another, and no front leg reaches back over a rear one."""
+    """Return whether links touch nothing but the ground, and front legs are ahead of rear legs."""
     bodies = model.geom_bodyid[data.contact.geom]
     if np.any(np.all(bodies != 0, axis=1)):
         return False

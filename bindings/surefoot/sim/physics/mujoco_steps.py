@@ -1,4 +1,4 @@
-"""MuJoCo's half steps by address: whatever version the wheel has, C++ calls them in a loop."""
+"""Addresses of mj_step1() and mj_step2(): C++ calls them in a loop, for any MuJoCo version."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from surefoot.sim.model.mujoco_handles import Handles
 
 
 def make_physics(model: mujoco.MjModel, data: mujoco.MjData, handles: Handles) -> _plant.Physics:
-    """Return what advances a model's state, with motors and sensors in between."""
+    """Return the C++ object that advances the state, with motors and sensors between half steps."""
     return _plant.Physics(*_load_half_steps(), model, data, mujoco_state(data, handles))
 
 
@@ -27,7 +27,7 @@ def _load_half_steps() -> tuple[int, int]:
     ]
     if len(names) != 1:
         raise Error(f"mujoco: got {len(names)} libraries libmujoco* in {folder}, expected one")
-    library = ctypes.CDLL(str(names[0]))  # the one that the mujoco module itself has loaded
+    library = ctypes.CDLL(str(names[0]))  # the library that the mujoco module has loaded
     step1, step2 = (
         ctypes.cast(f, ctypes.c_void_p).value for f in (library.mj_step1, library.mj_step2)
     )

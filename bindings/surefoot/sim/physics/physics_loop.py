@@ -1,4 +1,4 @@
-"""What happens to a robot while physics goes on: commands on their way, pushes, hands."""
+"""The physics loop: applies delayed commands, pushes and external lifts while it takes steps."""
 
 from __future__ import annotations
 
@@ -19,19 +19,21 @@ from surefoot.sim.settings import Push
 
 
 class PhysicsLoop:
-    """Takes physics steps, as many at once as nothing outside the robot happens in.
+    """Advances the simulation. It takes many steps in one call of C++ until the next event.
+
+    Events are a scheduled motor law, a push and an external lift.
 
     Args:
         model: MuJoCo's model.
-        data: Its state, which is advanced.
-        handles: Indices into both.
-        robot: For its mass.
-        physics: What takes the steps.
-        dt: One of them [s].
+        data: MuJoCo's state, which the loop advances.
+        handles: Indices into model and data.
+        robot: The robot, for its mass.
+        physics: The C++ object that takes the steps.
+        dt: Physics step [s].
 
     Attributes:
-        motors: Of the run that start() began.
-        sensors: The same.
+        motors: Motors of the present run, from start().
+        sensors: Sensors of the present run, from start().
     """
 
     def __init__(
@@ -47,14 +49,14 @@ class PhysicsLoop:
         self._robot, self._physics, self._dt = robot, physics, dt
 
     def start(self, motors: Motors, sensors: Sensors) -> None:
-        """Be another run, to which nothing is to happen."""
+        """Start a new run, without scheduled laws, external torques, pushes or lifts."""
         self.motors, self.sensors = motors, sensors
         self._scheduled_laws: deque[tuple[int, MotorLaw]] = deque()
         self._physics.external_torque = np.zeros(12)
         self.restart_time()
 
     def restart_time(self) -> None:
-        """Count time from now on; what was to come but commands is not."""
+        """Set the clock to zero, and remove all pushes and lifts. Scheduled motor laws stay."""
         self._push_schedule = PushSchedule(self._handles.root, self._dt, ())
         self._lifts: list[ExternalLift] = []
         self._step = 0
@@ -66,24 +68,24 @@ class PhysicsLoop:
 
     @property
     def push_force(self) -> tuple[Array, Array]:
-        """Force of the pushes (3,) [N] in the last physics step, and its point (3,), world."""
+        """Push force (3,) [N] in the last physics step, and its point (3,) [m], world axes."""
         return self._push_schedule.force, self._push_schedule.point
 
     def add_push(self, push: Push) -> None:
-        """Add a push that is to come."""
+        """Schedule a push."""
         self._push_schedule.add(push)
 
     def add_lift(self, lift: Lift) -> None:
-        """Add a lift that is to come."""
+        """Schedule an external lift."""
         self._lifts.append(ExternalLift(self._model, self._handles, self._robot, lift))
 
     def schedule_law(self, law: MotorLaw, steps: int) -> None:
-        """Put a law of the motors in force so many physics steps from now."""
+        """Schedule a motor law to take effect after this number of physics steps."""
         self._scheduled_laws.append((self._step + steps, law))
 
     def apply_joint_torque(self, torque: Array) -> None:
-        """Let hands turn the joints with torques (12,) [N.m] from now on."""
-        # Hands hold the link; with play in the gears it is not where the motor's torque goes.
+        """Apply external torques (12,) [N.m] to the joints from now on."""
+        # The torques act on the links. With backlash, the motors act on other coordinates.
         if np.array_equal(self._handles.joint_v, self._handles.motor_v):
             self._physics.external_torque = torque
         else:
@@ -107,7 +109,8 @@ class PhysicsLoop:
             self._step += count
 
     def _apply_lifts(self) -> None:
-        # Forces hold until they are taken back; pushes, while they act, write the trunk's anew.
+        # MuJoCo keeps xfrc_applied until it is overwritten. An active push then overwrites the
+        # trunk's entry.
         self._data.xfrc_applied[:] = 0.0
         for lift in self._lifts:
             lift.apply(self._data, self.time)

@@ -1,4 +1,4 @@
-"""Pushes in force: each a rectangular pulse that gives its impulse to the last digit."""
+"""Applies pushes as rectangular pulses with exact impulse."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def heading_vector(R_world_base: Array, degrees: float) -> Array:
     """Return the horizontal unit vector (3,) at an angle from the base's heading.
 
     Args:
-        R_world_base: (3, 3) attitude; its x axis, laid flat, is forward.
+        R_world_base: (3, 3) attitude; the horizontal projection of its x axis is forward.
         degrees: From forward towards left [deg].
     """
     angle = math.atan2(R_world_base[1, 0], R_world_base[0, 0]) + math.radians(degrees)
@@ -25,16 +25,16 @@ def heading_vector(R_world_base: Array, degrees: float) -> Array:
 
 
 class PushSchedule:
-    """Applies pushes to a body so that they act through the whole robot's centre of mass.
+    """Applies pushes at the centre of mass of the whole robot, or at a height above it.
 
     Args:
-        body: The base, whose subtree is the robot.
+        body: The base; its subtree is the robot.
         dt: Physics step [s].
-        pushes: The pushes; more may be added later.
+        pushes: The pushes; add() adds more.
 
     Attributes:
-        force: (3,) total force in the step just applied, world axes [N].
-        point: (3,) where the last of them acts, world [m].
+        force: (3,) total force in the step last applied, world axes [N].
+        point: (3,) point where the last active push acts, world axes [m].
     """
 
     def __init__(self, body: int, dt: float, pushes: Iterable[Push]) -> None:
@@ -50,10 +50,10 @@ class PushSchedule:
         self._pushes.append(push)
 
     def idle_steps(self, time: float) -> int:
-        """Return for how many steps from `time` [s] on apply() need not be called."""
+        """Return the number of steps from `time` [s] on that need no call of apply()."""
         wait = math.inf
         for push in self._pushes:
-            # A step on both sides: the force is taken back after the last.
+            # One step of margin on both sides: apply() must also set the force back to zero.
             if time <= push.time + push.duration + self._dt:
                 wait = min(wait, push.time - self._dt - time)
         return sys.maxsize if wait == math.inf else max(0, math.floor(wait / self._dt))
@@ -63,7 +63,7 @@ class PushSchedule:
         force, moment = np.zeros(3), np.zeros(3)
         for k, push in enumerate(self._pushes):
             overlap = min(time + self._dt, push.time + push.duration) - max(time, push.time)
-            # Rounding of the clock leaves slivers of a step at both ends.
+            # Rounding of the clock leaves tiny overlaps at both ends of a push.
             if overlap <= 1e-9 * self._dt:
                 continue
             if k not in self._direction:

@@ -1,4 +1,4 @@
-"""How a run begins: in the standing pose, on the ground or hung up, held in position mode."""
+"""Start of a run: the standing pose, on the ground or hung, held in position mode."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from surefoot.sim.physics.hanging import hanging_height
 from surefoot.sim.settings import PlantSettings
 
 SETTLE_TIME = 0.8  # [s] in position mode before the first LowState
-HOLD_KP = 25.0  # [N.m/rad] per kilogram of robot: calves sag by a degree or so
+HOLD_KP = 25.0  # [N.m/rad] per kilogram of robot: calves sag by about one degree
 HOLD_KD = 0.8  # [N.m.s/rad] per kilogram of robot
 
 
@@ -23,16 +23,16 @@ def place_standing(
     robot: Robot,
     settings: PlantSettings,
 ) -> None:
-    """Reset to the standing pose: hung up, or level with the ground.
+    """Reset to the standing pose: hung, or on the ground and parallel to it.
 
-    On soft ground the lowest foot is as deep in it as settings.soft_ground_sink says.
+    On soft ground the lowest foot penetrates by settings.soft_ground_sink.
     """
     mujoco.mj_resetData(model, data)
     data.qpos[3:7] = model.geom_quat[handles.ground_geom]
     if settings.hung:
         data.qpos[2] = hanging_height(model, data, handles, robot)
     data.qpos[handles.joint_q] = robot.config.q_standing
-    data.qpos[handles.motor_q] = robot.config.q_standing  # amid the play, if there is any
+    data.qpos[handles.motor_q] = robot.config.q_standing  # with backlash: in its middle
     if settings.hung:
         return
     mujoco.mj_kinematics(model, data)

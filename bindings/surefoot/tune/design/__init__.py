@@ -1,4 +1,4 @@
-"""Gains and margins from frequency, damping and delay: a model of the sampled closed loop.
+"""Gains and stability margins from frequency, damping and delay, by a model of the sampled loop.
 
 docs/tuning-design.md derives the model. Needs CasADi: ``pip install surefoot[tune]``.
 """

@@ -1,4 +1,4 @@
-"""One direction's sampled closed loop: its poles' matrix at rest, and what follows a push."""
+"""Sampled closed loop of one direction: state matrix at rest, and simulation of a push."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from surefoot.tune.design.timing import Observers, Timing
 
 Array = npt.NDArray[np.float64]
 
-_BLOCK_TICKS = 200  # ticks that are computed in one call
+_BLOCK_TICKS = 200  # ticks computed in one CasADi call
 
 
 class ClosedLoop:
-    """The loop of one direction; kp and kd stay open.
+    """Closed loop of one direction as a function of kp and kd.
 
     Args:
-        direction: Of the body.
-        timing: Rate, delay, lag.
-        observers: The estimator's.
+        direction: Direction of the body.
+        timing: Rate, delay and motor lag.
+        observers: Observers of the estimator.
 
     Raises:
         Error: CasADi is missing.
@@ -45,7 +45,8 @@ class ClosedLoop:
     def state_matrix(self, kp: float, kd: float) -> Array:
         """Return A of state+ = A state at rest, shape (states, states).
 
-        Without dry friction, the program's limits, and the push observer, which sleeps.
+        Dry friction, the limits of the QP and the push observer (inside its dead band) are left
+        out.
         """
         if self._state_jacobian is None:
             state, gains, after = self._tick.expressions(linear=True)
@@ -54,15 +55,15 @@ class ClosedLoop:
         return np.asarray(self._state_jacobian(np.zeros(self.state_count), [kp, kd]))
 
     def simulate(self, kp: float, kd: float, duration: float) -> Array:
-        """Return the body's acceleration at every tick after the direction's kick.
+        """Simulate the loop after a push, with the initial velocity direction.push_velocity.
 
         Args:
             kp: Stiffness [1/s^2].
             kd: Damping [1/s].
-            duration: [s].
+            duration: Simulated time [s].
 
         Returns:
-            Shape (ticks,) [m/s^2 or rad/s^2].
+            Acceleration of the body at every tick, shape (ticks,) [m/s^2 or rad/s^2].
         """
         if self._simulate_block is None:
             before, gains, moved = self._tick.expressions(linear=False)
@@ -81,7 +82,7 @@ class ClosedLoop:
 
 
 def load_casadi() -> Any:
-    """Import CasADi; raises Error without it."""
+    """Import CasADi; raises Error if it is missing."""
     try:
         import casadi
     except ImportError:

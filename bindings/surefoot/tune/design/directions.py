@@ -1,4 +1,4 @@
-"""The robot as six directions of its body, standing: inertia, friction, what its program gives."""
+"""Model of a standing robot as six decoupled directions: inertia, friction, limits of the QP."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from surefoot._core import Robot
 Array = npt.NDArray[np.float64]
 
 DIRECTION_NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
-# Axis, its gains, its directions.
+# Axis: its stiffness and damping gain, and its directions.
 AXES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "height": ("com_kp_vertical", "com_kd_vertical", ("z",)),
     "sway": ("com_kp_horizontal", "com_kd_horizontal", ("x", "y")),
@@ -23,21 +23,21 @@ AXES: dict[str, tuple[str, str, tuple[str, ...]]] = {
 
 @dataclass(frozen=True)
 class Direction:
-    """One way in which the body moves while the feet stay, per unit of its own inertia.
+    """Direction of body motion with fixed feet, modelled per unit of its inertia.
 
     Attributes:
-        name: x, y, z of the centre of mass, or roll, pitch, yaw of the base; the robot's axes.
-        rotates: Whether it is one of the last three.
-        inertia: That the whole robot has in it, feet fixed, rotors included [kg or kg.m^2].
-        friction: Deceleration by dry friction of the joints [m/s^2 or rad/s^2]; 0 for y, where
-            it does not help (docs/tuning-design.md).
+        name: x, y, z of the centre of mass, or roll, pitch, yaw of the base; in the robot's axes.
+        rotates: True for roll, pitch and yaw.
+        inertia: Inertia of the robot in this direction, with rotors [kg or kg.m^2].
+        friction: Deceleration by dry friction of the joints [m/s^2 or rad/s^2]; 0 for y, whose
+            boundary it hardly raises (docs/tuning-design.md).
         viscous: Deceleration by viscous friction, per speed [1/s].
-        base_motion_ratio: How much further the base's origin moves than the centre of mass.
-        external_acceleration_ratio: What an outside acceleration that is counted with, but is not there, takes
-            from the one that is planned: base_motion_ratio times mass by inertia; 1 for rotations.
-        limits: (n, 2) accelerations asked of the whole-body program, and those that it gives,
-            rising [m/s^2 or rad/s^2].
-        push_velocity: Speed that half of the pendulum's limit gives it [m/s or rad/s].
+        base_motion_ratio: Displacement of the base origin per displacement of the centre of mass.
+        external_acceleration_ratio: Planned acceleration that is lost per estimated external
+            acceleration that does not exist: base_motion_ratio * mass / inertia; 1 for rotations.
+        limits: Table (n, 2), increasing: desired acceleration, and the acceleration that the QP
+            achieves [m/s^2 or rad/s^2].
+        push_velocity: Velocity after a push of half the LIP push limit [m/s or rad/s].
     """
 
     name: str
@@ -53,12 +53,12 @@ class Direction:
 
 @dataclass(frozen=True)
 class StandingBody:
-    """A standing robot.
+    """Model of a standing robot.
 
     Attributes:
         robot: The robot.
-        height: Of the centre of mass above the ground [m].
-        directions: By name.
+        height: Height of the centre of mass above the ground [m].
+        directions: The six directions, by name.
     """
 
     robot: Robot
@@ -66,5 +66,5 @@ class StandingBody:
     directions: dict[str, Direction]
 
     def axis_directions(self, axis: str) -> list[Direction]:
-        """Return the directions that one pair of gains moves."""
+        """Return the directions that the gains of an axis control."""
         return [self.directions[name] for name in AXES[axis][2]]

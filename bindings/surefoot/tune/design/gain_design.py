@@ -1,4 +1,4 @@
-"""From goals to gains: each axis designed, its margins computed, what cannot be stable refused."""
+"""Design of gains from goals, with margins; goals that cannot be stable are refused."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from surefoot.tune.design.standing_body import compute_standing_body
 from surefoot.tune.design.timing import Observers
 from surefoot.tune.design.unstable_goal import unstable_goal_text
 
-WARN_GAIN_MARGIN = 2.0  # margins below are warned of
-WARN_DELAY_PERIODS = 1.0
+WARN_GAIN_MARGIN = 2.0  # least gain margin without a warning
+WARN_DELAY_PERIODS = 1.0  # least delay margin without a warning, in periods
 
 
 @dataclass(frozen=True)
 class AxisDesign:
-    """One axis, its gains, and its margins in the direction that bears least.
+    """Design of one axis, with the margins of its direction with the smallest margin.
 
     Attributes:
-        name: Of AXES.
-        goal: What was asked for, or what the robot's own gains amount to.
-        uses_robot_gains: Whether these are the robot's own gains.
-        direction: The one that the margins are of.
-        margins: There.
-        directions: The margins of all the axis's directions.
+        name: One of AXES.
+        goal: Desired frequency and damping, or those of the robot's own gains.
+        uses_robot_gains: True if the axis keeps the robot's own gains.
+        direction: Direction with the smallest boundary.
+        margins: Margins of that direction.
+        directions: Margins of all directions of the axis.
     """
 
     name: str
@@ -39,30 +39,30 @@ class AxisDesign:
     directions: dict[str, Margins]
 
     def warnings(self, period: float) -> list[str]:
-        """Return what is thin, one sentence each."""
+        """Return one sentence for each margin that is too small; `period` [s]."""
         m, out = self.margins, []
         if min(m.boundary, m.gain_up) < WARN_GAIN_MARGIN:
             out.append(
-                f"{self.name}: {min(m.boundary, m.gain_up):.2f} times these gains start to "
-                f"oscillate, less than {WARN_GAIN_MARGIN:g}"
+                f"{self.name}: oscillates at {min(m.boundary, m.gain_up):.2f} times these gains, "
+                f"expected at least {WARN_GAIN_MARGIN:g}"
             )
         if min(m.delay, m.push_delay) < WARN_DELAY_PERIODS * period:
             out.append(
-                f"{self.name}: {1000.0 * min(m.delay, m.push_delay):.1f} ms more delay start an "
-                f"oscillation, less than a period of {1000.0 * period:g} ms"
+                f"{self.name}: oscillates with {1000.0 * min(m.delay, m.push_delay):.1f} ms more "
+                f"delay, expected at least one period of {1000.0 * period:g} ms"
             )
         return out
 
 
 @dataclass(frozen=True)
 class Design:
-    """Gains, and what the model says of them.
+    """Designed gains and their margins in the model.
 
     Attributes:
-        settings: What was asked for.
-        body: The robot, standing.
-        gains: All of them.
-        axes: In the order of AXES.
+        settings: Settings of the design.
+        body: Model of the standing robot.
+        gains: All gains of the controller.
+        axes: Designs of the axes, in the order of AXES.
     """
 
     settings: DesignSettings
@@ -72,7 +72,7 @@ class Design:
 
     @property
     def warnings(self) -> list[str]:
-        """What is thin."""
+        """Warnings about small margins, for all axes."""
         period = self.settings.timing.period
         return [text for axis in self.axes for text in axis.warnings(period)]
 
@@ -83,8 +83,8 @@ def design_gains(settings: DesignSettings) -> Design:
     kp = (2 pi f)^2, kd = 2 zeta 2 pi f for each axis with a goal.
 
     Raises:
-        Error: An axis that is none, a gain or a number of the settings out of its range; a loop
-            that cannot be stable, with the greatest frequency that is; CasADi is missing.
+        Error: Unknown axis; a gain or a setting out of its range; a goal that cannot be stable (the
+            message has the greatest stable frequency); CasADi is missing.
     """
     settings.check()
     body = compute_standing_body(settings.robot, settings.joint_friction_scale, settings.start)
@@ -127,8 +127,8 @@ def _design_axis(
         margins = all_margins(loop, goal)
         if not margins.stable:
             subject = f"{name}: the robot's own gains, " if uses_robot_gains else f"{name}: "
-            asked = goal, settings.timing, body.axis_directions(name)
-            raise Error(unstable_goal_text(subject, *asked, observers))
+            goal_args = goal, settings.timing, body.axis_directions(name)
+            raise Error(unstable_goal_text(subject, *goal_args, observers))
         directions[direction.name] = margins
     least = min(directions, key=lambda key: directions[key].boundary)
     return AxisDesign(name, goal, uses_robot_gains, least, directions[least], directions)

@@ -1,4 +1,4 @@
-"""What is asked of an axis: how fast it comes back, and how well damped."""
+"""Goal of an axis: natural frequency and damping ratio."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from surefoot._core import Error
 from surefoot.tune.design.ranges import check_range
 
-FREQUENCY_RANGE = (0.01, 7.1)  # [Hz] that may be asked for: the gains reach 2000 1/s^2
+FREQUENCY_RANGE = (0.01, 7.1)  # [Hz]; 7.1 Hz is kp = 2000 1/s^2, the largest kp of the gains
 
 
 @dataclass(frozen=True)
@@ -16,8 +16,8 @@ class Goal:
     """Natural frequency and damping of x'' = -kp x - kd x'.
 
     Attributes:
-        frequency: f [Hz].
-        damping: zeta; 1 is critical.
+        frequency: Natural frequency f [Hz].
+        damping: Damping ratio zeta; 1 is critical.
     """
 
     frequency: float
@@ -42,24 +42,24 @@ class Goal:
         return 4.0 * math.pi * self.damping * self.frequency
 
     def at(self, frequency: float) -> Goal:
-        """Return this damping at another frequency [Hz]."""
+        """Return a goal with this damping ratio and another frequency [Hz]."""
         return Goal(frequency, self.damping)
 
 
 def goal_from_gains(kp: float, kd: float) -> Goal:
     """Return the frequency and damping of gains; raises Error unless both are above 0."""
     if not (kp > 0.0 and kd > 0.0):
-        raise Error(f"got kp {kp:g} and kd {kd:g}, expected both above 0")
+        raise Error(f"gains: got kp {kp:g} and kd {kd:g}, expected both above 0")
     return Goal(math.sqrt(kp) / (2.0 * math.pi), kd / (2.0 * math.sqrt(kp)))
 
 
 def parse_goal(option: str, text: str, damping: float) -> Goal:
-    """Read FREQ[:DAMPING]; raises Error.
+    """Parse FREQ[:DAMPING]; raises Error.
 
     Args:
-        option: That the text was given with.
-        text: Hertz, and the damping ratio if it is this axis's own.
-        damping: If the text has none.
+        option: Name of the option, for messages.
+        text: Frequency [Hz], and optionally a damping ratio.
+        damping: Damping ratio if the text has none.
     """
     try:
         frequency, *own = (float(word) for word in text.split(":"))

@@ -1,8 +1,8 @@
-"""One tick of one direction's sampled closed loop, as CasADi expressions of state and gains.
+"""Model of one tick of a direction's sampled closed loop, as CasADi expressions of state and gains.
 
-Sensors, observers, command line, motors and body in the order and with the steps of the simulated
-robot. Small motion is linear; beyond it there are the push observer's dead band, dry friction, and
-what the whole-body program can give.
+The model has sensors, observers, command delay, motors and body, in the order and with the steps of
+the simulated robot. It is linear for small motion. For larger motion it includes the dead band of
+the push observer, dry friction and the limits of the QP. docs/tuning-design.md has the equations.
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ from typing import Any
 from surefoot.tune.design.directions import Direction
 from surefoot.tune.design.timing import Observers, Timing
 
-_MAX_STEP = 0.0005  # [s] longest step of motor and body; the simulated robot's
-_FORCE_FILTER_TIME = 0.005  # [s] LegForces: smooths what the torques say of the ground
-# PushObserver: what surprises slowly, and how much more halves the time [push_dead_band]; the least
-# [push_time]; for how long [s], and how much of that is forgotten in a second without [s].
+_MAX_STEP = 0.0005  # [s] longest step of motor and body, as in the simulated robot
+_FORCE_FILTER_TIME = 0.005  # [s] filter time of the ground forces from torques (LegForces)
+# Constants of the PushObserver. Innovation above which its filter time is shortened, and excess
+# that halves the time [push_dead_band]; shortest time [push_time]; longest time of large
+# innovations [s], and its decrease per second of small ones [s].
 _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DECAY = (
     3.0,
     1.0,
@@ -25,12 +26,12 @@ _NOISE_BANDS, _HALVING_BANDS, _MIN_TIME_RATIO, _MAX_SURPRISE_TIME, _SURPRISE_DEC
     0.05,
     0.05,
 )
-# MuJoCo's joints stick softly: its friction asks for x'' = -b x' with b = 2 / (0.95 * 20 ms),
-# at an impedance of 0.9 (its defaults solreffriction, solimpfriction), up to the friction's force.
+# MuJoCo's dry friction is soft: it is the constraint x'' = -b x' with b = 2 / (0.95 * 20 ms) at an
+# impedance of 0.9 (defaults of solreffriction and solimpfriction), up to the friction force.
 _FRICTION_RATE, _FRICTION_IMPEDANCE = 2.0 / (0.95 * 0.02), 0.9
-# State: position, speed, motor, acceleration; the same at the last two samples; what the feet were
-# to make of the base in the last three ticks, push and payload observers; then the commands on
-# their way, the newest first.
+# State: position, velocity, motor acceleration, acceleration; values at the last two samples;
+# planned acceleration of the base in the last three ticks; states of the push and payload
+# observers. The commands in flight follow, newest first.
 STATES = (
     *("x", "v", "motor", "a", "x1", "v1", "a1", "v2", "a2"),
     *("made", "planned_base1", "planned_base2", "push", "payload", "force", "surprise_time"),
@@ -38,13 +39,13 @@ STATES = (
 
 
 class Tick:
-    """The next state of one direction's loop; kp and kd stay open.
+    """Step of one direction's loop from a state to the next, as a function of kp and kd.
 
     Args:
-        casadi: The module.
-        direction: Of the body.
-        timing: Rate, delay, lag.
-        observers: The estimator's.
+        casadi: The CasADi module.
+        direction: Direction of the body.
+        timing: Rate, delay and motor lag.
+        observers: Observers of the estimator.
     """
 
     def __init__(
@@ -52,7 +53,7 @@ class Tick:
     ) -> None:
         self.direction, self.timing, self.observers = direction, timing, observers
         self._casadi = casadi
-        # The command of this tick acts one period and the delay later: so many are on their way.
+        # The command of this tick acts after one period and the delay; until then it is in flight.
         self._latency = timing.period + timing.delay
         self._commands_in_flight = math.ceil(self._latency / timing.period - 1e-9)
         self._external_ratio = direction.external_acceleration_ratio
@@ -68,22 +69,23 @@ class Tick:
         state, gains = ca.SX.sym("state", self.state_count), ca.SX.sym("gains", 2)
         s = {name: state[k] for k, name in enumerate(STATES)}
         sent = [state[len(STATES) + k] for k in range(self._commands_in_flight)]
-        # The gyroscope's rate is the mean over the tick; the velocity has no lag, for the
-        # accelerometer carries it.
+        # The gyroscope measures the mean rate over the tick. The estimated velocity has no lag
+        # because the accelerometer propagates it.
         speed = 0.5 * (s["v1"] + s["v2"]) if self.direction.rotates else s["v1"]
         push, surprise_time, push_estimate = self._update_push_observer(s, linear)
         external = self.observers.push_resist * push_estimate + s["payload"]
         desired = -gains[0] * s["x1"] - gains[1] * speed - external
         achieved = desired if linear else self._qp_response(desired)
         planned = achieved + push_estimate + s["payload"]
-        # The plan has legs and rotors moved by the outside force too; without it, they are not.
+        # The plan assumes that the external force also accelerates legs and rotors. In the model
+        # the estimated force does not exist, so this part of the command is lost.
         command = planned - self._external_ratio * (push_estimate + s["payload"])
         x, v, motor, a = self._step_body(s, [command, *sent], linear)
         force = s["force"] + period / (period + _FORCE_FILTER_TIME) * (s["motor"] - s["force"])
         unexplained = ((s["v"] - s["v1"]) / period - force) / self._external_ratio - s["payload"]
         payload = s["payload"] + period / self.observers.payload_time * unexplained
         moved = (x, v, motor, a, s["x"], s["v"], s["a"], s["v1"], s["a1"])
-        # Of the base's origin, which moves further, but for the push that it counted with.
+        # Planned acceleration of the base origin, without the estimated push.
         planned_base = self.direction.base_motion_ratio * planned - push_estimate
         observers = (
             planned_base,
@@ -98,7 +100,7 @@ class Tick:
         return state, gains, next_state
 
     def _update_push_observer(self, s: dict[str, Any], linear: bool) -> tuple[Any, Any, Any]:
-        """Return the push observer's states, and the outside acceleration that it believes in."""
+        """Return the next states of the push observer, and its estimated external acceleration."""
         if linear or self.direction.rotates:
             return 0.0, 0.0, 0.0
         period = self.timing.period
@@ -113,7 +115,11 @@ class Tick:
         return push, surprise_time, self._push_estimate(push)
 
     def _push_time_ratio(self, innovation: Any, surprise_time: Any) -> tuple[Any, Any]:
-        """Return the share of push_time that a surprise is believed in, and surprised, after it."""
+        """Return the filter time as a share of push_time, and the next surprise_time.
+
+        Large innovations shorten the filter time, but not for longer than _MAX_SURPRISE_TIME. The
+        direction z always uses the full time.
+        """
         if self.direction.name == "z":
             return 1.0, 0.0
         ca, period, halving_excess = (
@@ -136,7 +142,7 @@ class Tick:
         return ca.sign(push) * size
 
     def _qp_response(self, desired: Any) -> Any:
-        """Return what the whole-body program gives: straight lines between what was measured."""
+        """Return the acceleration that the QP achieves, interpolated in direction.limits."""
         ca, limits = self._casadi, self.direction.limits
         given = limits[0, 1]
         for (low, start), (high, end) in itertools.pairwise(limits):
@@ -145,7 +151,7 @@ class Tick:
         return given
 
     def _step_body(self, s: dict[str, Any], commands: list[Any], linear: bool) -> tuple[Any, ...]:
-        """Return position, speed, motor and acceleration one period later."""
+        """Return position, velocity, motor acceleration and acceleration after one period."""
         ca, lag, d = self._casadi, self.timing.motor_lag, self.direction
         steps = math.ceil(self.timing.period / _MAX_STEP - 1e-9)
         dt = self.timing.period / steps
@@ -162,7 +168,7 @@ class Tick:
         return x, v, motor, a
 
     def _mean_active_command(self, commands: list[Any], time: float, dt: float) -> Any:
-        """Return the mean of the commands that act from `time` on for `dt`, newest first."""
+        """Return the mean command that acts from `time` to `time + dt`; commands: newest first."""
         period = self.timing.period
         age = math.ceil((self._latency - time) / period - 1e-9)
         until = self._latency - (age - 1) * period - time

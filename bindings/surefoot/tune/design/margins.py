@@ -1,4 +1,4 @@
-"""What a closed loop bears: poles, margins, and where pushes start oscillations."""
+"""Stability margins of a closed loop: poles, gain and delay margins, boundary after a push."""
 
 from __future__ import annotations
 
@@ -13,31 +13,32 @@ from surefoot.tune.design.goals import Goal, goal_from_gains
 from surefoot.tune.design.stability_search import find_delay_margin, first_unstable, last_stable
 from surefoot.tune.design.timing import Observers, Timing
 
-MAX_GAIN_FACTOR = 30.0  # times the gains: larger margins are not told apart
-MIN_GAIN_FACTOR = 0.02
-FREQUENCY_SEARCH_RANGE = (0.2, 40.0)  # [Hz] between which the greatest stable one is looked for
+MAX_GAIN_FACTOR = 30.0  # largest gain margin that is searched
+MIN_GAIN_FACTOR = 0.02  # smallest gain margin that is searched
+FREQUENCY_SEARCH_RANGE = (0.2, 40.0)  # [Hz] range searched for the greatest stable frequency
 _RUN_TIME, _END_WINDOW, _START_WINDOW = (
     2.4,
     0.4,
     0.2,
-)  # [s] of a run, and what is compared at its end and beginning
-_DECAY_RATIO = 0.05  # share of the first acceleration that is no oscillation at the end
-_STABLE_RADIUS = 1.0 + 1e-9
+)  # [s] least time of a run, and the windows at its end and beginning that are compared
+_DECAY_RATIO = 0.05  # largest ratio of last to first acceleration that counts as decayed
+_STABLE_RADIUS = 1.0 + 1e-9  # spectral radius from which a loop counts as unstable
 
 
 @dataclass(frozen=True)
 class Margins:
-    """Of one direction at given gains.
+    """Margins of one direction at given gains.
 
     Attributes:
-        pole_frequency: Natural frequency of the pole that the goal asked for [Hz].
-        pole_damping: Its damping; 1 for a real pole.
-        spectral_radius: Greatest size of a pole; the loop at rest is stable below 1.
-        gain_up: Factor on kp and kd at which it becomes unstable at rest, without friction.
-        gain_down: The same, downwards; 0 if there is none.
-        delay: That may be added until then [s].
-        boundary: Factor on kp and kd from which a push starts an oscillation that stays.
-        push_delay: Delay that may be added until a push does [s].
+        pole_frequency: Natural frequency of the pole nearest to the goal's [Hz].
+        pole_damping: Damping ratio of that pole; 1 for a real pole.
+        spectral_radius: Greatest magnitude of a pole; the loop at rest is stable below 1.
+        gain_up: Factor above 1 on kp and kd at which the loop at rest becomes unstable, without
+            friction.
+        gain_down: Factor below 1 at which it becomes unstable; 0 if there is none.
+        delay: Additional delay at which the loop at rest becomes unstable [s].
+        boundary: Factor on kp and kd from which a push starts an oscillation that does not decay.
+        push_delay: Additional delay from which a push starts such an oscillation [s].
     """
 
     pole_frequency: float
@@ -51,19 +52,19 @@ class Margins:
 
     @property
     def stable(self) -> bool:
-        """Whether it stands still, and again after a push."""
+        """True if the loop is stable at rest and settles after a push."""
         return self.spectral_radius < _STABLE_RADIUS and self.boundary > 1.0
 
 
 def spectral_radius(loop: ClosedLoop, kp: float, kd: float) -> float:
-    """Return the greatest size of the poles at rest; the loop is stable below 1."""
+    """Return the greatest magnitude of the poles at rest; the loop is stable below 1."""
     return float(np.abs(np.linalg.eigvals(loop.state_matrix(kp, kd))).max())
 
 
 def goal_pole(loop: ClosedLoop, goal: Goal) -> tuple[float, float]:
-    """Return frequency [Hz] and damping of the pole nearest to what the goal asks for."""
+    """Return frequency [Hz] and damping ratio of the pole nearest to the goal's pole."""
     z = np.linalg.eigvals(loop.state_matrix(goal.kp, goal.kd)).astype(complex)
-    # The payload observer's own, which hardly moves the body, is none that was asked for.
+    # Leave out the pole of the payload observer, which hardly moves the body.
     observer = 1.0 - loop.timing.period / loop.observers.payload_time
     z = np.delete(z, int(np.argmin(np.abs(z - observer))))
     s = np.log(z[np.abs(z) > 1e-6]) * loop.timing.rate
@@ -74,9 +75,9 @@ def goal_pole(loop: ClosedLoop, goal: Goal) -> tuple[float, float]:
 
 
 def gain_margins(loop: ClosedLoop, kp: float, kd: float) -> tuple[float, float]:
-    """Return the factors on both gains between which the loop at rest is stable.
+    """Return the lower and upper factor on both gains between which the loop at rest is stable.
 
-    (0, MAX_GAIN_FACTOR) if there is no end; (1, 1) if it is unstable as it is.
+    (1, 1) if the loop is unstable at these gains; 0 or MAX_GAIN_FACTOR if no limit was found.
     """
 
     def unstable(factor: float) -> bool:
@@ -91,16 +92,16 @@ def gain_margins(loop: ClosedLoop, kp: float, kd: float) -> tuple[float, float]:
 
 
 def delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
-    """Return the delay that makes the loop at rest unstable, beyond what it has [s]."""
+    """Return the additional delay at which the loop at rest becomes unstable [s]."""
     return find_delay_margin(
         loop, lambda delayed_loop: spectral_radius(delayed_loop, kp, kd) >= _STABLE_RADIUS
     )
 
 
 def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
-    """Return whether the direction's kick starts an oscillation that does not die."""
+    """Return whether a push starts an oscillation that does not decay."""
     goal = goal_from_gains(kp, kd)
-    # A slow loop is given the time to settle: 8 of its time constants.
+    # Give a slow loop time to settle: 8 time constants.
     settling = 8.0 / (min(goal.damping, 1.0) * 2.0 * math.pi * goal.frequency)
     a = loop.simulate(kp, kd, max(_RUN_TIME, min(settling, 20.0)))
     if not np.isfinite(a).all():
@@ -113,8 +114,8 @@ def oscillates(loop: ClosedLoop, kp: float, kd: float) -> bool:
 def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
     """Return the least factor on both gains at which a push starts an oscillation that stays.
 
-    With everything that stops and feeds it: dry friction, the push observer's dead band, what the
-    whole-body program can give. 0 if smaller gains do not help.
+    Includes dry friction, the dead band of the push observer and the limits of the QP. 0 if the
+    loop oscillates at all smaller gains too.
     """
 
     def unstable(factor: float) -> bool:
@@ -129,16 +130,16 @@ def oscillation_boundary(loop: ClosedLoop, kp: float, kd: float) -> float:
 
 
 def push_delay_margin(loop: ClosedLoop, kp: float, kd: float) -> float:
-    """Return the further delay with which a push starts an oscillation that stays [s]."""
+    """Return the additional delay from which a push starts an oscillation that stays [s]."""
     return find_delay_margin(loop, lambda delayed_loop: oscillates(delayed_loop, kp, kd))
 
 
 def max_stable_frequency(
     direction: Direction, timing: Timing, observers: Observers, damping: float
 ) -> float:
-    """Return the greatest natural frequency that is stable at this damping [Hz]; 0 if none is.
+    """Return the greatest stable natural frequency at this damping ratio [Hz]; 0 if there is none.
 
-    To 1 %, on the stable side; looked for within FREQUENCY_SEARCH_RANGE.
+    Searches FREQUENCY_SEARCH_RANGE. The result is stable and within 1 % of the limit.
     """
     loop = ClosedLoop(direction, timing, observers)
     low, high = FREQUENCY_SEARCH_RANGE
@@ -153,7 +154,7 @@ def max_stable_frequency(
 
 
 def all_margins(loop: ClosedLoop, goal: Goal) -> Margins:
-    """Return every margin at the gains of a goal."""
+    """Return all margins at the gains of a goal."""
     kp, kd = goal.kp, goal.kd
     frequency, damping = goal_pole(loop, goal)
     down, up = gain_margins(loop, kp, kd)

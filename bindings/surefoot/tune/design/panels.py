@@ -1,4 +1,4 @@
-"""A picture of four panels, one for each axis of a design."""
+"""Figures with four panels, one per axis of a design."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from surefoot.reports.plots import subplot_grid
 
 
 def four_panels(height: float) -> tuple[Figure, list[Axes]]:
-    """Return an empty picture of this height [inch], and its panels in the order of AXES."""
+    """Return an empty figure of this height [inch], and its panels in the order of AXES."""
     figure, axes = subplot_grid(2, 2, height)
     return figure, [ax for row in axes for ax in row]
 
 
 def add_legend(figure: Figure, axes: Sequence[Axes]) -> None:
-    """Name each kind of curve once; a panel may lack some."""
+    """Add a legend that lists each label of all panels once."""
     handles: dict[str, Artist] = {}
     for ax in axes:
         for handle, label in zip(*ax.get_legend_handles_labels(), strict=True):

@@ -1,4 +1,4 @@
-"""Pictures of a design: the maps, what follows a push, and where the poles are."""
+"""Plots of a design: stability maps, responses to a push, poles."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from surefoot.tune.design.panels import add_legend, four_panels
 from surefoot.tune.design.stability_maps import draw_damping_map, draw_delay_map
 from surefoot.tune.design.timing import Observers
 
-_RESPONSE_TIME = 1.2  # [s] of a step response
+_RESPONSE_TIME = 1.2  # [s] shown time after a push
 
 
 def draw_poles(design: Design) -> Figure:
-    """Draw the poles of each axis's binding direction at rest in the plane of z."""
+    """Draw the poles at rest in the z plane, for the direction of each axis with least margin."""
     figure, axes = four_panels(7.4)
     circle = np.exp(1j * np.linspace(0.0, 2.0 * np.pi, 200))
     for axis, ax in zip(design.axes, axes, strict=True):
@@ -37,12 +37,12 @@ def draw_poles(design: Design) -> Figure:
 
 
 def draw_responses(design: Design) -> Figure:
-    """Draw each axis's acceleration after a push, at its gains and either side of the boundary."""
+    """Draw the acceleration of each axis after a push, at its gains and around the boundary."""
     figure, axes = four_panels(5.6)
     for axis, ax in zip(design.axes, axes, strict=True):
         loop = _loop(design, axis)
         shown = [(1.0, BLUE, "these gains")]
-        # Where the search found no boundary, neither side of it can be shown.
+        # Skip both sides if the search found no boundary.
         if axis.margins.boundary < MAX_GAIN_FACTOR:
             shown.insert(0, (0.8 * axis.margins.boundary, ORANGE, "20 % inside"))
             shown.insert(0, (1.2 * axis.margins.boundary, RED, "20 % outside"))
@@ -60,28 +60,27 @@ def draw_responses(design: Design) -> Figure:
 PLOTS: tuple[Plot[Design], ...] = (
     Plot(
         "delay_map.png",
-        "Where it is stable: frequency and delay",
-        "Green settles after a push, yellow stands still but keeps oscillating once pushed, red "
-        "oscillates by itself. In the direction that bears least.",
+        "Stability over frequency and delay",
+        "Green: settles after a push. Yellow: stable at rest, but oscillates after a push. Red: "
+        "oscillates by itself. For the direction with the smallest margin.",
         draw_delay_map,
     ),
     Plot(
         "damping_map.png",
-        "Where it is stable: frequency and damping",
-        "The same over the damping ratio, with the delay that was asked for.",
+        "Stability over frequency and damping",
+        "As above, over the damping ratio, with the requested delay.",
         draw_damping_map,
     ),
     Plot(
         "responses.png",
-        "After a push",
-        "Acceleration of the body in the model, after half the speed that a linear inverted "
-        "pendulum survives.",
+        "Response to a push",
+        "Acceleration of the body in the model, after a push of half the LIP push limit.",
         draw_responses,
     ),
     Plot(
         "poles.png",
         "Poles at rest",
-        "In the plane of z; at the gain margin a pair reaches the circle.",
+        "In the z plane; at the gain margin a pair of poles reaches the unit circle.",
         draw_poles,
     ),
 )

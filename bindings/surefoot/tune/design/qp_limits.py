@@ -1,4 +1,4 @@
-"""What the whole-body program gives of the acceleration that it is asked for."""
+"""Accelerations that the QP achieves for desired accelerations, measured on the controller."""
 
 from __future__ import annotations
 
@@ -10,13 +10,23 @@ from surefoot._core import Gains, Robot, RobotState, WholeBodyController
 Array = npt.NDArray[np.float64]
 
 GRAVITY = 9.81  # [m/s^2]
-# Asked of the program to see what it gives, in g and in g / height.
+# Desired accelerations that are measured, in g and in g / height.
 _LINEAR_LEVELS = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 4.0)
 _ANGULAR_LEVELS = (0.5, 1.0, 1.5, 2.0, 4.0, 8.0, 16.0)
 
 
 def qp_limits(robot: Robot, height: float, gains: Gains) -> list[Array]:
-    """Return for each direction what the whole-body program gives of what it is asked for."""
+    """Solve the QP of a standing robot for a range of desired accelerations.
+
+    Args:
+        robot: The robot, in its standing pose.
+        height: Height of the centre of mass above the ground [m].
+        gains: Gains of the controller.
+
+    Returns:
+        For each of DIRECTION_NAMES a table (n, 2), increasing: desired and achieved acceleration
+        [m/s^2 or rad/s^2].
+    """
     controller = WholeBodyController(robot, gains)
     state = RobotState(robot.nq, robot.nv)
     state.q = robot.q_standing()
@@ -40,7 +50,7 @@ def qp_limits(robot: Robot, height: float, gains: Gains) -> list[Array]:
                 forces = np.asarray(solution.forces)
                 pull = forces[k].sum() / robot.mass - GRAVITY * (k == 2) if k < 3 else 0.0
                 given.append(sign * (pull if k < 3 else solution.accelerations[k]))
-            # What is given never falls when more is asked: it would only slide along a limit.
+            # Keep the table from decreasing: beyond a limit, small changes only move along it.
             sides.append(np.column_stack([levels, np.maximum.accumulate(given)]))
         out.append(np.vstack([-sides[0][::-1], np.zeros((1, 2)), sides[1]]))
     return out

@@ -1,4 +1,4 @@
-"""What a number may be, said in one line."""
+"""Check of a number's range."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from surefoot._core import Error
 
 
 def check_range(name: str, value: float, low: float, high: float, unit: str = "") -> None:
-    """Raise Error unless low <= value <= high; NaN is refused too."""
+    """Raise Error unless low <= value <= high; NaN raises too."""
     if not low <= value <= high:
         unit_suffix = f" {unit}" if unit else ""
         raise Error(

@@ -1,4 +1,4 @@
-"""The report of a design: maps of where it is stable, the numbers, a page that shows them."""
+"""Report of a design: plots, summary.json and an HTML page."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from surefoot.tune.design.text import design_text
 def write_report(
     design: Design, summary: dict[str, Any], folder: Path, words: Sequence[str]
 ) -> Path:
-    """Write index.html, its pictures and summary.json; return the page to open.
+    """Write index.html, its plots and summary.json; return the path of index.html.
 
     Args:
         design: The design.
-        summary: What design_summary() made of it.
-        folder: Made if it is not there.
-        words: Of the command, without its name; shown on the page.
+        summary: Result of design_summary().
+        folder: Folder of the report, created if missing.
+        words: Arguments of the command surefoot, shown on the page.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(summary, indent=2, allow_nan=False)
@@ -42,8 +42,8 @@ def _page(design: Design, command: str) -> str:
     body = f"""<h1><span class="mark {kind}"></span>{escape(title)}</h1>
 <pre>{escape(command)}</pre>
 <section class="card"><h2>Gains and margins</h2>
-<p class="soft">Factors on kp and kd, and further delay, that it bears: at rest, without the
-joints' friction, and after a push, with it. The same is in <a href="summary.json">summary.json</a>.
-</p><pre>{escape(design_text(design))}</pre></section>
+<p class="soft">Factors on kp and kd, and additional delay, up to which the loop is stable: at rest
+without joint friction, and after a push with it. Same values as in
+<a href="summary.json">summary.json</a>.</p><pre>{escape(design_text(design))}</pre></section>
 {plots_html(PLOTS)}"""
     return page_html(title, body)

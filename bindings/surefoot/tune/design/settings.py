@@ -1,4 +1,4 @@
-"""What is asked of a design, and what may be."""
+"""Settings of a design, and their ranges."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ from surefoot.tune.design.goals import FREQUENCY_RANGE, Goal
 from surefoot.tune.design.ranges import check_range
 from surefoot.tune.design.timing import Timing, check_requested_delay
 
-# Trust in a sensor divides these of the robot's own gains.
+# Gains that are divided by trust_imu and trust_legs.
 IMU_NOISE_GAINS = ("noise_gyroscope", "noise_accelerometer", "push_time", "push_dead_band")
 LEG_NOISE_GAINS = ("noise_foot_position", "noise_foot_slip", "noise_foot_motion")
 
 
 @dataclass(frozen=True)
 class DesignSettings:
-    """What is asked for.
+    """Settings of a design.
 
     Attributes:
-        robot: Its files.
-        goals: By axis (see AXES); an axis that is not there keeps the robot's own gains.
-        timing: Rate, further delay, motor lag.
-        start: Gains that all others are taken from; None is the robot's own.
-        trust_imu: Divides the noise that is first assumed of gyroscope and accelerometer, and the
-            push observer's time and dead band.
-        trust_legs: Divides the noise that is first assumed of standing feet.
-        joint_friction_scale: Factor on the joints' friction.
+        robot: The robot's files.
+        goals: Goals by axis (see AXES); other axes keep the gains of `start`.
+        timing: Rate, additional delay and motor lag.
+        start: Gains that the design changes; None: the robot's own.
+        trust_imu: Divides the initial noise of gyroscope and accelerometer, and the time and dead
+            band of the push observer.
+        trust_legs: Divides the initial noise of stance feet.
+        joint_friction_scale: Factor on joint friction.
     """
 
     robot: RobotDescription
@@ -40,11 +40,11 @@ class DesignSettings:
     joint_friction_scale: float = 1.0
 
     def check(self) -> None:
-        """Raise Error for an axis that is none, or a number that is out of its range."""
+        """Raise Error for an unknown axis, or a number out of its range."""
         for name, goal in self.goals.items():
             if name not in AXES:
                 raise Error(f"axis: got '{name}', expected one of {', '.join(AXES)}")
             check_range(f"{name}, frequency", goal.frequency, *FREQUENCY_RANGE, "Hz")
         check_requested_delay(self.timing.rate, self.timing.delay)
-        check_range("trust in the IMU", self.trust_imu, 0.1, 10.0)
-        check_range("trust in the legs", self.trust_legs, 0.1, 10.0)
+        check_range("trust_imu", self.trust_imu, 0.1, 10.0)
+        check_range("trust_legs", self.trust_legs, 0.1, 10.0)

@@ -1,4 +1,4 @@
-"""Maps of where a design is stable: an axis over frequency and delay, and over damping."""
+"""Stability maps of a design: greatest stable frequency over delay, and over damping."""
 
 from __future__ import annotations
 
@@ -16,15 +16,13 @@ from surefoot.tune.design.margins import max_stable_frequency, spectral_radius
 from surefoot.tune.design.panels import add_legend, four_panels
 from surefoot.tune.design.timing import MAX_DELAY_PERIODS, Observers
 
-_MAX_SHOWN_DELAY = (
-    0.03  # [s] of delay shown, further than the robot's own; fewer at very fast rates
-)
+_MAX_SHOWN_DELAY = 0.03  # [s] greatest additional delay shown; less at very high rates
 _DAMPINGS = np.linspace(0.2, 1.6, 11)
-_MAX_SHOWN_FREQUENCY = 16.0  # [Hz] shown
+_MAX_SHOWN_FREQUENCY = 16.0  # [Hz] upper end of the map
 
 
 def draw_delay_map(design: Design) -> Figure:
-    """Draw for each axis the greatest stable frequency over the delay, and what was asked for."""
+    """Draw the greatest stable frequency of each axis over the delay, and the design's goal."""
     figure, axes = four_panels(5.6)
     timing = design.settings.timing
     delays = np.linspace(0.0, min(_MAX_SHOWN_DELAY, MAX_DELAY_PERIODS * timing.period), 11)
@@ -33,23 +31,23 @@ def draw_delay_map(design: Design) -> Figure:
         columns = [_max_frequencies(design, axis, delay, damping) for delay in delays]
         _fill_regions(ax, 1000.0 * delays, columns)
         delay = 1000.0 * timing.delay
-        ax.plot(delay, axis.goal.frequency, "o", color=BLUE, label="asked for")
+        ax.plot(delay, axis.goal.frequency, "o", color=BLUE, label="goal")
         ax.set_title(f"{axis.name}, damping {damping:g}")
-        ax.set_xlabel("further delay [ms]")
+        ax.set_xlabel("additional delay [ms]")
         ax.set_ylabel("frequency [Hz]")
     add_legend(figure, axes)
     return figure
 
 
 def draw_damping_map(design: Design) -> Figure:
-    """Draw for each axis the greatest stable frequency over the damping, at the design's delay."""
+    """Draw the greatest stable frequency of each axis over the damping, at the design's delay."""
     figure, axes = four_panels(5.6)
     delay = design.settings.timing.delay
     for axis, ax in zip(design.axes, axes, strict=True):
         columns = [_max_frequencies(design, axis, delay, float(zeta)) for zeta in _DAMPINGS]
         _fill_regions(ax, _DAMPINGS, columns)
-        ax.plot(axis.goal.damping, axis.goal.frequency, "o", color=BLUE, label="asked for")
-        ax.set_title(f"{axis.name}, {1000.0 * delay:g} ms of further delay")
+        ax.plot(axis.goal.damping, axis.goal.frequency, "o", color=BLUE, label="goal")
+        ax.set_title(f"{axis.name}, {1000.0 * delay:g} ms of additional delay")
         ax.set_xlabel("damping")
         ax.set_ylabel("frequency [Hz]")
     add_legend(figure, axes)
@@ -59,7 +57,7 @@ def draw_damping_map(design: Design) -> Figure:
 def _max_frequencies(
     design: Design, axis: AxisDesign, delay: float, damping: float
 ) -> tuple[float, float]:
-    """Return the greatest frequencies that are stable after a push, and at rest [Hz]."""
+    """Return the greatest frequency [Hz] that is stable after a push, and that at rest."""
     direction = design.body.directions[axis.direction]
     timing = replace(design.settings.timing, delay=float(delay))
     observers = Observers.of(design.gains)
@@ -81,7 +79,9 @@ def _fill_regions(ax: Axes, x: np.ndarray, columns: list[tuple[float, float]]) -
     pushed, rest = (np.array(side) for side in zip(*columns, strict=True))
     rest = np.maximum(rest, pushed)
     ax.fill_between(x, 0.0, pushed, color=GREEN, alpha=0.25, lw=0, label="settles")
-    ax.fill_between(x, pushed, rest, color=ORANGE, alpha=0.25, lw=0, label="rests until pushed")
+    ax.fill_between(
+        x, pushed, rest, color=ORANGE, alpha=0.25, lw=0, label="oscillates after a push"
+    )
     ax.fill_between(x, rest, _MAX_SHOWN_FREQUENCY, color=RED, alpha=0.15, lw=0, label="oscillates")
     ax.plot(x, pushed, color=GREEN)
     ax.plot(x, rest, color=RED)

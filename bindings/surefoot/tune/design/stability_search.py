@@ -1,4 +1,4 @@
-"""Where a loop that is stable first is not, along a factor or a delay."""
+"""Search for the stability limit of a loop along a factor or a delay."""
 
 from __future__ import annotations
 
@@ -10,7 +10,12 @@ from surefoot.tune.design.closed_loop import ClosedLoop
 
 
 def last_stable(unstable: Callable[[float], bool], low: float, high: float) -> tuple[float, float]:
-    """Return a stable place, from `low` on, and an unstable one 1 % above; `high` twice if none."""
+    """Search upwards from a stable `low` for the first unstable value.
+
+    Returns:
+        A stable value, and an unstable one at most 1 % above it. `high` twice if all values up to
+        `high` are stable.
+    """
     upper = low
     while not unstable(upper := 1.3 * upper):
         low = upper
@@ -23,13 +28,16 @@ def last_stable(unstable: Callable[[float], bool], low: float, high: float) -> t
 
 
 def first_unstable(unstable: Callable[[float], bool], low: float, high: float) -> float:
-    """Return where a loop that is stable at `low` first is not, to 1 %; `high` if nowhere."""
+    """Return the first unstable value above a stable `low`, to 1 %; `high` if there is none."""
     stable, not_stable = last_stable(unstable, low, high)
     return math.sqrt(stable * not_stable)
 
 
 def find_delay_margin(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) -> float:
-    """Return the delay [s] that makes a loop unstable, beyond what it has; `max_extra_delay` if none."""
+    """Return the additional delay [s] at which a loop becomes unstable.
+
+    0 if the loop is already unstable; timing.max_extra_delay if it stays stable up to that.
+    """
 
     def with_extra_delay(delay: float) -> ClosedLoop:
         timing = replace(loop.timing, delay=loop.timing.delay + delay)
@@ -39,7 +47,7 @@ def find_delay_margin(loop: ClosedLoop, unstable: Callable[[ClosedLoop], bool]) 
         return 0.0
     max_delay = loop.timing.max_extra_delay
     low, step = 0.0, min(0.001, max_delay)
-    # Upwards from nothing: with enough delay every loop is unstable, and may seem stable beyond.
+    # Search upwards from 0: beyond the first unstable delay, a loop may seem stable again.
     while not unstable(with_extra_delay(step)):
         if step >= max_delay:
             return max_delay

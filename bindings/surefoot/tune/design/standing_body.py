@@ -1,4 +1,4 @@
-"""A standing robot's directions, from its model and its controller's own program."""
+"""Computation of a standing robot's directions, from its model and the QP of its controller."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from surefoot.tune.design.qp_limits import GRAVITY, qp_limits
 from surefoot.tune.design.ranges import check_range
 
 FRICTION_SCALE_RANGE = (0.0, 10.0)
-_PUSH_SHARE = 0.5  # of the speed that a linear inverted pendulum survives
+_PUSH_SHARE = 0.5  # push in parts of the LIP push limit
 
 
 def compute_standing_body(
@@ -22,25 +22,24 @@ def compute_standing_body(
     joint_friction_scale: float = 1.0,
     gains: Gains | None = None,
 ) -> StandingBody:
-    """Compute a standing robot's directions from its model and its controller's own program.
+    """Compute the directions of a standing robot.
 
     Args:
-        description: The robot's files; joint friction is its TOML's table ``simulation``, none
-            where that is silent.
-        joint_friction_scale: Factor on friction and viscous friction of the joints.
-        gains: Whose hold_down, weights, penalties and force limits the program has; None is the
-            robot's own.
+        description: The robot's files; joint friction is in table ``simulation`` of its TOML, and
+            zero if the table lacks it.
+        joint_friction_scale: Factor on dry and viscous friction of the joints.
+        gains: Gains of the QP: hold_down, weights, penalties, force limits. None: the robot's own.
 
     Raises:
-        Error: A scale out of its range; a robot that cannot be built or has not twelve joints;
-            CasADi is missing.
+        Error: The scale is out of its range; the robot cannot be built or does not have twelve
+            joints; CasADi is missing.
     """
     check_range("joint_friction_scale", joint_friction_scale, *FRICTION_SCALE_RANGE)
     robot = build_robot(description)
     if robot.nv != 18:
         raise Error(
-            f"robot '{robot.name}': got {robot.nv - 6} joints, expected the twelve of a "
-            "StandController: the gains are its"
+            f"robot '{robot.name}': got {robot.nv - 6} joints, expected twelve, as for a "
+            "StandController"
         )
     motions = _body_motions(robot)
     joints = np.array(robot.motor_to_v)
@@ -66,7 +65,7 @@ def compute_standing_body(
             name=name,
             rotates=rotates,
             inertia=float(inertia[k, k]),
-            # Sideways the hips stick and the body rolls about them: little is slowed.
+            # Friction hardly slows y: the hips stick, and the body rolls about them.
             friction=0.0 if name == "y" else decelerations[0],
             viscous=decelerations[1],
             base_motion_ratio=base_ratio,
@@ -80,9 +79,10 @@ def compute_standing_body(
 
 
 def _body_motions(robot: Robot) -> Array:
-    """Return the motion (nv, 6) of base and joints per motion of centre of mass and base.
+    """Return the matrix (nv, 6) from the velocities (v_com, w) to v with fixed feet.
 
-    Feet stay: J_b v_b + J_l v_l = 0; of the two tasks (v_com, w) = T v_b.
+    v_com: velocity of the centre of mass; w: angular velocity of the base. Fixed feet:
+    J_b v_b + J_l v_l = 0. Task velocities: (v_com, w) = T v_b.
     """
     q = robot.q_standing()
     jacobian = np.asarray(symbolic.foot_jacobian(robot)(q))
@@ -101,7 +101,7 @@ def _joint_table(description: RobotDescription, name: str) -> list[float]:
 
 
 def _height_and_reach(robot: Robot) -> tuple[float, float]:
-    """Return the centre of mass's height and its distance to the nearest edge of support [m]."""
+    """Return height of the centre of mass, and its distance to the nearest support edge [m]."""
     q = robot.q_standing()
     com = np.asarray(symbolic.center_of_mass(robot)(q)).ravel()
     feet = np.asarray(symbolic.foot_positions(robot)(q)) - com[:, None]

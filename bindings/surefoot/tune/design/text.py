@@ -1,4 +1,4 @@
-"""A design in a few lines of text, and as a summary for JSON."""
+"""Text and JSON summary of a design."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _MARGIN_HEADER = f"{'gain':>7} {'delay':>9}   {'gain':>7} {'delay':>9}"
 
 
 def design_text(design: Design) -> str:
-    """Return gains and margins as a table, and what is thin below it."""
+    """Return gains and margins as a table, followed by warnings."""
     timing = design.settings.timing
     lines = [
-        f"{design.body.robot.name}: {timing.rate:g} Hz, {1000.0 * timing.delay:g} ms of further "
-        f"delay, motors' lag {1000.0 * timing.motor_lag:g} ms",
+        f"{design.body.robot.name}: {timing.rate:g} Hz, {1000.0 * timing.delay:g} ms of additional "
+        f"delay, motor lag {1000.0 * timing.motor_lag:g} ms",
         f"{'':56}  {'at rest':^17}   {'after a push':^17}",
         f"{_HEADER}  {_MARGIN_HEADER}",
         f"{'':9} {'Hz':>6} {'':>5} {'1/s^2':>8} {'1/s':>7}  {'Hz, damping':>12}  "
@@ -33,7 +33,7 @@ def design_text(design: Design) -> str:
 
 
 def design_summary(design: Design) -> dict[str, Any]:
-    """Return a design as plain numbers; frequencies in Hz, times in s."""
+    """Return a design as JSON values; frequencies in Hz, times in s."""
     settings = design.settings
     return {
         "robot": design.body.robot.name,
@@ -98,7 +98,7 @@ def _margin_summary(margins: Margins) -> dict[str, Any]:
 
 
 def _designed_gain_names(design: Design) -> list[str]:
-    """Return the names of all gains that the design says something of."""
+    """Return the names of the gains of all axes, and of the noise gains that the design changed."""
     own = design.settings.start or design.body.robot.config.gains
     axis_gains = [name for kp, kd, _ in AXES.values() for name in (kp, kd)]
     doubts = (*IMU_NOISE_GAINS, *LEG_NOISE_GAINS)

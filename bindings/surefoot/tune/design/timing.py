@@ -1,4 +1,4 @@
-"""When what is measured acts, and what the estimator makes of it meanwhile."""
+"""Timing of the control loop, and the observers of the estimator that affect stability."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from surefoot._core import Error, Gains
 from surefoot.tune.design.ranges import check_range
 
-# Each period of delay is a state of the model: its poles cost the cube of them.
-MAX_DELAY, MAX_DELAY_PERIODS = 0.2, 100  # [s] that may be asked for, in all and in periods
-# Beyond what is asked for; longer delay margins are not told apart.
+# Limits of the requested delay. Each period of delay is a state of the model, and the time to
+# compute its poles grows with the cube of the number of states.
+MAX_DELAY, MAX_DELAY_PERIODS = 0.2, 100  # [s] and in periods
+# Limits of the search for delay margins, beyond the requested delay: [s] and in periods.
 _MARGIN_SEARCH_DELAY, _MARGIN_SEARCH_PERIODS = 0.1, 50
 RATE_RANGE = (10.0, 10_000.0)  # [Hz]
 MOTOR_LAG_RANGE = (0.0, 0.1)  # [s]
@@ -17,13 +18,13 @@ MOTOR_LAG_RANGE = (0.0, 0.1)  # [s]
 
 @dataclass(frozen=True)
 class Timing:
-    """When what is measured acts.
+    """Rate and delays of the control loop.
 
     Attributes:
-        rate: LowStates and LowCmds per second [Hz]; each takes one period on its way.
-        delay: Further delay of commands [s]; up to what the search for margins adds to the most
-            that may be asked for (see check_requested_delay).
-        motor_lag: Time constant of the motors' torque [s].
+        rate: LowStates and LowCmds per second [Hz]; each is delayed by one period.
+        delay: Additional delay of commands [s]. It may exceed the limit of
+            check_requested_delay(), because the search for margins adds delay.
+        motor_lag: Time constant of the motor torque [s].
     """
 
     rate: float = 500.0
@@ -38,26 +39,26 @@ class Timing:
 
     @property
     def period(self) -> float:
-        """Between commands [s]."""
+        """Time between commands [s]."""
         return 1.0 / self.rate
 
     @property
     def max_extra_delay(self) -> float:
-        """More delay than this is not looked at for margins [s]."""
+        """Largest additional delay that the search for margins tries [s]."""
         periods = (MAX_DELAY_PERIODS + _MARGIN_SEARCH_PERIODS) * self.period - self.delay
         return min(_MARGIN_SEARCH_DELAY, MAX_DELAY + _MARGIN_SEARCH_DELAY - self.delay, periods)
 
 
 def check_requested_delay(
-    rate: float, delay: float, rate_name: str = "a rate of", delay_name: str = "further delay"
+    rate: float, delay: float, rate_name: str = "a rate of", delay_name: str = "additional delay"
 ) -> None:
-    """Raise Error for more delay than may be asked for.
+    """Raise Error unless the requested delay is within MAX_DELAY and MAX_DELAY_PERIODS.
 
     Args:
-        rate: Of the loop [Hz].
-        delay: Further delay of commands [s].
-        rate_name: What the rate is called in the error, an option for instance.
-        delay_name: What the delay is.
+        rate: Rate of the loop [Hz].
+        delay: Additional delay of commands [s].
+        rate_name: Name of the rate in the message, for example an option.
+        delay_name: Name of the delay in the message.
     """
     check_range(delay_name, 1000.0 * delay, 0.0, 1000.0 * MAX_DELAY, "ms")
     _check_periods(rate, delay, MAX_DELAY_PERIODS, rate_name, delay_name)
@@ -75,14 +76,14 @@ def _check_periods(
 
 @dataclass(frozen=True)
 class Observers:
-    """What the estimator lays to an outside force; see docs/estimation.md.
+    """Observers of external forces in the estimator; see docs/estimation.md.
 
     Attributes:
-        payload_time: Of the payload observer [s].
-        push_time: Of the push observer's smoothing [s].
-        push_dead_band: Acceleration that is no push [m/s^2].
-        push_max: Most that is believed [m/s^2].
-        push_resist: Share of a push that is leant against.
+        payload_time: Time constant of the payload observer [s].
+        push_time: Filter time of the push observer [s].
+        push_dead_band: Acceleration below which no push is estimated [m/s^2].
+        push_max: Largest estimated acceleration of a push [m/s^2].
+        push_resist: Share of the estimated push that the controller compensates.
     """
 
     payload_time: float
@@ -93,7 +94,7 @@ class Observers:
 
     @staticmethod
     def of(gains: Gains) -> Observers:
-        """Return those of gains."""
+        """Return the observers with the given gains."""
         return Observers(
             gains.payload_time,
             gains.push_time,

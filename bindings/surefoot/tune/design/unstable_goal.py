@@ -1,4 +1,4 @@
-"""One line on what cannot be stable, with the greatest frequency that can."""
+"""Message for a goal that cannot be stable, with the greatest stable frequency."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from surefoot.tune.design.timing import Observers, Timing
 def unstable_goal_text(
     subject: str, goal: Goal, timing: Timing, directions: Sequence[Direction], observers: Observers
 ) -> str:
-    """Say that a goal cannot be stable, and what can at its damping.
+    """Return the message for a goal that cannot be stable.
 
     Args:
-        subject: Words that the line begins with: the axis, and whether the gains are the robot's own.
-        goal: What cannot be stable.
-        timing: With which.
-        directions: Of the axis; the one that bears least counts.
-        observers: The estimator's.
+        subject: Beginning of the message: the axis, and whether the gains are the robot's own.
+        goal: The goal.
+        timing: Timing of the loop.
+        directions: Directions of the axis; the least of their stable frequencies counts.
+        observers: Observers of the estimator.
     """
     greatest = min(
         max_stable_frequency(direction, timing, observers, goal.damping) for direction in directions
     )
     return (
         f"{subject}{goal.frequency:.3g} Hz with damping {goal.damping:.3g} cannot be stable with "
-        f"{1000.0 * timing.delay:g} ms of further delay at {timing.rate:g} Hz; "
+        f"{1000.0 * timing.delay:g} ms of additional delay at {timing.rate:g} Hz; "
         f"{_range_hint(greatest, goal)}"
     )
 
@@ -37,7 +37,7 @@ def _range_hint(greatest: float, goal: Goal) -> str:
     least = FREQUENCY_SEARCH_RANGE[0]
     if greatest <= 0.0:
         return f"no frequency from {least:g} Hz up is stable at this damping"
-    # Downwards: who asks for the number that is printed must not be refused again.
+    # Round down, so that the printed frequency is stable.
     most = f"{math.floor(100.0 * greatest) / 100.0:.2f} Hz at this damping"
     if greatest >= goal.frequency:
         return f"expected {least:g} .. {most}"

@@ -1,1 +1,1 @@
-"""The live page: a robot that stands, in a browser, and everything that tunes it beside it."""
+"""The page of surefoot tune live: a standing robot and controls for its gains in a browser."""

@@ -1,4 +1,4 @@
-"""A StandRunner in a process of its own, so that no page and no browser may hold it up."""
+"""Control process: runs a StandRunner apart from the page, so that the page cannot delay it."""
 
 from __future__ import annotations
 
@@ -27,22 +27,23 @@ from surefoot.robot.loading import build_robot
 from surefoot.tune.live.controller_metrics import body_reference
 from surefoot.tune.live.metric_curves import TickMetrics
 
-STATUS_PERIOD = 0.05  # [s] in which the runner says anew how it is
-_FIRST_STATE_TIMEOUT = 1e6  # [s] a page may be opened long before the robot is switched on
+STATUS_PERIOD = 0.05  # [s] between two RunnerStatus messages
+_FIRST_STATE_TIMEOUT = 1e6  # [s]; the robot may be switched on long after the page is opened
 
 Message = tuple[str, Any]
-"""("gains", values by name), ("reference", values by axis), ("damp" | "rearm" | "stop", None)."""
+"""Message of the page: ("gains", values by name), ("reference", values by axis), or one of "damp",
+"rearm" and "stop" with None."""
 
 
 @dataclass(frozen=True)
 class RobotAddress:
-    """Where a robot is and what it speaks.
+    """Address of a robot, and the settings of its link.
 
     Attributes:
-        host: Its address.
-        port: Its UDP port.
-        generation: Of its frames.
-        power_level: Of the power protection, N x 100 W; 0 switches it off.
+        host: Address of the robot.
+        port: UDP port of the robot.
+        generation: Generation of its frames.
+        power_level: Level of the power protection, N x 100 W; 0 switches it off.
     """
 
     host: str
@@ -56,16 +57,16 @@ class RobotAddress:
 
 @dataclass(frozen=True)
 class RunnerStatus:
-    """What the runner says of itself.
+    """Status of the runner, sent to the page.
 
     Attributes:
-        phase: A RunSnapshot's: "standing" where all is well.
-        reason: Of the damping; while waiting, why what has come was not taken.
-        q: (nq,) Pinocchio's, estimated; None before the robot has spoken.
-        forces: (3, 4) that the program asks of the feet, world axes [N].
-        contact: (4,) feet that are believed to bear.
-        sample: Its numbers.
-        refused: Re-arms that were refused so far, for no LowState came.
+        phase: Phase of the RunSnapshot; "standing" in normal operation.
+        reason: Reason of the damping; while waiting, why the last datagram was rejected.
+        q: Estimated q, (nq,), Pinocchio's order; None before the first LowState.
+        forces: Contact forces of the QP, (3, 4), world axes [N].
+        contact: Feet with a contact confidence above 0.5, (4,).
+        sample: Metrics of the last tick.
+        refused: Number of refused re-arms: no LowState, or arming checks fail.
     """
 
     phase: str
@@ -78,17 +79,18 @@ class RunnerStatus:
 
 
 def run_control_process(
-    pipe: Connection, description: RobotDescription, place: RobotAddress, values: dict[str, float]
+    pipe: Connection, description: RobotDescription, address: RobotAddress, values: dict[str, float]
 ) -> None:
-    """Control the robot until the pipe says "stop" or its other end is gone; ends by damping.
+    """Control the robot until the message "stop" or until the pipe closes; then damp and end.
 
-    The first message out is "" or what went wrong; Reports follow, as long as somebody reads them.
+    Sends "" or an error text as the first message, then RunnerStatus messages while the page reads
+    them.
     """
-    # The terminal's signals are the page's, which says stop; SIGTERM is anybody's.
+    # The page handles the signals of the terminal and sends "stop". SIGTERM stops this process.
     for number in (signal.SIGINT, signal.SIGHUP, signal.SIGTSTP):
         signal.signal(number, signal.SIG_IGN)
     try:
-        runner = _make_runner(description, place, values)
+        runner = _make_runner(description, address, values)
     except Error as problem:
         pipe.send(str(problem))
         return
@@ -100,13 +102,13 @@ def run_control_process(
         while loop.is_alive() and _handle_message(pipe, runner):
             _send_status(pipe, status_from_snapshot(runner.snapshot()))
     finally:
-        runner.stop()  # what follows are damping frames
+        runner.stop()  # sends damping commands
         loop.join()
         _send_status(pipe, status_from_snapshot(runner.snapshot()))
 
 
 def status_from_snapshot(snapshot: RunSnapshot) -> RunnerStatus:
-    """Return a snapshot as what goes through a pipe."""
+    """Convert a snapshot to the message for the page."""
     known = snapshot.ticks > 0
     power = snapshot.command_power
     reason = damping_reason(snapshot) if snapshot.phase in ("damping", "ended") else ""
@@ -132,22 +134,22 @@ def status_from_snapshot(snapshot: RunSnapshot) -> RunnerStatus:
 
 
 def _make_runner(
-    description: RobotDescription, place: RobotAddress, values: dict[str, float]
+    description: RobotDescription, address: RobotAddress, values: dict[str, float]
 ) -> StandRunner:
-    options = RunOptions(power_level=place.power_level, connect_timeout=_FIRST_STATE_TIMEOUT)
-    endpoint = (place.host, place.port, place.generation)
+    options = RunOptions(power_level=address.power_level, connect_timeout=_FIRST_STATE_TIMEOUT)
+    endpoint = (address.host, address.port, address.generation)
     return StandRunner(
         build_robot(description), *endpoint, gains=gains_from_values(values), options=options
     )
 
 
 def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
-    """Wait a moment for what the page asks for, and do it; return whether to go on."""
+    """Wait up to STATUS_PERIOD for a message and handle it; return False on "stop" or no page."""
     try:
         if not pipe.poll(STATUS_PERIOD):
             return True
         word, values = pipe.recv()
-    except (EOFError, OSError):  # the page is gone
+    except (EOFError, OSError):  # the page has ended
         return False
     if word == "gains":
         runner.set_gains(gains_from_values(values))
@@ -156,7 +158,7 @@ def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
     elif word == "damp":
         runner.damp()
     elif word == "rearm":
-        # One that a fault has made sit down is armed still.
+        # After a fault made the robot sit down, it is still armed and only has to rise.
         if runner.snapshot().mode == Mode.PASSIVE:
             runner.request(Mode.RISE)
         else:
@@ -165,10 +167,10 @@ def _handle_message(pipe: Connection, runner: StandRunner) -> bool:
 
 
 def _send_status(pipe: Connection, report: RunnerStatus) -> None:
-    """Send a report if it can be sent at once: a page that hangs reads none."""
+    """Send a status if the pipe accepts it at once, so that a page that hangs blocks nothing."""
     if not select.select([], [pipe.fileno()], [], 0.0)[1]:
         return
     try:
         pipe.send(report)
-    except OSError:  # the page is gone, as the next poll says too
+    except OSError:  # the page has ended; the next poll detects it too
         return

@@ -1,4 +1,4 @@
-"""How well a controller holds its robot, from nothing but what the controller itself knows."""
+"""Metrics of a controller, computed only from its own reference and estimate."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from surefoot.geometry.rotations import Array
 
 
 def pose_errors(controller: StandController) -> tuple[float, float]:
-    """Return how far the base is from its reference, as estimated: [mm] and [deg]."""
+    """Return distance [mm] and angle [deg] of the estimated base from its reference."""
     reference, q = controller.reference, controller.state.q
     distance = 1000.0 * float(np.linalg.norm(reference.p_base - q[:3]))
-    # Of two unit quaternions the scalar product is the cosine of half the angle between them.
+    # The scalar product of two unit quaternions is the cosine of half the angle between them.
     cosine = min(1.0, abs(float(np.dot(reference.quat_world_base, q[3:7]))))
     return distance, math.degrees(2.0 * math.acos(cosine))
 
 
 def torque_ratio(tau: Array, tau_max: Array) -> float:
-    """Return the greatest share of its limit that a torque (12,) [N.m] has."""
+    """Return the greatest |tau| / tau_max of the motors; both are (12,) [N.m]."""
     return float(np.max(np.abs(tau) / tau_max))
 
 
 def body_reference(values: dict[str, float]) -> BodyReference:
-    """Return a reference of values by axis, metres and degrees."""
+    """Return a BodyReference from values by axis, in metres and degrees."""
     angles = {"roll", "pitch", "yaw"}
     return BodyReference(
         **{name: math.radians(v) if name in angles else v for name, v in values.items()}

@@ -1,4 +1,4 @@
-"""The gains that are wanted, what they were before, and two sets of them to compare."""
+"""Editor of gains, with history and two stored sets, A and B."""
 
 from __future__ import annotations
 
@@ -8,26 +8,26 @@ from collections.abc import Callable
 from surefoot._core import Gains, get_gain, set_gain
 from surefoot.robot.gain_files import changed_gains
 
-_MERGE_TIME = 1.0  # [s]; changes of one gain that follow each other faster are undone at once
-_MAX_HISTORY = 200  # sets of gains that are remembered
+_MERGE_TIME = 1.0  # [s]; changes of one gain in quicker succession are undone together
+_MAX_HISTORY = 200  # sets of gains that can be undone
 
 SLOTS = ("A", "B")
 
 
 class GainEditor:
-    """Holds gains and their history; nothing here reaches a controller by itself.
+    """Desired gains and their history; a session passes them to its controller.
 
     Args:
-        robot_gains: The robot's own gains, to which "own" goes back.
-        start: The gains to begin with; None for the robot's own.
-        check: Raises Error where gains must not go; None allows all that is valid.
-        now: The clock [s].
+        robot_gains: The robot's own gains.
+        start: Initial gains; None: the robot's own.
+        check: Raises Error for gains that are not permitted; None permits all valid gains.
+        now: Function that returns the clock [s].
 
     Attributes:
         robot_gains: The robot's own gains.
-        version: Counts every change.
-        revision: Counts changes that a slider has not made, for sliders to follow.
-        slots: Gains that were stored as A and as B.
+        version: Number of changes.
+        revision: Number of changes that no slider made, and of refused ones; sliders must follow.
+        slots: Gains stored as A and B.
     """
 
     def __init__(
@@ -48,21 +48,21 @@ class GainEditor:
 
     @property
     def gains(self) -> Gains:
-        """The gains that are wanted, a copy."""
+        """Copy of the desired gains."""
         return self._gains.__copy__()
 
     def get(self, name: str) -> float:
-        """Return a gain's value."""
+        """Return the value of a gain."""
         return get_gain(self._gains, name)
 
     def set(self, name: str, value: float) -> None:
-        """Change one gain; a slider's whole way counts as one change; raises Error."""
+        """Set one gain; undo() merges quick successive changes of one gain; raises Error."""
         gains = self.gains
         try:
             set_gain(gains, name, value)
             self._validate(gains)
         except Exception:
-            self.revision += 1  # whatever shows the value has to go back
+            self.revision += 1  # sliders must show the old value again
             raise
         if gains == self._gains:
             return
@@ -74,31 +74,31 @@ class GainEditor:
         self.version += 1
 
     def replace(self, gains: Gains) -> None:
-        """Change all gains at once; raises Error and changes nothing if one may not be."""
+        """Replace all gains; raises Error and changes nothing if one is not permitted."""
         self._validate(gains)
         self._save_history()
         self._set_gains(gains.__copy__())
 
     def undo(self) -> bool:
-        """Go back by one change; return whether there was one."""
+        """Undo the last change; return False if there is none."""
         if not self._history:
             return False
         self._set_gains(self._history.pop())
         return True
 
     def store(self, slot: str) -> None:
-        """Keep the gains as A or B."""
+        """Store the gains as A or B."""
         self.slots = {**self.slots, slot: self.gains}
 
     def use(self, slot: str) -> bool:
-        """Take the gains kept as A or B; return whether there are any; raises Error."""
+        """Use the gains stored as A or B; return False if there are none; raises Error."""
         if slot not in self.slots:
             return False
         self.replace(self.slots[slot])
         return True
 
     def changed(self) -> dict[str, tuple[float, float]]:
-        """Return gains that differ from the robot's own: own value and present value by name."""
+        """Return the gains that differ from the robot's own: (own, present) value by name."""
         return differences(self.robot_gains, self._gains)
 
     def _validate(self, gains: Gains) -> None:
@@ -116,6 +116,6 @@ class GainEditor:
 
 
 def differences(first: Gains, second: Gains) -> dict[str, tuple[float, float]]:
-    """Return the gains whose values differ: first's and second's value by name."""
+    """Return the gains that differ: (first, second) value by name."""
     changed = changed_gains(second, first)
     return {name: (get_gain(first, name), value) for name, value in changed.items()}

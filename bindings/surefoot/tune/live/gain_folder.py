@@ -1,4 +1,4 @@
-"""Gains to and from TOML files of one folder."""
+"""TOML files of gains in one folder."""
 
 from __future__ import annotations
 
@@ -9,29 +9,29 @@ from surefoot.robot.gain_files import load_gains, save_gains
 
 
 class GainFolder:
-    """Saves and loads by file name; the page reaches no other folder than this.
+    """Folder in which the page saves and loads gains; the page can access no other folder.
 
     Args:
         folder: The folder.
-        robot: Whose gains; gains that a file does not name are this robot's own.
+        robot: The robot; gains that a file does not name keep this robot's own values.
 
     Raises:
-        Error: There is no such folder.
+        Error: The folder does not exist.
     """
 
     def __init__(self, folder: str | Path, robot: Robot) -> None:
         self._folder, self._robot = Path(folder), robot
         if not self._folder.is_dir():
-            raise Error(f"--folder: got '{folder}', expected a folder that exists")
+            raise Error(f"--folder: got '{folder}', expected an existing folder")
 
     def save(self, name: str, gains: Gains, comment: str = "") -> Path:
-        """Write gains; raises Error for a name that is none, OSError if it cannot be written."""
+        """Write gains to a file; raises Error for an invalid name, OSError if writing fails."""
         path = self._path(name)
         save_gains(path, gains, self._robot.name, comment)
         return path
 
     def load(self, name: str) -> Gains:
-        """Read gains; raises Error for a name or a file that is wrong."""
+        """Read gains from a file; raises Error for an invalid name or file."""
         return load_gains(self._path(name), self._robot.config.gains)
 
     def _path(self, name: str) -> Path:
@@ -41,5 +41,7 @@ class GainFolder:
             or not file_name.endswith(".toml")
             or file_name == ".toml"
         ):
-            raise Error(f"file: got '{file_name}', expected a name such as gains.toml, no folder")
+            raise Error(
+                f"file: got '{file_name}', expected a name such as gains.toml, without folder"
+            )
         return self._folder / file_name

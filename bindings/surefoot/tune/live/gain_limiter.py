@@ -1,4 +1,4 @@
-"""How far and how fast gains may go on a robot that is not simulated here."""
+"""Limits of gains, and of their rate of change, on a robot on UDP."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ import math
 
 from surefoot._core import Error, Gains, gain_table, get_gain, set_gain
 
-RANGE_FACTOR = 2.0  # of the robot's own value, up and down
-LOG_RATE = math.log(2.0)  # [1/s] of a gain's logarithm: a second from the own value to its double
+RANGE_FACTOR = 2.0  # range: the robot's own value divided and multiplied by this
+LOG_RATE = math.log(2.0)  # [1/s] rate of a gain's logarithm: doubling a gain takes 1 s
 
 
 class GainLimiter:
-    """Ranges around a robot's own gains, and a limited speed within them.
+    """Ranges around a robot's own gains, and a limit of their rate of change.
 
-    Every gain may be between its own value divided and multiplied by a factor, and in the
-    table's range. One that is zero stays zero.
+    Each gain may lie between its own value divided and multiplied by `factor`, within the range of
+    gain_table(). A gain whose own value is zero stays zero.
 
     Args:
         robot_gains: The robot's own gains.
-        factor: Above 1.
-        rate: Greatest change of a gain's natural logarithm [1/s].
+        factor: Factor of the ranges, above 1.
+        rate: Greatest rate of a gain's natural logarithm [1/s].
     """
 
     def __init__(
@@ -40,20 +40,19 @@ class GainLimiter:
         """Raise Error naming the first gain that is out of its range."""
         for name, (low, high) in self._ranges.items():
             value = get_gain(gains, name)
-            # A file that was written with fewer digits than a number has may be off by as much.
+            # Allow for gains that a file states with fewer digits.
             slack = 1e-6 * high
             if not low - slack <= value <= high + slack:
                 raise Error(
-                    f"gain '{name}': got {value:g}, expected {low:g} to {high:g} while a robot "
-                    "stands on it"
+                    f"gain '{name}': got {value:g}, expected {low:g} to {high:g} for a robot on UDP"
                 )
 
-    def step_towards(self, present: Gains, wanted: Gains, seconds: float) -> Gains:
-        """Return the present gains, moved towards the wanted ones by what a time [s] allows."""
+    def step_towards(self, present: Gains, desired: Gains, seconds: float) -> Gains:
+        """Return `present`, moved towards `desired` as far as the rate permits in `seconds`."""
         gains = present.__copy__()
         ratio = math.exp(self._rate * seconds)
         for name in self._ranges:
-            now, target = get_gain(present, name), get_gain(wanted, name)
+            now, target = get_gain(present, name), get_gain(desired, name)
             if now != target:
                 set_gain(gains, name, min(max(target, now / ratio), now * ratio))
         return gains

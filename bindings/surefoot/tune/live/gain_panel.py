@@ -1,4 +1,4 @@
-"""Undo, A and B, files and sliders: everything about gains."""
+"""Panel of gains: undo, stored sets A and B, files, sliders."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ Post = Callable[[Callable[[], Any]], None]
 
 _UNDO, _OWN = "Undo", "Robot's own"
 _SAVE, _LOAD = "Save", "Load"
-_MAX_LISTED = 8  # gains at most that the text about changes names
+_MAX_LISTED = 8  # most gains that the text about changes lists
 
 
 class GainPanel:
-    """The part of the page that shows and changes gains.
+    """Panel that shows and changes gains.
 
     Args:
-        gui: Where to add it.
-        editor: The gains.
-        files: Where they are saved and loaded.
-        post: Has an action done by the thread that the editor belongs to.
-        notifier: Is told what was done.
-        gain_limiter: Of a robot that is not simulated; None without one.
+        gui: GUI to add the panel to.
+        editor: Editor of the gains.
+        files: Folder in which gains are saved and loaded.
+        post: Function that runs an action in the thread that owns the editor.
+        notifier: Shows what was done.
+        gain_limiter: Limits for a robot on UDP; None for a simulated robot.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class GainPanel:
         self.refresh()
 
     def refresh(self) -> None:
-        """Show the gains as they are now."""
+        """Show the present gains."""
         self._sliders.refresh()
         if self._editor.version != self._version:
             self._version = self._editor.version
@@ -78,10 +78,12 @@ class GainPanel:
         @use.on_click
         def _(_: Any) -> None:
             slot = use.value
-            post(lambda: self._notify_unless(editor.use(slot), f"nothing was kept as {slot} yet"))
+            post(
+                lambda: self._notify_unless(editor.use(slot), f"no gains are stored as {slot} yet")
+            )
 
     def _add_files(self) -> None:
-        name = self._gui.add_text("file", "gains.toml", hint="in the folder of --folder")
+        name = self._gui.add_text("file", "gains.toml", hint="in the folder --folder")
         buttons = self._gui.add_button_group("", (_SAVE, _LOAD))
 
         @buttons.on_click
@@ -91,24 +93,24 @@ class GainPanel:
 
     def _store(self, slot: str) -> None:
         self._editor.store(slot)
-        self._notifier.tell(f"kept as {slot}")
-        self._version = -1  # the text names what is kept
+        self._notifier.show_done(f"stored as {slot}")
+        self._version = -1  # refresh() then updates the text, which compares A and B
 
     def _save(self, name: str) -> None:
         path = self._files.save(name, self._editor.gains, "Found with surefoot tune live.")
-        self._notifier.tell(f"saved to {path}")
+        self._notifier.show_done(f"saved to {path}")
 
     def _load(self, name: str) -> None:
         self._editor.replace(self._files.load(name))
-        self._notifier.tell(f"loaded {name}")
+        self._notifier.show_done(f"loaded {name}")
 
     def _notify_unless(self, done: bool, failure_text: str) -> None:
         if not done:
-            self._notifier.complain(failure_text)
+            self._notifier.show_error(failure_text)
 
 
 def changes_text(editor: GainEditor) -> str:
-    """Return what differs from the robot's own gains, and B from A, as Markdown."""
+    """Return the differences from the robot's own gains, and between A and B, as Markdown."""
     changed = editor.changed()
     lines = [_listing("changed", changed)] if changed else ["The robot's own gains."]
     if len(editor.slots) == len(SLOTS):

@@ -1,4 +1,4 @@
-"""A slider for every gain, in folders by what the gain belongs to."""
+"""Sliders for all gains, in one folder per group."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from surefoot.tune.live.gain_editor import GainEditor
 from surefoot.tune.live.gain_limiter import GainLimiter
 from surefoot.tune.live.slider_range import ZOOMS, SliderRange, rounded_range, slider_range
 
-_EXPANDED_GROUP = "Body"  # the group whose folder is not folded up
+_EXPANDED_GROUP = "Body"  # group whose folder is open at first
 _INITIAL_ZOOM = "x 4"
 
 
 class GainSliders:
-    """Shows an editor's gains and takes changes to it.
+    """Sliders that show and change the gains of an editor.
 
     Args:
-        gui: Where to add them.
-        editor: The gains.
-        post: Has an action done by the thread that the editor belongs to.
-        gain_limiter: Ranges that gains must stay in; None for those of a zoom that can be chosen.
+        gui: GUI to add the sliders to.
+        editor: Editor of the gains.
+        post: Function that runs an action in the thread that owns the editor.
+        gain_limiter: Ranges of the sliders; None: ranges by a zoom that the user chooses.
     """
 
     def __init__(
@@ -33,7 +33,7 @@ class GainSliders:
         post: Callable[[Callable[[], Any]], None],
         gain_limiter: GainLimiter | None = None,
     ) -> None:
-        self._gui, self._editor, self._post, self._guard = gui, editor, post, gain_limiter
+        self._gui, self._editor, self._post, self._gain_limiter = gui, editor, post, gain_limiter
         self._revision = editor.revision
         self._zoom = ZOOMS[_INITIAL_ZOOM]
         if gain_limiter is None:
@@ -48,7 +48,7 @@ class GainSliders:
                     self._sliders[info.name] = self._add_slider(info)
 
     def refresh(self) -> None:
-        """Follow changes that were not made here: undo, a file, A or B, a refusal."""
+        """Update the sliders after a change that they did not make: undo, file, A or B, refusal."""
         if self._editor.revision == self._revision:
             return
         self._revision = self._editor.revision
@@ -58,7 +58,7 @@ class GainSliders:
             _set_slider(self._sliders[info.name], value)
 
     def _add_zoom(self) -> None:
-        hint = "how far sliders reach, in multiples of the robot's own gains"
+        hint = "upper end of the sliders, in multiples of the robot's own gains"
         choice = self._gui.add_dropdown(
             "slider reach", tuple(ZOOMS), initial_value=_INITIAL_ZOOM, hint=hint
         )
@@ -87,7 +87,7 @@ class GainSliders:
 
         @slider.on_update
         def _(event: Any) -> None:
-            if event.client is not None:  # else it is refresh() that moved it
+            if event.client is not None:  # None if refresh() moved the slider
                 new_value = round(float(slider.value), 9)
                 self._post(lambda: self._editor.set(info.name, new_value))
 
@@ -102,11 +102,11 @@ class GainSliders:
         slider.step, slider.precision = span.step, span.digits
 
     def _range(self, info: GainInfo, value: float) -> SliderRange:
-        if self._guard is not None:
-            return rounded_range(*self._guard.limits(info.name), value)
+        if self._gain_limiter is not None:
+            return rounded_range(*self._gain_limiter.limits(info.name), value)
         return slider_range(info, get_gain(self._editor.robot_gains, info.name), value, self._zoom)
 
 
 def _set_slider(slider: Any, value: float) -> None:
-    # A mypy of viser's own handles takes `value` for read-only; it is not.
+    # `slider` is Any because viser's type annotations declare `value` read-only; it is not.
     slider.value = value

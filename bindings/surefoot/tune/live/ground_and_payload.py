@@ -1,4 +1,4 @@
-"""The ground that the robot stands on, and the load that it carries."""
+"""Ground and payload in the 3D scene."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from surefoot.geometry.rotations import Array
 from surefoot.tune.live.scene_state import SceneState
 
 _ORANGE = (217, 140, 51)
-_DENSITY = 1000.0  # [kg/m^3], as the simulated payload
+_DENSITY = 1000.0  # [kg/m^3], as that of the simulated payload
 
 
 class GroundAndPayload:
-    """Draws ground and payload.
+    """Drawing of ground and payload.
 
     Args:
         server: The server.
-        base: Name of the node that the payload moves with.
-        size: Of the robot [m].
+        base: Name of the scene node that the payload is attached to.
+        size: Size of the robot [m].
     """
 
     def __init__(self, server: viser.ViserServer, base: str, size: float) -> None:
@@ -38,7 +38,7 @@ class GroundAndPayload:
         self._payload_box = self._box(0.0)
 
     def show(self, scene_state: SceneState) -> None:
-        """Draw what has changed."""
+        """Redraw ground and payload if they have changed."""
         if not np.array_equal(scene_state.ground, self._ground):
             self._ground = self._grid.wxyz = scene_state.ground.copy()
         if scene_state.payload_kg != self._payload_kg:

@@ -1,4 +1,4 @@
-"""Damp and re-arm: the controls of a robot that is not simulated here."""
+"""Controls of a robot on UDP: damp and re-arm."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ from surefoot.tune.live.udp_session import UdpSession
 def add_link_panel(
     gui: viser.GuiApi, robot: UdpSession, reset_reference: Callable[[], Any]
 ) -> None:
-    """Add the controls; they go straight to the robot, whatever else the page is at.
+    """Add the controls. They act in the GUI's thread and do not wait for the session's thread.
 
     Args:
-        gui: Where to.
+        gui: GUI to add the controls to.
         robot: The robot.
-        reset_reference: Is called before a re-arm, which forgets the body reference.
+        reset_reference: Function that zeroes the reference sliders; called before a re-arm, which
+            resets the body reference.
     """
-    damp = gui.add_button("Damp", color="red", hint="the motors brake, and stay so")
+    damp = gui.add_button("Damp", color="red", hint="the motors damp until Re-arm")
     damp.on_click(lambda _: robot.damp())
-    rearm = gui.add_button("Re-arm", hint="stand again from where it is")
+    rearm = gui.add_button("Re-arm", hint="stand again from the present pose")
 
     @rearm.on_click
     def _(_: Any) -> None:
@@ -31,6 +32,6 @@ def add_link_panel(
         robot.rearm()
 
     gui.add_markdown(
-        f"_Gains move between 1/{RANGE_FACTOR:g} and {RANGE_FACTOR:g} times the robot's own, and take a second "
-        "for either._"
+        f"_Gains stay between 1/{RANGE_FACTOR:g} and {RANGE_FACTOR:g} times the robot's own; "
+        "a change by that factor takes 1 s._"
     )

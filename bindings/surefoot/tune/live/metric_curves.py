@@ -1,4 +1,4 @@
-"""What the plots show: the last seconds of a few numbers, with no peak left out."""
+"""Data of the plots: maxima of the metrics over the last seconds."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ import numpy as np
 
 from surefoot.geometry.rotations import Array
 
-HISTORY_TIME = 10.0  # [s] that is kept
-BUCKET_TIME = 0.04  # [s] that becomes one point
+HISTORY_TIME = 10.0  # [s] time that is kept
+BUCKET_TIME = 0.04  # [s] time per plotted point
 
 
 class TickMetrics(NamedTuple):
-    """One control period in numbers.
+    """Metrics of one control period.
 
     Attributes:
-        position_error: Distance of the base from where it should be, as estimated [mm].
-        angle_error: Angle between its attitude and the one it should have, as estimated [deg].
-        torque_ratio: Greatest share of its limit that a motor's torque has.
-        power: Sum of |torque times velocity| that the command takes [W].
+        position_error: Distance of the estimated base from its reference position [mm].
+        angle_error: Angle of the estimated base from its reference orientation [deg].
+        torque_ratio: Greatest |torque| / torque limit of the motors.
+        power: Sum of |torque * velocity| of the command [W].
         tick_us: Time from LowState to LowCmd [us].
     """
 
@@ -32,7 +32,7 @@ class TickMetrics(NamedTuple):
 
 
 class Curves:
-    """Keeps the greatest of each number in every 40 ms of the last 10 s."""
+    """Maximum of each metric in every 40 ms of the last 10 s, so that no peak is lost."""
 
     def __init__(self) -> None:
         self._rows: deque[tuple[float, ...]] = deque(maxlen=round(HISTORY_TIME / BUCKET_TIME))
@@ -40,7 +40,7 @@ class Curves:
         self._bucket_end = BUCKET_TIME
 
     def add(self, time: float, sample: TickMetrics) -> None:
-        """Add a control period that began at a time [s]; time never runs backwards."""
+        """Add the metrics of a control period at a time [s]; times must not decrease."""
         row = np.array(sample)
         self._bucket_max = row if self._bucket_max is None else np.maximum(self._bucket_max, row)
         if time >= self._bucket_end - 1e-9:
@@ -49,7 +49,7 @@ class Curves:
             self._bucket_end = time + BUCKET_TIME
 
     def arrays(self) -> tuple[Array, ...]:
-        """Return time [s] and each number of Sample, (n,) each."""
+        """Return time [s] and each field of TickMetrics, (n,) each."""
         rows = (
             np.array(list(self._rows))
             if self._rows

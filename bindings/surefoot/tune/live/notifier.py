@@ -1,4 +1,4 @@
-"""What the page says when something could not be done, or was."""
+"""Notifications of the page."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import viser
 
 
 class Notifier:
-    """Shows a line in every browser that is connected.
+    """Sender of notifications to all connected browsers.
 
     Args:
         server: The server.
@@ -17,12 +17,12 @@ class Notifier:
     def __init__(self, server: viser.ViserServer) -> None:
         self._server = server
 
-    def complain(self, text: str) -> None:
-        """Say what was wrong."""
+    def show_error(self, text: str) -> None:
+        """Show an error."""
         self._show("Not done", text, "red")
 
-    def tell(self, text: str) -> None:
-        """Say what was done."""
+    def show_done(self, text: str) -> None:
+        """Show what was done."""
         self._show("Done", text, "green")
 
     def _show(self, title: str, text: str, colour: Literal["red", "green"]) -> None:

@@ -1,4 +1,4 @@
-"""The whole page: scene, plots and panels over a session, and the thread that refreshes them."""
+"""The page: scene, plots and panels of a session, and the thread that refreshes them."""
 
 from __future__ import annotations
 
@@ -24,24 +24,24 @@ from surefoot.tune.live.time_panel import add_time_panel
 from surefoot.tune.live.udp_session import UdpSession
 from surefoot.tune.live.world_panel import add_world_panel
 
-FRAME_PERIOD = 1.0 / 30.0  # [s] between pictures
-_PLOT_EVERY, _TEXT_EVERY = 3, 8  # frames
-_RETRY_TIME = 1.0  # [s] until the next picture
+FRAME_PERIOD = 1.0 / 30.0  # [s] between frames
+_PLOT_EVERY, _TEXT_EVERY = 3, 8  # frames between refreshes of plots and of texts
+_RETRY_TIME = 1.0  # [s] until the next frame after an error
 _PLOT_WIDTH, _PANEL_WIDTH = 330, 400  # [pixels]
 
 
 class Page:
-    """Serves a session.
+    """Page that shows and controls a session.
 
     Args:
-        server: An empty server.
-        session: The robot; its time passes in a thread of the page's.
-        files: Where gains are saved and loaded.
-        plain: Without shadows and reflections, for browsers without a graphics card.
+        server: Server without content.
+        session: The robot; a thread of the page ticks it.
+        files: Folder in which gains are saved and loaded.
+        plain: No shadows and reflections, for computers without a GPU.
 
     Attributes:
-        loop: The thread that ticks the session.
-        frames_per_second: Pictures sent in the last second.
+        loop: Thread that ticks the session.
+        frames_per_second: Frames sent in the last second.
     """
 
     def __init__(
@@ -53,7 +53,7 @@ class Page:
     ) -> None:
         self._server, self._session = server, session
         self.notifier = Notifier(server)
-        self.loop = SessionThread(session, self.notifier.complain)
+        self.loop = SessionThread(session, self.notifier.show_error)
         self.frames_per_second = 0.0
         self._stop_event = threading.Event()
         self._draw_thread = threading.Thread(target=self._draw, name="surefoot page", daemon=True)
@@ -81,7 +81,7 @@ class Page:
         self._plots = self._add_plots()
 
     def start(self) -> None:
-        """Let time pass and draw."""
+        """Start both threads: session and drawing."""
         self.loop.start()
         self._draw_thread.start()
 
@@ -89,10 +89,10 @@ class Page:
         """Raise Error if a thread of the page has ended by itself."""
         for thread in (self.loop, self._draw_thread):
             if not thread.is_alive():
-                raise Error(f"the thread '{thread.name}' has ended; the page is dead")
+                raise Error(f"thread '{thread.name}' has ended: start surefoot tune live again")
 
     def stop(self) -> None:
-        """End both threads, let go of the robot and close the server."""
+        """End both threads, close the session and close the server."""
         self._stop_event.set()
         self._draw_thread.join()
         self.loop.stop()
@@ -110,7 +110,7 @@ class Page:
             return PushPanel(gui, session, post, self.notifier)
 
     def _add_view_controls(self, plain: bool) -> None:
-        hint = "no shadows and reflections, for a computer without a graphics card"
+        hint = "no shadows and reflections, for a computer without a GPU"
         box = self._server.gui.add_checkbox("plain light", plain, hint=hint)
         box.on_update(lambda _: self._scene.set_plain(box.value))
         self._scene.set_plain(plain)
@@ -134,8 +134,8 @@ class Page:
             count, window_frames = count + 1, window_frames + 1
             try:
                 self._refresh(count)
-            except Exception as problem:  # a picture that fails must not be the last
-                self.notifier.complain(f"{type(problem).__name__}: {problem}")
+            except Exception as problem:  # a failed frame must not end the thread
+                self.notifier.show_error(f"{type(problem).__name__}: {problem}")
                 if self._stop_event.wait(_RETRY_TIME):
                     break
             now = time.monotonic()

@@ -1,4 +1,4 @@
-"""The last seconds in four plots."""
+"""Four plots of the metrics of the last seconds."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from viser import uplot
 
 from surefoot.tune.live.metric_curves import Curves, TickMetrics
 
-_HEIGHT = 122  # [pixels] of a plot
+_HEIGHT = 122  # [pixels] height of a plot
 _BLUE, _ORANGE = "#2563eb", "#ea580c"
 
 
 class _Plot(NamedTuple):
     title: str
-    curves: dict[str, str]  # fields of Sample, and what the legend calls them
+    curves: dict[str, str]  # field of TickMetrics: label in the legend
 
 
 _PLOTS = (
@@ -27,11 +27,11 @@ _PLOTS = (
 
 
 class Plots:
-    """Draws Curves.
+    """Plots of Curves.
 
     Args:
-        gui: Where to add the plots.
-        curves: What to draw.
+        gui: GUI to add the plots to.
+        curves: Data of the plots.
     """
 
     def __init__(self, gui: viser.GuiApi, curves: Curves) -> None:
@@ -42,7 +42,7 @@ class Plots:
                 (arrays["time"], *(arrays[name] for name in plot.curves)),
                 _series(plot),
                 title=plot.title,
-                scales={"x": uplot.Scale(time=False)},  # else uPlot takes seconds for a date
+                scales={"x": uplot.Scale(time=False)},  # seconds, not dates
                 axes=_axes(plot),
                 legend=uplot.Legend(show=len(plot.curves) > 1),
                 cursor=uplot.Cursor(show=False),
@@ -53,7 +53,7 @@ class Plots:
         ]
 
     def refresh(self) -> None:
-        """Draw what is new."""
+        """Update the plots with the present data."""
         arrays = dict(zip(("time", *TickMetrics._fields), self._curves.arrays(), strict=True))
         for plot, handle in zip(_PLOTS, self._handles, strict=True):
             handle.data = (arrays["time"], *(arrays[name] for name in plot.curves))

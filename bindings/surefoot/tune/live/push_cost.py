@@ -1,4 +1,4 @@
-"""The same push on two sets of gains, one after the other, aside from what the page shows."""
+"""Cost of a push for a set of gains, in a separate simulation."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ _STAND_TIME = 1.0  # [s] of standing before the push
 def push_cost(
     description: RobotDescription, world: World, gains: Gains, degrees: float, percent: float
 ) -> Cost:
-    """Return what a push costs a robot that stands on these gains.
+    """Simulate a push on a standing robot and return its cost.
 
     Args:
         description: The robot's files.
-        world: Where it stands.
-        gains: What it stands on.
-        degrees: Of the push, from forward towards left [deg].
-        percent: Of what the linear inverted pendulum survives.
+        world: World of the simulation.
+        gains: Gains of the controller.
+        degrees: Direction of the push, from forward towards left [deg].
+        percent: Impulse in percent of the LIP push limit.
 
     Raises:
-        Error: The robot cannot stand there.
+        Error: The robot cannot stand in this world.
     """
     simulation = Simulation(description, gains, world)
     for _ in range(round(_STAND_TIME / simulation.period)):
@@ -33,5 +33,5 @@ def push_cost(
     simulation.push(degrees, percent)
     for _ in range(round(SCORE_TIME / simulation.period)):
         simulation.tick()
-    assert simulation.score.last_cost is not None  # its time is over
+    assert simulation.score.last_cost is not None  # SCORE_TIME has passed
     return simulation.score.last_cost

@@ -1,4 +1,4 @@
-"""Pushes and what they cost: one on the robot that is shown, or one on each of A and B."""
+"""Panel of pushes: push the shown robot, or compare the costs of a push with A and B."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _DIRECTION_MARKS = ((-180, "back"), (-90, "right"), (0, "ahead"), (90, "left"), 
 
 
 class PushPanel:
-    """The part of the page that pushes.
+    """Panel that pushes the simulated robot and shows the cost.
 
     Args:
-        gui: Where to add it.
-        simulation: Whose robot is pushed.
-        post: Has an action done by the thread that the simulation belongs to.
-        notifier: Is told what cannot be done.
+        gui: GUI to add the panel to.
+        simulation: The simulated robot.
+        post: Function that runs an action in the thread that owns the simulation.
+        notifier: Shows errors.
     """
 
     def __init__(
@@ -40,11 +40,13 @@ class PushPanel:
         self._direction = gui.add_slider(
             "direction [deg]", -180.0, 180.0, 5.0, 90.0, marks=_DIRECTION_MARKS, hint=hint
         )
-        hint = "of what a linear inverted pendulum survives with its feet where they are"
+        hint = "impulse in percent of the LIP push limit with the present feet"
         self._strength = gui.add_slider("strength [%]", 0.0, 150.0, 5.0, 50.0, hint=hint)
         push = gui.add_button("Push", color="red", icon=viser.Icon.HAND_STOP)
         push.on_click(lambda _: post(self._push))
-        compare = gui.add_button("Compare A and B", hint="this push on either, from a fresh stand")
+        compare = gui.add_button(
+            "Compare A and B", hint="this push with A and with B, each in a new simulation"
+        )
         compare.on_click(lambda _: self._compare())
         self._text = gui.add_markdown("")
 
@@ -55,7 +57,8 @@ class PushPanel:
             lines.append(f"Score in {score.seconds_left:.0f} s.")
         elif score.last_cost is not None:
             lines.append(
-                f"**Score {score.last_cost.value:.2f}** (lower is better): {_terms(score.last_cost)}"
+                f"**Score {score.last_cost.value:.2f}** (lower is better): "
+                f"{_terms(score.last_cost)}"
             )
         text = "\n\n".join(line for line in (*lines, self._comparison) if line)
         if text != self._text.content:
@@ -69,7 +72,7 @@ class PushPanel:
         simulation, slots = self._simulation, self._simulation.editor.slots
         missing = [slot for slot in SLOTS if slot not in slots]
         if missing:
-            self._notifier.complain(f"nothing was kept as {' and '.join(missing)} yet")
+            self._notifier.show_error(f"no gains are stored as {' and '.join(missing)} yet")
             return
         push = self._direction.value, self._strength.value
         self._comparison = "Comparing A and B ..."
@@ -80,13 +83,13 @@ class PushPanel:
             }
         except Error as problem:
             self._comparison = ""
-            self._notifier.complain(str(problem))
+            self._notifier.show_error(str(problem))
             return
         self._comparison = comparison_text(costs)
 
 
 def comparison_text(costs: dict[str, Cost]) -> str:
-    """Return scores and their terms side by side, as a Markdown table."""
+    """Return the costs and their terms as a Markdown table, one column per set of gains."""
     names = next(iter(costs.values())).terms
     rows = [("score", [cost.value for cost in costs.values()])]
     rows += [(name, [cost.terms[name] for cost in costs.values()]) for name in names]

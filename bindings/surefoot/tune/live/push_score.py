@@ -1,4 +1,4 @@
-"""What a push did to the robot, in one number and its terms."""
+"""Score of the last push: the cost of the three seconds after it begins."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from surefoot.sim import Plant
 from surefoot.tune.cost import Cost, cost
 from surefoot.tune.trace import Trace
 
-SCORE_TIME = 3.0  # after the push begins
+SCORE_TIME = 3.0  # [s] after the push begins
 
 
 class PushScore:
-    """Judges the three seconds from the beginning of the last push on.
+    """Recorder that computes the cost of the last push.
 
     Args:
         plant: The plant that is pushed.
 
     Attributes:
-        last_cost: Of the last push whose three seconds are over; None before.
+        last_cost: Cost of the last push whose three seconds are over; None before.
     """
 
     def __init__(self, plant: Plant) -> None:
@@ -27,16 +27,16 @@ class PushScore:
 
     @property
     def seconds_left(self) -> float:
-        """Time until the push that is being judged has its score [s]; 0 if there is none."""
+        """Time until the running score is complete [s]; 0 if none is running."""
         return SCORE_TIME * self._ticks_left / self._ticks
 
     def begin(self) -> None:
-        """A push begins."""
+        """Start a new score; call when a push begins."""
         self._trace.clear()
         self._ticks_left = self._ticks
 
     def record(self) -> None:
-        """A control period has passed."""
+        """Record a control period; call after each tick."""
         if self._ticks_left == 0:
             return
         self._trace.record()

@@ -1,4 +1,4 @@
-"""Where the body is asked to be: six sliders."""
+"""Sliders of the body reference."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ def add_reference_panel(
 ) -> Callable[[], None]:
     """Add a slider for every axis of the body reference, and a button that zeroes them.
 
-    Returns:
-        What zeroes them.
-
     Args:
-        gui: Where to.
-        session: Whose body moves.
-        post: Has an action done by the thread that the session belongs to.
+        gui: GUI to add the sliders to.
+        session: Session that receives the reference.
+        post: Function that runs an action in the thread that owns the session.
+
+    Returns:
+        Function that zeroes the sliders.
     """
-    hint = "from the pose that was latched; limited where gain reach_... says"
+    hint = "relative to the latched pose; limited by the gains reach_..."
     sliders: dict[str, Any] = {
         axis: gui.add_slider(f"{axis} [{unit}]", low, high, _STEPS[unit], 0.0, hint=hint)
         for axis, (unit, low, high) in REFERENCE_RANGES.items()

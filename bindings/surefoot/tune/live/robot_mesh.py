@@ -1,4 +1,4 @@
-"""What a robot looks like: triangles for every body that moves, from its MuJoCo model."""
+"""Triangle meshes of a robot's bodies, from its MuJoCo model with visuals."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ Colour = tuple[int, int, int]
 
 @dataclass(frozen=True)
 class BodyMesh:
-    """Triangles of one colour that move as one.
+    """Mesh of one colour, fixed to one body.
 
     Attributes:
-        body: Of the MuJoCo model.
-        vertices: (n, 3) in the body's frame [m].
-        faces: (k, 3).
+        body: Index of the body in the MuJoCo model.
+        vertices: Vertices (n, 3) in the body's frame [m].
+        faces: Vertex indices of the triangles (k, 3).
         colour: Red, green, blue, 0 .. 255.
     """
 
@@ -32,9 +32,9 @@ class BodyMesh:
 
 
 def body_meshes(model: mujoco.MjModel) -> list[BodyMesh]:
-    """Return all that is to be seen of a model with visuals, but not its ground.
+    """Return the meshes of all visible geoms of a model, without the ground.
 
-    Bodies that are welded to one another become one, so that few poses have to be sent.
+    Bodies welded together share one frame, so that fewer poses are sent to the browser.
     """
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -55,7 +55,7 @@ def body_meshes(model: mujoco.MjModel) -> list[BodyMesh]:
 
 
 def _geom_mesh(model: mujoco.MjModel, geom: int) -> tuple[Array, Faces]:
-    """Return a geom's triangles in its own frame."""
+    """Return the triangles of a geom in the geom's frame."""
     kind, size = int(model.geom_type[geom]), model.geom_size[geom]
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
         mesh = int(model.geom_dataid[geom])
@@ -79,7 +79,7 @@ def _merge_meshes(shapes: list[tuple[Array, Faces]]) -> tuple[Array, Faces]:
 
 
 def _sphere(radius: float, rings: int = 8, sectors: int = 12) -> tuple[Array, Faces]:
-    """Return a sphere of circles of latitude, each pole as many coinciding vertices."""
+    """Return a sphere as a latitude-longitude grid; each pole has `sectors` equal vertices."""
     polar = np.linspace(0.0, np.pi, rings + 1)[:, None]
     around = np.linspace(0.0, 2.0 * np.pi, sectors, endpoint=False)[None, :]
     grid = [np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around)]
@@ -92,10 +92,10 @@ def _sphere(radius: float, rings: int = 8, sectors: int = 12) -> tuple[Array, Fa
 
 
 def _box(size: Array) -> tuple[Array, Faces]:
-    """Return a box of half sizes (3,); other primitives are drawn as the box of their sizes."""
+    """Return a box with half sizes (3,); other primitives are drawn as a box of their sizes."""
     half = np.where(size > 0.0, size, size[size > 0.0].min())
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * half
-    # Two triangles a side, counter-clockwise seen from outside; corner 4 x + 2 y + z.
+    # Two triangles per side, counter-clockwise seen from outside; corner index 4 x + 2 y + z.
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     faces = [face for a, b, c, d in sides for face in ((a, b, c), (a, c, d))]
     return corners, np.array(faces, dtype=np.int64)

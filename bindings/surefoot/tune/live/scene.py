@@ -1,4 +1,4 @@
-"""The robot in 3D: its bodies, the forces under its feet, the support polygon, pushes."""
+"""3D scene: robot, contact forces, support polygon, pushes."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ FORCE_GREEN, PUSH_RED = (38, 158, 82), (219, 31, 31)
 _MIN_DISPLACEMENT, _MIN_ROTATION = (
     2e-5,
     1e-5,
-)  # [m] and of a quaternion's numbers: less than a pixel
-_REFLECTION_INTENSITY = 0.4  # intensity of the surroundings that the robot reflects
-_AMBIENT_INTENSITY = 1.2  # intensity of the light that is everywhere, where nothing is reflected
-_MIN_ARROW_FORCE = 1.0  # [N] that has an arrow
+)  # [m] and quaternion components: less than a pixel
+_REFLECTION_INTENSITY = 0.4  # intensity of the environment map
+_AMBIENT_INTENSITY = 1.2  # intensity of the ambient light, used without environment map
+_MIN_ARROW_FORCE = 1.0  # [N] least force with an arrow
 
 
 class Scene:
-    """Draws Views of one robot in a viser server.
+    """Drawing of one robot's SceneState in a viser server.
 
     Args:
         server: The server.
@@ -40,7 +40,7 @@ class Scene:
         self._model = build_model(robot, description, PlantSettings(), visuals=True)
         self._data = mujoco.MjData(self._model)
         self._weight = 9.81 * float(np.sum(self._model.body_mass))
-        self._size = (self._weight / 9.81) ** (1 / 3) / 8.0  # [m]; all that is drawn scales with it
+        self._size = (self._weight / 9.81) ** (1 / 3) / 8.0  # [m]; scale of all drawn objects
         self._frames = self._add_robot()
         self._ground_and_payload = GroundAndPayload(server, self._base_name, self._size)
         self._support_polygon = SupportPolygon(server, self._size)
@@ -51,7 +51,7 @@ class Scene:
         self._aim_camera()
 
     def show(self, scene_state: SceneState) -> None:
-        """Draw an instant; only what has moved is sent."""
+        """Draw a state; only poses that changed visibly are sent."""
         self._data.qpos[:] = scene_state.qpos
         mujoco.mj_kinematics(self._model, self._data)
         with self._server.atomic():
@@ -66,7 +66,7 @@ class Scene:
             self._show_forces(scene_state)
 
     def set_plain(self, plain: bool) -> None:
-        """Leave out shadows and reflections: without a graphics card they take most of the time."""
+        """Switch shadows and reflections off or on: without a GPU they take most of the time."""
         self._server.scene.configure_default_lights(True, cast_shadow=not plain)
         self._server.scene.configure_environment_map(
             None if plain else "warehouse", environment_intensity=_REFLECTION_INTENSITY
@@ -89,12 +89,12 @@ class Scene:
         return frames
 
     def _show_forces(self, scene_state: SceneState) -> None:
-        metres_per_newton = 2.0 * self._size / self._weight  # a newton's length
+        metres_per_newton = 2.0 * self._size / self._weight  # length of an arrow per newton
         loaded = np.linalg.norm(scene_state.forces, axis=1) > _MIN_ARROW_FORCE
         starts, colours = scene_state.contact_points[loaded], [FORCE_GREEN] * int(loaded.sum())
         ends = starts + metres_per_newton * scene_state.forces[loaded]
         if scene_state.push is not None:
-            # The arrow's tip is where the force acts, moved out of the trunk.
+            # The tip of the arrow is at the point of attack, moved out of the trunk.
             force, point = scene_state.push
             tip = point - 0.3 * self._size * force / np.linalg.norm(force)
             starts, ends = (

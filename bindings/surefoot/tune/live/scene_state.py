@@ -1,4 +1,4 @@
-"""One instant of a robot as the scene draws it."""
+"""State of a robot and its surroundings, for drawing."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from surefoot.geometry.rotations import Array
 
 @dataclass(frozen=True)
 class SceneState:
-    """A robot on its ground, world axes; feet run FR FL RR RL.
+    """State to draw, in world axes; feet are ordered FR FL RR RL.
 
     Attributes:
-        qpos: MuJoCo's positions.
-        contact_points: (4, 3) of the soles, whether or not they touch [m].
-        forces: (4, 3) ground on foot [N].
-        contact: (4,) which feet bear.
-        com: (3,) centre of mass [m].
-        ground: (4,) attitude of the ground, w x y z, ground to world.
-        fell: Whether the robot has fallen.
-        payload_kg: Mass on the trunk that is to be seen [kg].
-        push: Force (3,) [N] and where it acts (3,) [m], or None.
+        qpos: MuJoCo's generalised positions.
+        contact_points: Lowest points of the feet (4, 3), also without contact [m].
+        forces: Forces of the ground on the feet (4, 3) [N].
+        contact: True for each loaded foot (4,).
+        com: Centre of mass (3,) [m].
+        ground: Orientation of the ground, w x y z, ground to world (4,).
+        fell: True if the robot has fallen.
+        payload_kg: Payload on the trunk [kg].
+        push: Force (3,) [N] and its point of attack (3,) [m], or None.
     """
 
     qpos: Array

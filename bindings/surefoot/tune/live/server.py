@@ -1,4 +1,4 @@
-"""The web server of the page: its address is checked before anything is served."""
+"""Web server of the page, with a check of its address."""
 
 from __future__ import annotations
 
@@ -18,47 +18,47 @@ from surefoot._core import Error
 
 
 def open_server(host: str, port: int, title: str) -> viser.ViserServer:
-    """Serve an empty page.
+    """Start a server with an empty page.
 
     Args:
         host: Address of this machine to listen on.
-        port: 0 .. 65535; 0 lets the system choose.
-        title: Of the panel.
+        port: TCP port, 0 .. 65535; 0 lets the system choose.
+        title: Title of the panel.
 
     Raises:
-        Error: No such port, no such address.
-        OSError: The port is in use or may not be used.
+        Error: The port is out of range, or the host is not an address of this machine.
+        OSError: The port is in use or not permitted.
     """
     port = _check_address(host, port)
-    # viser says on stdout where it listens, in a frame of its own; the command says it in a line.
+    # Suppress the box that viser prints on stdout; the command prints the address in one line.
     with contextlib.redirect_stdout(io.StringIO()), _same_origin_only(host, port):
         server = viser.ViserServer(host=host, port=port, label=title, verbose=False)
-    if server.get_port() != port:  # taken in between: viser moves on to the next one
+    if server.get_port() != port:  # another process took the port; viser then uses the next one
         close_server(server)
-        raise OSError(f"cannot listen on {host}:{port}: it is in use; give another --port")
+        raise OSError(f"cannot listen on {host}:{port}: it is in use; choose another --port")
     return server
 
 
 def close_server(server: viser.ViserServer) -> None:
-    """Stop serving, without viser's own words about it."""
+    """Stop the server and suppress viser's message about it."""
     with contextlib.redirect_stdout(io.StringIO()):
         server.stop()
 
 
 @contextlib.contextmanager
 def _same_origin_only(host: str, port: int) -> Iterator[None]:
-    """While a server opens on a loopback address: let no other site's pages connect to it.
+    """While a server opens on a loopback address, restrict it to connections from its own page.
 
-    A browser lets any page open a socket to this machine, and viser takes whoever comes; a site
-    that happens to be open must not move a robot's gains.
+    A browser permits every page to open a WebSocket to this machine, and viser accepts all
+    connections. Without this check, another open web site could change the gains of a robot.
     """
     module: Any = websockets.asyncio.server
     serve = module.serve
     address = ipaddress.ip_address(socket.gethostbyname(host))
-    if not address.is_loopback:  # by what name others reach this machine is not known here
+    if not address.is_loopback:  # the names of this machine in the network are unknown
         yield
         return
-    # A program that is no browser says no origin; one that is leaves port 80 out.
+    # Clients other than browsers send no origin; browsers omit port 80.
     names = {host, str(address), "localhost"}
     origins = [None, *(f"http://{name}:{port}" for name in names)]
     origins += [f"http://{name}" for name in names if port == 80]
@@ -70,13 +70,13 @@ def _same_origin_only(host: str, port: int) -> Iterator[None]:
 
 
 def _check_address(host: str, port: int) -> int:
-    """Raise unless the address is free; return the port, chosen if it was 0."""
+    """Raise Error or OSError unless the address is free; return the port, chosen if it was 0."""
     if not 0 <= port <= 65535:
         raise Error(f"--port: got {port}, expected a number from 0 to 65535")
     if not host:
         raise Error("--bind: got '', expected an IPv4 address of this machine")
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
-        # As the server itself: a port that a former page has just left is free.
+        # As the server does: accept a port that another page has just closed.
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind((host, port))
@@ -84,10 +84,10 @@ def _check_address(host: str, port: int) -> int:
             raise Error(f"--bind: got '{host}', expected an IPv4 address of this machine") from None
         except OSError as problem:
             if problem.errno == errno.EADDRNOTAVAIL:
-                raise Error(f"--bind: '{host}' is no address of this machine") from None
+                raise Error(f"--bind: got '{host}', expected an address of this machine") from None
             reasons = {
-                errno.EADDRINUSE: "it is in use; give another --port",
-                errno.EACCES: "no permission; ports below 1024 are the system's",
+                errno.EADDRINUSE: "it is in use; choose another --port",
+                errno.EACCES: "no permission; choose a port from 1024 on",
             }
             reason = reasons.get(problem.errno or 0, problem.strerror)
             raise OSError(f"cannot listen on {host}:{port}: {reason}") from None

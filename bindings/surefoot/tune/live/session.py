@@ -1,4 +1,4 @@
-"""What the page needs of a robot, simulated or on UDP."""
+"""Interface between the page and a robot, simulated or on UDP."""
 
 from __future__ import annotations
 
@@ -19,19 +19,20 @@ REFERENCE_RANGES = {
     "pitch": ("deg", -20.0, 20.0),
     "yaw": ("deg", -25.0, 25.0),
 }
-"""Of the body reference, BodyReference's names: unit, least and greatest value on the page."""
+"""Ranges of the body reference on the page: unit, least and greatest value, by BodyReference's
+field names."""
 
 
 class Session(Protocol):
-    """A robot that stands under gains that can be edited; used by one thread at a time.
+    """A standing robot whose gains can be edited. One thread at a time may use it.
 
     Attributes:
         description: The robot's files.
-        robot: The robot as its controller knows it.
-        editor: Gains that are wanted; the session takes them to the controller.
-        gain_limiter: What keeps the gains near the robot's own; None for one that may fall.
-        scene_state: The present instant; replaced, never changed, so any thread may look.
-        curves: The last seconds in numbers.
+        robot: The controller's model of the robot.
+        editor: Desired gains; the session passes them to the controller.
+        gain_limiter: Limits of the gains for a robot on UDP; None for a simulated robot.
+        scene_state: Present state. It is replaced and never modified, so any thread may read it.
+        curves: Metrics of the last seconds.
         period: Time that tick() advances [s].
     """
 
@@ -45,12 +46,12 @@ class Session(Protocol):
 
     @property
     def status(self) -> str:
-        """How the robot is, in a few words."""
+        """Status of the robot in a few words."""
         ...
 
     @property
     def healthy(self) -> bool:
-        """Whether the controller has the robot under control."""
+        """True if the robot stands and its controller works."""
         ...
 
     def tick(self) -> None:
@@ -58,13 +59,13 @@ class Session(Protocol):
         ...
 
     def update_view(self) -> None:
-        """Bring `scene_state` up to date."""
+        """Update `scene_state`."""
         ...
 
     def set_reference(self, values: dict[str, float]) -> None:
-        """Ask for another pose of the body, by axis as AXES has them; m and deg."""
+        """Set the body reference, by axis as in REFERENCE_RANGES [m, deg]."""
         ...
 
     def close(self) -> None:
-        """Let go of the robot."""
+        """End control of the robot."""
         ...

@@ -1,4 +1,4 @@
-"""The thread that lets a session's time pass as fast as the clock's."""
+"""Thread that ticks a session in real time."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.tune.live.session import Session
 
-_SLEEP_TIME = 0.008  # [s] between batches of ticks; finer would only be more to do
-_MAX_LAG = 0.1  # [s] that is caught up; what goes beyond is lost
-_RATE_WINDOW = 1.0  # [s]
-_REPEAT_TIME = 5.0  # [s] in which the same complaint is not made twice
+_SLEEP_TIME = 0.008  # [s] between batches of ticks
+_MAX_LAG = 0.1  # [s] longest lag that is caught up; more is dropped
+_RATE_WINDOW = 1.0  # [s] time over which real_time_factor is measured
+_REPEAT_TIME = 5.0  # [s] in which the same error is not shown twice
 
 Action = Callable[[], Any]
 
 
 class SessionThread(threading.Thread):
-    """Ticks a session in real time, and does between ticks what other threads ask for.
+    """Thread that owns a session: it ticks the session and runs actions between ticks.
 
-    The session belongs to this thread: whoever wants something of it posts an action.
+    Other threads must not call the session; they post actions.
 
     Args:
-        session: What to tick.
-        complain: Is told what an action, or a tick, could not do.
+        session: Session to tick.
+        show_error: Called with the error text of a failed action or tick.
 
     Attributes:
-        paused: Whether time stands still.
-        speed: Of the session's time against the clock's; 1 is real time.
-        real_time_factor: What speed was reached in the last second.
+        paused: True to stop the session's time.
+        speed: Desired ratio of session time to clock time; 1 is real time.
+        real_time_factor: Ratio reached in the last second.
     """
 
-    def __init__(self, session: Session, complain: Callable[[str], None]) -> None:
+    def __init__(self, session: Session, show_error: Callable[[str], None]) -> None:
         super().__init__(name="surefoot tune live", daemon=True)
-        self._session, self._show_error = session, complain
+        self._session, self._show_error = session, show_error
         self._actions: queue.SimpleQueue[Action] = queue.SimpleQueue()
         self._stop_event = threading.Event()
         self._steps = 0
@@ -44,11 +44,11 @@ class SessionThread(threading.Thread):
         self.paused, self.speed, self.real_time_factor = False, 1.0, 1.0
 
     def post(self, action: Action) -> None:
-        """Have something done between two ticks; from any thread."""
+        """Run an action between two ticks; callable from any thread."""
         self._actions.put(action)
 
     def step(self, ticks: int = 1) -> None:
-        """Advance by a few ticks while paused; from any thread."""
+        """Advance by a few ticks while paused; callable from any thread."""
         self.post(lambda: self._add_steps(ticks))
 
     def stop(self) -> None:
@@ -81,8 +81,8 @@ class SessionThread(threading.Thread):
             for _ in range(count):
                 self._session.tick()
             self._session.update_view()
-        except Exception as problem:  # this thread must live, whatever went wrong
-            # Of a robot that is not simulated here no time can be stopped.
+        except Exception as problem:  # no error may end this thread
+            # Pause a simulation; the time of a robot on UDP cannot be paused.
             self.paused = self._session.gain_limiter is None
             self._show_problem(problem)
 

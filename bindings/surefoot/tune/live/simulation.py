@@ -1,4 +1,4 @@
-"""A simulated robot under a controller whose gains, world and reference change as it stands."""
+"""Session on a simulated robot, whose gains, world and reference can change while it stands."""
 
 from __future__ import annotations
 
@@ -22,23 +22,23 @@ PUSH_DURATION = 0.1  # [s]
 
 
 class Simulation:
-    """A Session on a plant, which can be pushed and put into another world.
+    """Session on a plant that can be pushed and placed into another world.
 
     Args:
         description: The robot's files.
-        gains: To begin with; None for the robot's own.
-        world: To begin in.
+        gains: Initial gains; None: the robot's own.
+        world: Initial world.
 
     Attributes:
         world: The present world.
-        requested_world: What apply_requested_world() will make of it; from any thread.
-        controller: The controller, for looking.
-        score: Of the last push.
-        plant: The plant, for looking.
-        ticks: Control periods since the beginning, over all stands.
+        requested_world: World that apply_requested_world() will use; any thread may set it.
+        controller: The controller; read-only for callers.
+        score: Score of the last push.
+        plant: The plant; read-only for callers.
+        ticks: Control periods since construction, also over resets.
 
     Raises:
-        Error: A robot that cannot be built or does not stand, gains out of range.
+        Error: The robot cannot be built or does not stand, or gains are out of range.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class Simulation:
         self.robot = plant.robot
         self.editor = GainEditor(self.robot.config.gains, gains)
         self.period = 1.0 / self.world.plant_settings().control_rate
-        # What changes with every stand; _start_stand() sets it.
+        # _start_stand() sets these for each new stand.
         self.plant: Plant
         self.score: PushScore
         self._state: LowState
@@ -64,24 +64,24 @@ class Simulation:
 
     @property
     def status(self) -> str:
-        """How the robot is, in a few words."""
+        """Status of the robot in a few words."""
         if self.scene_state.fell:
-            return "fallen: Reset stands it up"
+            return "fallen: press Reset"
         reach = self.controller.reach
         limit = "" if reach.limit.name == "NONE" else f", reach limited: {reach.limit.name.lower()}"
         return f"{self.controller.status.name.lower()}{limit}"
 
     @property
     def healthy(self) -> bool:
-        """Whether the robot stands and its controller has it under control."""
+        """True if the robot has not fallen and its controller's commands are usable."""
         return is_usable(self.controller.status) and not self.scene_state.fell
 
     def tick(self) -> None:
-        """Advance one control period: LowState to LowCmd to plant."""
+        """Advance by one control period: update the controller, then the plant."""
         if self.editor.version != self._version:
             self._version = self.editor.version
             self.controller.set_gains(self.editor.gains)
-        start = thread_time()  # not the time in which this thread has to wait for others
+        start = thread_time()  # CPU time of this thread, without waiting for other threads
         command = self.controller.update(self._state)
         elapsed = 1e6 * (thread_time() - start)
         self._state = self.plant.step(command)
@@ -94,7 +94,7 @@ class Simulation:
         self.curves.add(self.ticks * self.period, sample)
 
     def update_view(self) -> None:
-        """Bring `scene_state` up to date."""
+        """Update `scene_state` from the true state of the plant."""
         truth, plant = self.plant.truth, self.plant
         normal = plant.handles.ground_normal
         force, point = plant.push_force
@@ -114,8 +114,8 @@ class Simulation:
         """Push the robot now, through its centre of mass, for 0.1 s.
 
         Args:
-            degrees: From forward towards left [deg].
-            percent: Of what the linear inverted pendulum survives in that direction.
+            degrees: Direction of the push, from forward towards left [deg].
+            percent: Impulse in percent of the LIP push limit in that direction.
 
         Returns:
             The impulse [N.s].
@@ -126,27 +126,30 @@ class Simulation:
         return impulse
 
     def set_reference(self, values: dict[str, float]) -> None:
-        """Ask for another pose of the body, by axis; m and deg."""
+        """Set the body reference, by axis [m, deg]."""
         self._reference = dict(values)
         self.controller.set_body_reference(body_reference(values))
 
     def reset(self) -> None:
-        """Stand the robot up anew in its world, with the gains and the reference it has."""
+        """Restart the robot standing in its world, with the present gains and reference."""
         self.set_world(self.world)
 
     def set_world(self, world: World) -> None:
-        """Stand the robot up in another world; raises Error and stays in the old one."""
+        """Restart the robot in another world; on Error the old world stays."""
         plant = Plant(self.description, world.plant_settings())
         self.world = world
         self._start_stand(plant, plant.reset())
 
     def apply_requested_world(self) -> None:
-        """Stand the robot up in requested_world, unless it is there; a slider asks for many."""
+        """Restart the robot in requested_world if it differs from the present world.
+
+        A moving slider requests many worlds; only the last one is built.
+        """
         if self.requested_world != self.world:
             self.set_world(self.requested_world)
 
     def close(self) -> None:
-        """Nothing is to let go of."""
+        """Do nothing: a simulation needs no closing."""
 
     def _start_stand(self, plant: Plant, state: LowState) -> None:
         options = StandOptions(delay=self.world.predicted_ms / 1000.0)

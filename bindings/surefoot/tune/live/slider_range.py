@@ -1,4 +1,4 @@
-"""Where a gain's slider begins and ends, and how fine it is."""
+"""Range and step of a gain's slider."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from surefoot._core import GainInfo
 
 ZOOMS = {"x 2": 2.0, "x 4": 4.0, "x 10": 10.0, "x 100": 100.0}
-"""How far sliders reach: multiples of the robot's own value, by what the page calls them."""
-_ZERO_GAIN_REACH = 0.25  # a slider of a gain whose own value is zero reaches to this times the zoom
-_MIN_STEPS = 100  # at least, from end to end
+"""Upper ends of sliders as multiples of the robot's own value, by their label on the page."""
+_ZERO_GAIN_REACH = 0.25  # upper end divided by the zoom, for a gain whose own value is zero
+_MIN_STEPS = 100  # least number of steps of a slider
 
 
 @dataclass(frozen=True)
 class SliderRange:
-    """Ends, step and digits after the point of a slider."""
+    """Ends, step and number of decimals of a slider."""
 
     low: float
     high: float
@@ -24,17 +24,16 @@ class SliderRange:
 
 
 def slider_range(info: GainInfo, own: float, value: float, zoom: float) -> SliderRange:
-    """Return the range of a slider around a robot's own value.
+    """Return a slider range from the gain's minimum to a multiple of the robot's own value.
 
-    Ranges of the table span up to eight decades, most of them of no use for a given robot. A
-    slider from zero to a few times the own value is as fine as its robot needs it, its box
-    takes exact numbers, and the zoom leads further.
+    The ranges of gain_table() span up to eight decades, which is too coarse for a slider. A larger
+    zoom gives a larger range; the slider's number box accepts exact values.
 
     Args:
-        info: Of the gain.
+        info: The gain.
         own: The robot's own value.
-        value: The present one; the slider reaches it in any case.
-        zoom: Of ZOOMS.
+        value: Present value; the range always includes it.
+        zoom: One of ZOOMS.
     """
     high = min(info.maximum, (own or _ZERO_GAIN_REACH) * zoom)
     high = max(high, value)
@@ -42,12 +41,12 @@ def slider_range(info: GainInfo, own: float, value: float, zoom: float) -> Slide
 
 
 def rounded_range(low: float, high: float, value: float) -> SliderRange:
-    """Return a range whose step is a power of ten and whose low end is a multiple of it.
+    """Return a range whose step is a power of ten and whose lower end is a multiple of the step.
 
     Args:
-        low: Where it may begin; it begins at the next multiple above, but never above `value`.
-        high: Where it ends; above low, or there is nothing to slide.
-        value: What it must be able to show.
+        low: Least lower end; it is rounded up to a multiple, but not above `value`.
+        high: Upper end. If it is not above `low`, the range contains only `value`.
+        value: Value that the range must include.
     """
     span = high - low
     if span <= 0.0:

@@ -1,4 +1,4 @@
-"""The support polygon on the ground, and the centre of mass above it."""
+"""Support polygon and projected centre of mass in the 3D scene."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from surefoot.geometry.rotations import Array, matrix_from_wxyz
 from surefoot.tune.live.scene_state import SceneState
 
 BLUE = (40, 110, 220)
-_GROUND_OFFSET = 0.002  # [m] above the ground, which would cover it
-_MIN_DISPLACEMENT = 5e-4  # [m]
+_GROUND_OFFSET = 0.002  # [m] height above the ground, so that the ground does not cover it
+_MIN_DISPLACEMENT = 5e-4  # [m] least motion of a corner that is drawn
 
 
 class SupportPolygon:
-    """Draws the polygon of the feet that bear, and a dot below the centre of mass.
+    """Drawing of the polygon of loaded feet, and of a dot below the centre of mass.
 
     Args:
         server: The server.
-        size: Of the robot [m].
+        size: Size of the robot [m].
     """
 
     def __init__(self, server: viser.ViserServer, size: float) -> None:
@@ -27,7 +27,7 @@ class SupportPolygon:
         self._dot = server.scene.add_icosphere("/support/com", 0.025 * size, color=BLUE)
 
     def show(self, scene_state: SceneState) -> None:
-        """Draw an instant."""
+        """Draw the polygon and the dot for a state."""
         corners, normal = (
             scene_state.contact_points[scene_state.contact],
             matrix_from_wxyz(scene_state.ground)[:, 2],
@@ -41,7 +41,7 @@ class SupportPolygon:
             self._corners = corners
             self._draw(corners + _GROUND_OFFSET * normal)
         if len(corners):
-            # Straight down to the plane of the ground.
+            # Project vertically onto the plane of the ground.
             height = (scene_state.com - corners.mean(axis=0)) @ normal / normal[2]
             self._dot.position = scene_state.com - [0.0, 0.0, float(height)]
 
@@ -70,7 +70,7 @@ class SupportPolygon:
 
 
 def sort_counter_clockwise(corners: Array) -> Array:
-    """Return corners (n, 3) in the order in which one meets them walking around, from above."""
+    """Return corners (n, 3) in counter-clockwise order, seen from above."""
     centre = corners.mean(axis=0)
     angles = np.arctan2(corners[:, 1] - centre[1], corners[:, 0] - centre[0])
     return np.asarray(corners[np.argsort(angles)])

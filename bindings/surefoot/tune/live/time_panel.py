@@ -1,4 +1,4 @@
-"""Run, pause, step, reset and speed of a simulation."""
+"""Controls of simulated time: run, pause, step, reset, speed."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ SPEEDS = {"x 1": 1.0, "x 1/2": 0.5, "x 1/5": 0.2, "x 1/20": 0.05, "x 2": 2.0}
 
 
 def add_time_panel(gui: viser.GuiApi, loop: SessionThread, simulation: Simulation) -> None:
-    """Add the controls of a loop's time.
+    """Add the controls.
 
     Args:
-        gui: Where to.
-        loop: Whose time it is.
-        simulation: What Reset stands up anew.
+        gui: GUI to add the controls to.
+        loop: Thread that ticks the simulation.
+        simulation: Simulation that Reset restarts.
     """
     hint = "Step: one control period of 2 ms"
     buttons = gui.add_button_group("time", ("Run", "Pause", "Step", "Reset"), hint=hint)

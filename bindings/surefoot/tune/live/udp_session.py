@@ -1,4 +1,4 @@
-"""A robot on UDP as a Session: a control process at one end of a pipe, the page at the other."""
+"""Session on a robot on UDP; a control process runs the controller and talks over a pipe."""
 
 from __future__ import annotations
 
@@ -29,28 +29,28 @@ from surefoot.tune.live.metric_curves import Curves, TickMetrics
 from surefoot.tune.live.scene_state import SceneState
 
 _NO_METRICS = TickMetrics(0.0, 0.0, 0.0, 0.0, 0.0)
-_START_TIMEOUT, _EXIT_TIMEOUT = 30.0, 5.0  # [s] that the process may take to begin and to end
+_START_TIMEOUT, _EXIT_TIMEOUT = 30.0, 5.0  # [s] longest start and end of the control process
 
 
 class UdpSession:
-    """A Session on a robot that speaks the SDK's UDP frames; gains move within a Guard.
+    """Session on a robot with the SDK's UDP frames; a GainLimiter limits its gains.
 
     Args:
         description: The robot's files.
-        place: Where it is.
-        gains: To begin with, within the guarded ranges; None for the robot's own.
+        address: Address of the robot.
+        gains: Initial gains, within the ranges of the GainLimiter; None: the robot's own.
 
     Attributes:
-        runner_status: What the control process said last.
+        runner_status: Last status of the control process.
 
     Raises:
-        Error: A gain out of its range, or what UdpLink raises.
+        Error: A gain is out of its range, or an error of UdpLink.
     """
 
     def __init__(
-        self, description: RobotDescription, place: RobotAddress, gains: Gains | None = None
+        self, description: RobotDescription, address: RobotAddress, gains: Gains | None = None
     ) -> None:
-        self.description, self._address = description, place
+        self.description, self._address = description, address
         self.robot = build_robot(description)
         robot_gains = self.robot.config.gains
         self.gain_limiter: GainLimiter | None = GainLimiter(robot_gains)
@@ -72,28 +72,28 @@ class UdpSession:
 
     @property
     def status(self) -> str:
-        """How the robot is, in a few words."""
+        """Address and status of the robot in a few words."""
         runner_status = self.runner_status
         if not self._process.is_alive() and runner_status.phase != "ended":
             return f"{self._address}: the control process has ended"
         reason_text = f": {runner_status.reason}" if runner_status.reason else ""
-        hint = "; Re-arm stands it up" if runner_status.phase in ("damping", "passive") else ""
+        hint = "; Re-arm makes it stand" if runner_status.phase in ("damping", "passive") else ""
         if runner_status.phase == "damping" and runner_status.refused > self._refused:
-            hint = "; not re-armed, for no LowState comes"
+            hint = "; not re-armed: no LowState, or arming checks fail"
         return f"{self._address}: {runner_status.phase}{reason_text}{hint}"
 
     @property
     def healthy(self) -> bool:
-        """Whether the robot stands under control."""
+        """True if the control process runs and the robot stands."""
         return self._process.is_alive() and self.runner_status.phase == "standing"
 
     @property
     def active_gains(self) -> Gains:
-        """The gains that the controller has, on their way to those that are wanted; a copy."""
+        """Copy of the controller's gains, which move towards the desired ones at a limited rate."""
         return self._active_gains.__copy__()
 
     def tick(self) -> None:
-        """Take reports, and move the gains on by what the guard allows."""
+        """Read the status messages, and move the gains by one step of the GainLimiter."""
         try:
             while self._pipe.poll():
                 self.runner_status = self._pipe.recv()
@@ -109,7 +109,7 @@ class UdpSession:
             self._send("gains", gain_values(self._active_gains))
 
     def update_view(self) -> None:
-        """Bring `scene_state` up to date: estimated pose, and forces that the program asks for."""
+        """Update `scene_state` with the estimated pose and the contact forces of the QP."""
         runner_status, data, handles = self.runner_status, self._data, self._handles
         if runner_status.q is not None:
             data.qpos[:] = self._adapter.qpos_from_pinocchio(runner_status.q)
@@ -126,28 +126,28 @@ class UdpSession:
         )
 
     def set_reference(self, values: dict[str, float]) -> None:
-        """Ask for another pose of the body, by axis; m and deg."""
+        """Set the body reference, by axis [m, deg]."""
         self._send("reference", values)
 
     def damp(self) -> None:
-        """Let the motors brake, and stay so; from any thread."""
+        """Damp, latched; callable from any thread."""
         self._send("damp")
 
     def rearm(self) -> None:
-        """Stand again after a damping, in the pose it then has; from any thread."""
+        """Stand again after damping, in the present pose; callable from any thread."""
         self._refused = self.runner_status.refused
         self._send("rearm")
 
     def close(self) -> None:
-        """Let the motors brake and end the control process."""
+        """Damp and end the control process."""
         self._send("stop")
         self._pipe.close()
         self._process.join(_EXIT_TIMEOUT)
         if self._process.is_alive():
-            self._process.terminate()  # which damps as well
+            self._process.terminate()  # SIGTERM: the process damps and ends
 
     def _start(self) -> None:
-        # A fresh interpreter: threads and sockets of the page are none of its business.
+        # Spawn a new interpreter: a fork would copy the sockets of the page and its locks.
         context = multiprocessing.get_context("spawn")
         self._pipe, child_pipe = context.Pipe()
         process_args = (
@@ -171,5 +171,5 @@ class UdpSession:
         with self._send_lock:
             try:
                 self._pipe.send((word, values))
-            except OSError:  # its end shows in `status`
+            except OSError:  # the process has ended; `status` reports it
                 return

@@ -1,4 +1,4 @@
-"""What the page can change about the simulated world."""
+"""Settings of the simulated world that the page can change."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ CONTROL_RATE = 500.0  # [Hz]
 
 @dataclass(frozen=True)
 class World:
-    """Surroundings and flaws of the simulated robot; another world begins with a new stand.
+    """Ground, payload, delays and sensors of the simulated robot; a change restarts the robot.
 
     Attributes:
-        friction: Coefficient between foot and ground.
-        payload_kg: Mass on the trunk that the controller does not know of [kg].
-        delay_ms: Delay of commands beyond the sensors' own [ms].
-        predicted_ms: Delay that the controller predicts across [ms].
+        friction: Friction coefficient between foot and ground.
+        payload_kg: Payload on the trunk, unknown to the controller [kg].
+        delay_ms: Delay of commands, beyond the delay of the sensors [ms].
+        predicted_ms: Delay that the controller compensates by prediction [ms].
         sensors: "real" or "ideal".
-        foot_force: "robot" (what its TOML says of the real one), "est", "raw" or "dead".
-        slope_deg: Of the ground, uphill forward [deg].
-        seed: Of the sensors' and motors' errors.
+        foot_force: "robot" (as its TOML states for the real robot), "est", "raw" or "dead".
+        slope_deg: Slope of the ground, uphill forward [deg].
+        seed: Seed of the errors of sensors and motors.
     """
 
     friction: float = 0.8
@@ -35,7 +35,7 @@ class World:
     seed: int = 1
 
     def plant_settings(self) -> PlantSettings:
-        """Return the plant of this world; raises Error."""
+        """Return the plant settings of this world; raises Error."""
         return PlantSettings(
             sensors=self.sensors,
             foot_force=None if self.foot_force == "robot" else self.foot_force,

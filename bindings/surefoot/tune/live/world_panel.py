@@ -1,4 +1,4 @@
-"""Friction, payload, latency and sensors of the simulated world."""
+"""Panel of the simulated world: friction, payload, latency, slope, sensors."""
 
 from __future__ import annotations
 
@@ -17,30 +17,30 @@ _FOOT_FORCE = ("robot", "est", "raw", "dead")
 def add_world_panel(
     gui: viser.GuiApi, simulation: Simulation, post: Callable[[Callable[[], Any]], None]
 ) -> None:
-    """Add what the world is like, and a button that stands the robot up in it.
+    """Add the controls of the world; each change restarts the robot in the new world.
 
     Args:
-        gui: Where to.
-        simulation: Whose world it is.
-        post: Has an action done by the thread that the simulation belongs to.
+        gui: GUI to add the controls to.
+        simulation: The simulation.
+        post: Function that runs an action in the thread that owns the simulation.
     """
     world, mass = simulation.world, simulation.robot.mass
     hint = f"the controller assumes {simulation.robot.config.friction:g}"
     friction = gui.add_slider("friction [1]", 0.1, 1.5, 0.05, world.friction, hint=hint)
-    hint = "on the trunk; the controller does not know of it"
+    hint = "on the trunk, unknown to the controller"
     payload = gui.add_slider("payload [kg]", 0.0, float(round(1.5 * mass)), 0.5, 0.0, hint=hint)
-    hint = "of commands, beyond the sensors' own 2 ms each way"
+    hint = "delay of commands, beyond the 2 ms each way of the sensors"
     delay = gui.add_slider("latency [ms]", 0.0, 20.0, 1.0, world.delay_ms, hint=hint)
-    hint = "latency that the controller predicts across"
+    hint = "latency that the controller compensates by prediction"
     predicted = gui.add_slider("predicted [ms]", 0.0, 20.0, 1.0, world.predicted_ms, hint=hint)
     slope = gui.add_slider("slope [deg]", -15.0, 15.0, 1.0, 0.0, hint="uphill forward")
     sensors = gui.add_dropdown("sensors", _SENSORS, initial_value=world.sensors)
-    hint = "robot: as the real one's are; est: newtons and counts; raw: counts; dead: zeros"
+    hint = "robot: as on the real robot; est: newtons and counts; raw: counts; dead: zeros"
     foot_force = gui.add_dropdown(
         "foot force", _FOOT_FORCE, initial_value=world.foot_force, hint=hint
     )
-    seed = gui.add_number("seed", world.seed, min=0, step=1, hint="of sensor and motor errors")
-    gui.add_markdown("_A change stands the robot up anew, on the same gains._")
+    seed = gui.add_number("seed", world.seed, min=0, step=1, hint="seed of sensor and motor errors")
+    gui.add_markdown("_A change restarts the robot with the same gains._")
 
     def change(_: Any) -> None:
         world_settings = World(

@@ -1,1 +1,1 @@
-"""A search for gains: the same disturbances for every trial, on every core or a cluster."""
+"""Search for gains by simulation; all trials face the same disturbances."""

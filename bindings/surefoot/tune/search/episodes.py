@@ -1,4 +1,4 @@
-"""Disturbances: what a seed stands for, the same for every trial."""
+"""Episodes: simulated runs with random disturbances that a seed determines."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from surefoot.robot.loading import RobotDescription, build_robot, describe_robot
 from surefoot.sim import Plant, PlantSettings, Push
 from surefoot.sim.settings import COARSE_DT
 
-EPISODE_TIME = 6.6  # [s]
-FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s] pushes: when, how often, how many
-PUSH_LIMIT_SHARE = 0.35, 0.8  # of the pendulum's limit
-MAX_PAYLOAD_SHARE = 0.2  # of the robot's mass, at most
-FRICTION_RANGE = 0.5, 1.0
-MAX_DELAY_STEPS = 8  # extra physics steps of delay, at most
+EPISODE_TIME = 6.6  # [s] duration of an episode
+FIRST_PUSH_TIME, PUSH_INTERVAL, PUSH_COUNT = 0.6, 2.0, 3  # [s], [s], number of pushes
+PUSH_LIMIT_SHARE = 0.35, 0.8  # impulse in parts of the LIP push limit
+MAX_PAYLOAD_SHARE = 0.2  # greatest payload in parts of the robot's mass
+FRICTION_RANGE = 0.5, 1.0  # friction coefficient of the ground
+MAX_DELAY_STEPS = 8  # greatest additional delay in physics steps
 MOTOR_LAG_RANGE = 0.001, 0.004  # [s]
-JOINT_FRICTION_RANGE = 0.5, 2.0  # times the model's
-FINAL_SEED = 5_000  # seeds from here on decide between the best trials
-HELD_OUT_SEED = 10_000  # those from here on judge the result alone
+JOINT_FRICTION_RANGE = 0.5, 2.0  # factor on the friction of the model
+FINAL_SEED = 5_000  # first seed of the episodes that choose between the best trials
+HELD_OUT_SEED = 10_000  # first seed of the episodes that only evaluate the result
 
 
 @dataclass(frozen=True)
 class Episode:
-    """One run that every trial is judged by.
+    """One simulated run on which trials are evaluated.
 
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
-        seed: Of sensors, motors, ground, payload and pushes.
-        settings: Of the plant besides; its seed is not used.
+        seed: Seed of sensors, motors, ground, payload and pushes.
+        settings: All other settings of the plant; its seed is not used.
     """
 
     robot: str | tuple[str, str]
@@ -37,7 +37,7 @@ class Episode:
     settings: PlantSettings
 
     def plant(self) -> Plant:
-        """Build the plant, pushes and all; raises Error."""
+        """Build the plant with its pushes; raises Error."""
         rng = np.random.default_rng([self.seed, 7])
         description = find_robot(self.robot)
         settings = self._random_settings(rng, build_robot(description).mass)
@@ -67,7 +67,7 @@ class Episode:
 
 
 def find_robot(robot: str | tuple[str, str]) -> RobotDescription:
-    """Return the files of a robot, by its name or by its URDF and TOML; raises Error."""
+    """Find the files of a robot by its name, or by its URDF and TOML; raises Error."""
     if isinstance(robot, str):
         return describe_robot(robot)
     return describe_robot(urdf=robot[0], config=robot[1])

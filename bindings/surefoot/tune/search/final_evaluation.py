@@ -1,4 +1,4 @@
-"""Gains on runs that no trial has seen: who is best, and how good that is."""
+"""Final evaluation: choose the best trial and evaluate gains, on episodes outside the search."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from surefoot.tune.search.space import apply_parameters
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import WorkerPool
 
-FINALIST_COUNT = 5
+FINALIST_COUNT = 5  # trials with the lowest cost that are evaluated again
 
 
 def select_best_trial(
@@ -23,24 +23,34 @@ def select_best_trial(
     trials: list[FrozenTrial],
     start: tuple[float, ...],
 ) -> FrozenTrial:
-    """Return the best of the best trials, by their own runs and as many that they have not seen.
+    """Choose the best trial by the search episodes and as many new episodes.
 
-    The cheapest of hundreds owes some of it to luck with the runs that it was searched with.
+    The trial with the lowest of hundreds of costs is partly best by chance. So the five trials with
+    the lowest cost are evaluated on new episodes, and both costs are added.
+
+    Args:
+        settings: Settings of the search.
+        worker_pool: Workers that run the episodes.
+        trials: All finished trials.
+        start: Costs of the start, to which costs are relative.
 
     Raises:
-        Error: No trial could be run at all.
+        Error: No trial could be run.
     """
     runnable = [trial for trial in trials if not trial.user_attrs.get("broken")]
     if not runnable:
-        raise Error(f"search: none of {len(trials)} trials could be run; give other ranges")
+        raise Error(
+            f"search: none of {len(trials)} trials could be run, expected at least one; use other "
+            "ranges"
+        )
     cheapest = rank_trials(runnable, start)[:FINALIST_COUNT]
     if len(cheapest) < 2:
         return cheapest[0]
     chosen = [apply_parameters(trial.params, settings.start) for trial in cheapest]
-    evaluate_exclusively = evaluate_gains(settings, worker_pool, chosen, settings.final_episodes)
+    outcomes = evaluate_gains(settings, worker_pool, chosen, settings.final_episodes)
     costs = [
         relative_cost(trial.values, start) + relative_cost(outcome.costs, start)
-        for trial, outcome in zip(cheapest, evaluate_exclusively, strict=True)
+        for trial, outcome in zip(cheapest, outcomes, strict=True)
     ]
     return cheapest[costs.index(min(costs))]
 
@@ -51,7 +61,7 @@ def evaluate_gains(
     chosen: list[Gains],
     episodes: tuple[Episode, ...],
 ) -> list[Outcome]:
-    """Run gains on episodes, each on its own for the workers to share them."""
+    """Evaluate each set of gains on all episodes, with one job per episode to use all workers."""
     jobs = [
         TrialJob(gain_values(gains), (episode,), settings.objectives)
         for gains in chosen

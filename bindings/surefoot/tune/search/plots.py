@@ -1,4 +1,4 @@
-"""Pictures of a search: how costs fell, what mattered, how the robot stands before and after."""
+"""Plots of a search: history of costs, parameter importance, Pareto front, before and after."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from surefoot.tune.trace import Trace
 
 @dataclass(frozen=True)
 class PlotData:
-    """What pictures are made of.
+    """Data of the plots.
 
     Attributes:
-        result: The search.
-        traces: Of the first held-out episode, by name: start, own, best.
+        result: Result of the search.
+        traces: Traces of the first held-out episode with the gains start, own and best, by name.
     """
 
     result: SearchResult
@@ -39,7 +39,7 @@ COLOURS = {"start": RED, "own": GREY, "best": BLUE}
 
 
 def draw_history(data: PlotData) -> Figure:
-    """Draw every trial's cost, and the best so far."""
+    """Draw the cost of every trial, and the best so far."""
     result = data.result
     figure, axes = subplot_grid(len(result.settings.objectives), 1, 3.2)
     for k, (objective, (ax,)) in enumerate(zip(result.settings.objectives, axes, strict=True)):
@@ -57,7 +57,7 @@ def draw_history(data: PlotData) -> Figure:
 
 
 def draw_importance(data: PlotData) -> Figure:
-    """Draw each parameter's share in what trials cost."""
+    """Draw the importance of each parameter for the cost."""
     items = sorted(data.result.importance.items(), key=lambda item: item[1])
     figure = Figure(figsize=(9.2, 0.6 + 0.24 * max(len(items), 1)), layout="constrained")
     ax = figure.subplots()
@@ -67,7 +67,7 @@ def draw_importance(data: PlotData) -> Figure:
 
 
 def draw_before_after(data: PlotData) -> Figure:
-    """Draw one episode with the start's gains, the robot's own and the best."""
+    """Draw one episode with the start gains, the robot's own gains and the best gains."""
     figure, axes = subplot_grid(3, 1, 6.0)
     end = 0.0
     for name, trace in data.traces.items():
@@ -81,7 +81,7 @@ def draw_before_after(data: PlotData) -> Figure:
             ax.plot(time, rows, color=COLOURS[name], label=name)
         end = max(end, float(time[-1]))
     for (ax,), text in zip(
-        axes, ("base moved [mm]", "base turned [deg]", "power [W]"), strict=True
+        axes, ("base displacement [mm]", "base angle [deg]", "power [W]"), strict=True
     ):
         ax.set_ylabel(text)
     finish_time_axis(figure, axes, end)
@@ -110,27 +110,32 @@ def draw_front(data: PlotData) -> Figure:
 
 HISTORY = Plot(
     "history.png",
-    "How costs fell",
-    "Every trial, in the order in which they were begun.",
+    "Cost of the trials",
+    "All trials, in the order in which they began.",
     draw_history,
 )
 IMPORTANCE = Plot(
     "importance.png",
-    "What mattered",
-    "Share of each parameter in how good trials differ from the rest (PED-ANOVA).",
+    "Importance of the parameters",
+    "How much each parameter distinguishes good trials from the others (PED-ANOVA).",
     draw_importance,
 )
 BEFORE_AFTER = Plot(
     "before_after.png",
     "Before and after",
-    "One episode that was not searched with: the same robot, ground and pushes.",
+    "One held-out episode, with the same robot, ground and pushes for all gains.",
     draw_before_after,
 )
-FRONT = Plot("front.png", "Pareto front", "No trial is better in both.", draw_front)
+FRONT = Plot(
+    "front.png",
+    "Pareto front",
+    "No trial is better in both objectives than a trial of the front.",
+    draw_front,
+)
 
 
 def search_plots(result: SearchResult) -> list[Plot[PlotData]]:
-    """Return the plots that a search has something for."""
+    """Return the plots for which the search has data."""
     plots = [BEFORE_AFTER, HISTORY]
     if result.importance:
         plots.append(IMPORTANCE)

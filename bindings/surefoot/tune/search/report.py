@@ -1,4 +1,4 @@
-"""The report of a search: pictures, films, numbers, the gains as TOML, a page that shows them."""
+"""Report of a search: plots, films, summary.json, gains as TOML and an HTML page."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ from surefoot.tune.search.summary import gains_provenance, summary_text, term_li
 from surefoot.tune.trace import Trace
 
 GAINS = "gains.toml"
-WIDTH, HEIGHT = 400, 300
-FRAME_PERIOD = 0.08  # [s] between pictures
+WIDTH, HEIGHT = 400, 300  # [pixels] of the films
+FRAME_PERIOD = 0.08  # [s] between frames of the films
 
 
 def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, command: str) -> Path:
-    """Write a report into a folder and return the page to open; raises OSError.
+    """Write a report into a folder and return the path of its page; raises OSError.
 
     Args:
-        result: The search.
-        summary: What summarise() made of it.
-        folder: Made if it is not there.
-        command: What started the search.
+        result: Result of the search.
+        summary: Result of summarise().
+        folder: Folder of the report, created if missing.
+        command: Command that started the search.
     """
     folder.mkdir(parents=True, exist_ok=True)
     text = json.dumps(summary, indent=2, allow_nan=False)
@@ -57,7 +57,7 @@ def write_report(result: SearchResult, summary: dict[str, Any], folder: Path, co
 
 
 def _record_episode(episode: Episode, gains: Gains, film: Path | None) -> tuple[Trace, str | None]:
-    """Run an episode, and film it; return its trace, and why there is no film."""
+    """Run an episode and film it; return its trace and the error of the film, None if none."""
     plant = episode.plant()
     if film is None:
         return simulate_episode(plant, gains), None
@@ -68,10 +68,10 @@ def _record_episode(episode: Episode, gains: Gains, film: Path | None) -> tuple[
 
 
 class _Camera:
-    """Takes pictures of a run; graphics fail in as many ways as there are drivers.
+    """Camera that records frames of a run. A graphics error ends the film, not the run.
 
     Attributes:
-        film_error: Why there are no pictures, or None.
+        film_error: Error that ended the film, or None.
     """
 
     def __init__(self, plant: Plant) -> None:
@@ -82,7 +82,7 @@ class _Camera:
         self.film_error: str | None = None
 
     def on_tick(self, tick: int) -> None:
-        """Take a picture now and then."""
+        """Record a frame every FRAME_PERIOD."""
         if self.film_error is not None or tick % self._every:
             return
         try:
@@ -92,7 +92,7 @@ class _Camera:
             self.film_error = f"{type(problem).__name__}: {problem}"
 
     def write(self, film: Path) -> None:
-        """Write what there is as a film; raises OSError."""
+        """Write the recorded frames as a film; raises OSError."""
         if self._renderer is not None:
             self._renderer.close()
         if self._pictures and self.film_error is None:
@@ -111,9 +111,10 @@ def _page(
     held = "_on_held_seeds"
     shown = {who: summary[who + held] for who in ("start", "own", "best")}
     tiles = [
-        (f"cost on other seeds, {who}", escape(str(_rounded(cost)))) for who, cost in shown.items()
+        (f"cost on held-out seeds, {who}", escape(str(_rounded(cost))))
+        for who, cost in shown.items()
     ]
-    tiles += [("trials", str(summary["trials"])), ("with a fall", str(summary["failures"]))]
+    tiles += [("trials", str(summary["trials"])), ("trials with a fall", str(summary["failures"]))]
     pictures = "".join(
         f'<div class="tile"><img src="{file}" alt="{who}" width="{WIDTH}"><span>{who}</span></div>'
         for who, file in films
@@ -126,7 +127,7 @@ def _page(
 <div class="tiles" style="margin-top: 20px">{pictures}</div>
 {"".join(f"<p>{escape(film_error)}</p>" for film_error in film_errors)}
 {plots_html(search_plots(result))}
-<section class="card"><h2>What the best costs on other seeds, term by term</h2>{terms}</section>
+<section class="card"><h2>Cost terms of the best gains on held-out seeds</h2>{terms}</section>
 <section class="card"><h2>Gains</h2><p><a href="{GAINS}">{GAINS}</a>, for --gains;
 numbers in <a href="summary.json">summary.json</a>.</p></section>"""
     return page_html("search for gains", body)

@@ -1,4 +1,4 @@
-"""One trial's runs: gains in, costs out, and how long it took."""
+"""Rollouts of a trial: simulate its episodes with its gains and compute costs."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from surefoot.tune.cost import FALL_COST, Cost, cost
 from surefoot.tune.search.episodes import EPISODE_TIME, Episode
 from surefoot.tune.trace import Trace
 
-BROKEN_COST = 4.0 * FALL_COST  # cost of gains with which nothing can be computed
+BROKEN_COST = 4.0 * FALL_COST  # cost of gains that cannot be run
 
 
 @dataclass(frozen=True)
 class TrialJob:
-    """What a worker is given: plain data, so that it travels.
+    """Job for a worker, as plain data that can be sent to another process.
 
     Attributes:
-        gains: Every gain by name.
-        episodes: The runs.
+        gains: All gains, by name.
+        episodes: Episodes to run.
         objectives: One or two of cost.OBJECTIVES.
-        stop_cost: Mean cost of the first objective beyond which the rest is not run.
+        stop_cost: Mean cost of the first objective above which the remaining episodes are skipped.
     """
 
     gains: dict[str, float]
@@ -37,19 +37,19 @@ class TrialJob:
 
 @dataclass
 class Outcome:
-    """What comes back.
+    """Result of a job.
 
     Attributes:
-        costs: Mean over the episodes per objective; what a stopped trial did not run cost nothing.
-        terms: Mean of every term over what was run.
-        episodes: How many were run.
-        falls: In how many of them the robot fell.
-        stopped: Whether the rest was hopeless.
-        broken: Whether it could not be run at all.
-        simulated_time: Time that was simulated [s].
-        cpu_time: CPU time that it took [s].
-        ticks: Of the controller.
-        steps: Of the physics.
+        costs: Mean cost over all episodes, per objective; skipped episodes count as 0.
+        terms: Mean of each cost term over the episodes that were run.
+        episodes: Number of episodes that were run.
+        falls: Number of episodes with a fall.
+        stopped: True if episodes were skipped because of stop_cost.
+        broken: True if the gains could not be run.
+        simulated_time: Simulated time [s].
+        cpu_time: CPU time [s].
+        ticks: Number of controller ticks.
+        steps: Number of physics steps.
     """
 
     costs: tuple[float, ...] = ()
@@ -65,13 +65,13 @@ class Outcome:
 
 
 def evaluate_trial(job: TrialJob) -> Outcome:
-    """Run a trial; never raises for what its gains do: that is a cost.
+    """Run the episodes of a trial and compute its costs.
 
-    A trial whose costs, should all that is left be free, exceed `stop_cost` is stopped, and has just
-    that cost: no more than it would have come to, and more than what makes it hopeless.
+    Bad gains do not raise; they have a high cost. The trial stops as soon as its mean cost exceeds
+    `stop_cost` even if all remaining episodes cost 0. Its cost is then this lower bound.
 
     Raises:
-        Error: An episode that cannot be run whatever the gains.
+        Error: An episode cannot be run with any gains.
     """
     try:
         gains = gains_from_values(job.gains)
@@ -99,7 +99,7 @@ def evaluate_trial(job: TrialJob) -> Outcome:
 def run_episode(
     episode: Episode, gains: Gains, objectives: tuple[str, ...], outcome: Outcome
 ) -> list[Cost]:
-    """Run one episode and count what it took into outcome; return its cost per objective."""
+    """Run one episode, add its counts to `outcome`, and return its cost per objective."""
     plant = cached_plant(episode)
     period, ticks = 1.0 / plant.settings.control_rate, episode_ticks(plant)
     trace = simulate_episode(plant, gains)
@@ -113,12 +113,12 @@ def run_episode(
 def simulate_episode(
     plant: Plant, gains: Gains, on_tick: Callable[[int], None] | None = None
 ) -> Trace:
-    """Run an episode on its plant, until the robot falls.
+    """Run an episode on its plant. Without `on_tick`, a fall ends it.
 
     Args:
-        plant: Of Episode.plant(); begins anew.
-        gains: Of the controller.
-        on_tick: Is given the number of every tick that is over, those after a fall too.
+        plant: Plant of Episode.plant(); it is reset.
+        gains: Gains of the controller.
+        on_tick: Called with the number of each tick after it, also after a fall.
     """
     trace = Trace(plant, episode_ticks(plant))
     controller = StandController(plant.robot, gains)
@@ -134,25 +134,27 @@ def simulate_episode(
 
 
 def episode_ticks(plant: Plant) -> int:
-    """Return how many ticks an episode has on its plant."""
+    """Return the number of ticks of an episode on its plant."""
     return round(EPISODE_TIME * plant.settings.control_rate)
 
 
 @functools.lru_cache(maxsize=64)
 def cached_plant(episode: Episode) -> Plant:
-    """Return an episode's plant; building one takes as long as running it, so it is kept."""
+    """Return the plant of an episode, cached: building it takes as long as running the episode."""
     return episode.plant()
 
 
-_EVALUATION_LOCK = threading.Lock()  # plants are kept and shared: one trial at a time in a process
+_EVALUATION_LOCK = (
+    threading.Lock()
+)  # trials share the cached plants: one trial at a time per process
 
 
 def evaluate_exclusively(job: TrialJob) -> Outcome:
-    """Return evaluate_trial(), one at a time in a process; raises Error."""
+    """Run evaluate_trial(), one trial at a time per process; raises Error."""
     with _EVALUATION_LOCK:
         return evaluate_trial(job)
 
 
 def broken(job: TrialJob) -> Outcome:
-    """Return the outcome of a job whose gains cannot be tried."""
+    """Return the outcome of a job whose gains cannot be run."""
     return Outcome(costs=(BROKEN_COST,) * len(job.objectives), broken=True)

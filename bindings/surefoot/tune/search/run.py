@@ -1,4 +1,4 @@
-"""The search: ask for gains, have them tried, tell what they cost."""
+"""The search: Optuna proposes gains, workers evaluate them, and Optuna receives the costs."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ from surefoot.tune.search.trial_journal import (
 from surefoot.tune.search.trial_queue import TrialQueue
 from surefoot.tune.search.worker_pool import WorkerPool, open_worker_pool
 
-STOP_COST_RATIO = 3.0  # times the best: what is worse is not run to its end
+STOP_COST_RATIO = 3.0  # a trial stops if its cost exceeds this times the best cost
 
 Progress = Callable[[int, int, float], None]
-"""Called with how many trials are done, how many there will be, and the best cost so far."""
+"""Called as progress(done, total, best): finished trials, all trials, best cost so far."""
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Gains, and what they cost on held-out episodes.
+    """Gains, and their costs.
 
     Attributes:
         gains: The gains.
         held_out: Outcome on the held-out episodes.
-        search_costs: Costs on the searched ones; empty if they were not a trial.
+        search_costs: Costs on the search episodes; empty if the gains were no trial.
     """
 
     gains: Gains
@@ -48,15 +48,15 @@ class Candidate:
 
 @dataclass(frozen=True)
 class SearchResult:
-    """What came of a search.
+    """Result of a search.
 
     Attributes:
-        settings: What was asked.
-        trials: Every finished trial, in the order in which they were begun.
-        start, own, best: The start, the robot's own gains, the winner of the finals.
-        front: Trials of the Pareto front, with two objectives.
-        importance: Share of each parameter in what trials cost, if there were enough of them.
-        speed: Rollout figures of this process's run.
+        settings: Settings of the search.
+        trials: All finished trials, in the order in which they began.
+        start, own, best: Start gains, the robot's own gains, and those of select_best_trial().
+        front: Trials of the Pareto front; empty with one objective.
+        importance: Importance of each parameter for the cost; empty with too few trials.
+        speed: Speed of the rollouts of this process.
     """
 
     settings: SearchSettings
@@ -72,16 +72,16 @@ class SearchResult:
 def run_search(
     settings: SearchSettings, own: Gains, progress: Progress | None = None
 ) -> SearchResult:
-    """Run a search to its end, or go on with the one in the store.
+    """Run a search to its end, or resume the search in the store.
 
     Args:
-        settings: What to do.
-        own: The robot's own gains, to compare with.
-        progress: Told how far it is.
+        settings: Settings of the search.
+        own: The robot's own gains, for comparison.
+        progress: Called after each trial.
 
     Raises:
-        Error: A store, cluster or setting that does not do, an episode that cannot be run.
-        OSError: The store cannot be written; the trials in it are safe.
+        Error: An invalid store, cluster or setting, or an episode that cannot be run.
+        OSError: The store cannot be written; the trials in it are kept.
     """
     with (
         open_trial_journal(settings.store) as storage,
@@ -116,7 +116,7 @@ def run_search(
 
 
 class _Search:
-    """The loop of one run, and its figures."""
+    """Loop of one run of a search, and its speed."""
 
     def __init__(
         self,
@@ -125,7 +125,7 @@ class _Search:
         worker_pool: WorkerPool,
         progress: Progress | None,
     ) -> None:
-        self._settings, self._study, self._crew = settings, study, worker_pool
+        self._settings, self._study, self._worker_pool = settings, study, worker_pool
         self._progress = progress
         self._episodes = settings.search_episodes
         self._distributions: dict[str, optuna.distributions.BaseDistribution] = {
@@ -139,30 +139,30 @@ class _Search:
         self._totals, self._wall_time = Outcome(), 0.0
 
     def run(self) -> None:
-        """Have trials run until there are enough."""
-        queue, begin = TrialQueue(self._crew), time.monotonic()
+        """Run trials until the store has settings.trials."""
+        queue, begin = TrialQueue(self._worker_pool), time.monotonic()
         while self._done < self._settings.trials:
-            while len(queue) < min(self._crew.count, self._settings.trials - self._done):
-                self._ask(queue)
+            while len(queue) < min(self._worker_pool.count, self._settings.trials - self._done):
+                self._submit_next(queue)
             if len(queue):
                 for number, outcome in queue.take():
-                    self._tell(number, outcome)
+                    self._record_outcome(number, outcome)
         self._wall_time = time.monotonic() - begin
 
-    def _ask(self, queue: TrialQueue) -> None:
+    def _submit_next(self, queue: TrialQueue) -> None:
         trial = self._study.ask(self._distributions)
         self._running_trials[trial.number] = trial
         objectives = self._settings.objectives
-        # With two objectives a trial that is bad at one may be good at the other.
+        # With two objectives, a trial with a high cost in one may be good in the other.
         stop_cost = STOP_COST_RATIO * self._best if len(objectives) == 1 else float("inf")
         try:
             gains = apply_parameters(trial.params, self._settings.start)
-        except Error:  # numbers that are each in range and do not go together
-            self._tell(trial.number, broken(TrialJob({}, (), objectives)))
+        except Error:  # each value is in range, but their combination is invalid
+            self._record_outcome(trial.number, broken(TrialJob({}, (), objectives)))
             return
         queue.put(trial.number, TrialJob(gain_values(gains), self._episodes, objectives, stop_cost))
 
-    def _tell(self, number: int, outcome: Outcome) -> None:
+    def _record_outcome(self, number: int, outcome: Outcome) -> None:
         trial = self._running_trials.pop(number)
         for name in ("falls", "stopped", "broken", "episodes", "terms"):
             trial.set_user_attr(name, getattr(outcome, name))
@@ -176,12 +176,12 @@ class _Search:
             self._progress(self._done, self._settings.trials, self._best)
 
     def speed(self) -> dict[str, float]:
-        """Return how fast rollouts were, of this run alone."""
+        """Return the speed of the rollouts of this run, without those of earlier runs."""
         totals, seconds, wall = self._totals, self._totals.cpu_time, self._wall_time
         if seconds <= 0.0 or wall <= 0.0:
             return {}
         return {
-            "workers": self._crew.count,
+            "workers": self._worker_pool.count,
             "wall_s": wall,
             "simulated_s": totals.simulated_time,
             "ticks_per_cpu_s": totals.ticks / seconds,

@@ -1,4 +1,4 @@
-"""Optuna's part: which sampler, which trial is best, what mattered."""
+"""Sampler, ranking of trials and parameter importance, with Optuna."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ from optuna.trial import FrozenTrial
 
 from surefoot.tune.search.settings import SearchSettings
 
-INITIAL_SIGMA = 0.25  # of the logarithmic range: the first step of CMA-ES
-POPULATION_SIZE = 20  # of NSGA-II
-MIN_TRIALS = 20  # for saying what mattered
+INITIAL_SIGMA = 0.25  # initial step size of CMA-ES, in parts of the logarithmic range
+POPULATION_SIZE = 20  # population of NSGA-II
+MIN_TRIALS = 20  # least number of trials for importance()
 
 
 def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
     """Return the sampler of a search.
 
     Args:
-        settings: What is searched.
-        done: Trials that there are; a search that goes on must not draw the same numbers again.
+        settings: Settings of the search.
+        done: Number of trials in the study. It changes the seed, so that a resumed search does not
+            draw the same numbers again.
     """
     kind = settings.sampler or ("cmaes" if len(settings.objectives) == 1 else "nsga2")
     seed = settings.seed + done
@@ -35,17 +36,17 @@ def make_sampler(settings: SearchSettings, done: int) -> BaseSampler:
 
 
 def relative_cost(costs: Sequence[float], start: tuple[float, ...]) -> float:
-    """Return the sum of costs, each relative to the start's: what makes two objectives one."""
+    """Return the sum of costs relative to those of the start, which ranks two objectives."""
     return sum(cost / max(of, 1e-9) for cost, of in zip(costs, start, strict=True))
 
 
 def rank_trials(trials: list[FrozenTrial], start: tuple[float, ...]) -> list[FrozenTrial]:
-    """Return trials, the cheapest first."""
+    """Return the trials, lowest relative cost first."""
     return sorted(trials, key=lambda trial: relative_cost(trial.values, start))
 
 
 def importance(study: optuna.Study, trials: list[FrozenTrial]) -> dict[str, float]:
-    """Return each parameter's share in what good trials have in common; {} of too few."""
+    """Return the PED-ANOVA importance of each parameter; {} with fewer than MIN_TRIALS trials."""
     if len(trials) < MIN_TRIALS:
         return {}
     found = optuna.importance.get_param_importances(

@@ -1,4 +1,4 @@
-"""What a search is asked to be."""
+"""Settings of a search."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ MAX_JOBS = 256
 
 @dataclass(frozen=True)
 class SearchSettings:
-    """Robot, start, what to change, what to judge by, how long.
+    """Settings of a search, checked on construction.
 
     Attributes:
         robot: A name of surefoot.available_robots(), or the paths of a URDF and a TOML.
-        start: Gains to begin with.
-        trials: To be in the store at the end, those that are there already included.
-        jobs: Processes.
-        cluster: Address of a Dask scheduler instead.
+        start: Start gains.
+        trials: Total number of trials at the end, including those in the store.
+        jobs: Number of processes.
+        cluster: Address of a Dask scheduler, instead of local processes.
         objectives: One of cost.OBJECTIVES, or two for a Pareto front.
-        space: What may change.
-        episodes: Runs that every trial is judged by.
-        held_out: Runs, of other seeds, that the result is judged by.
+        space: Parameters that the search varies.
+        episodes: Number of episodes on which each trial is evaluated.
+        held_out: Number of episodes with other seeds, on which the result is evaluated.
         sampler: One of SAMPLERS; None chooses cmaes for one objective, nsga2 for two.
-        seed: Of the sampler and the first episode.
-        plant: Ground, rates and sensors of the runs.
+        seed: Seed of the sampler and of the first episode.
+        plant: Ground, rates and sensors of the episodes.
         store: Journal file; None keeps the trials in memory.
     """
 
@@ -79,23 +79,23 @@ class SearchSettings:
 
     @property
     def search_episodes(self) -> tuple[Episode, ...]:
-        """The runs of every trial."""
+        """Episodes on which each trial is evaluated."""
         return tuple(Episode(self.robot, self.seed + k, self.plant) for k in range(self.episodes))
 
     @property
     def final_episodes(self) -> tuple[Episode, ...]:
-        """The runs that decide between the best trials."""
+        """Episodes that choose between the best trials."""
         first = FINAL_SEED + self.seed
         return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.episodes))
 
     @property
     def held_out_episodes(self) -> tuple[Episode, ...]:
-        """The runs that no trial has seen."""
+        """Episodes that only evaluate the result."""
         first = HELD_OUT_SEED + self.seed
         return tuple(Episode(self.robot, first + k, self.plant) for k in range(self.held_out))
 
     def identity(self) -> dict[str, Any]:
-        """Return as plain data what makes two searches the same."""
+        """Return the settings that must be equal for a search to resume, as plain data."""
         return {
             "robot": self.robot if isinstance(self.robot, str) else list(self.robot),
             "start": gain_values(self.start),

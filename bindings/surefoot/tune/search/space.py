@@ -1,4 +1,4 @@
-"""What is searched: frequencies and damping of the tasks, and gains by name."""
+"""Search space: frequencies and damping ratios of the tasks, and gains by name."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from surefoot.robot.robot_toml import suggest
 
 TWO_PI = 2.0 * math.pi
 
-# Stiffness and damping as people understand them; kp and kd alone are a narrow curved valley.
+# Tasks that the search describes by frequency and damping ratio. In kp and kd the good values form
+# a narrow curved valley, which a sampler searches badly.
 TASK_GAINS = {
     "sway": ("com_kp_horizontal", "com_kd_horizontal"),
     "height": ("com_kp_vertical", "com_kd_vertical"),
@@ -18,20 +19,20 @@ TASK_GAINS = {
     "yaw": ("base_kp_yaw", "base_kd_yaw"),
     "foot": ("foot_kp", "foot_kd"),
 }
-FREQUENCY_RANGE = 0.3, 6.0  # [Hz] natural, of the body's tasks
-FOOT_FREQUENCY_RANGE = 1.0, 11.0  # [Hz]
-DAMPING_RANGE = 0.2, 2.5
+FREQUENCY_RANGE = 0.3, 6.0  # [Hz] natural frequency of the body's tasks
+FOOT_FREQUENCY_RANGE = 1.0, 11.0  # [Hz] natural frequency of the foot task
+DAMPING_RANGE = 0.2, 2.5  # damping ratio
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """One number that the search may choose, on a logarithmic scale.
+    """One parameter of the search, on a logarithmic scale.
 
     Attributes:
         name: "sway_frequency", "sway_damping" ..., or the name of a gain.
         low: Least value, > 0.
         high: Greatest value.
-        unit: Of the value.
+        unit: Unit of the value.
     """
 
     name: str
@@ -40,7 +41,7 @@ class Parameter:
     unit: str
 
     def get(self, gains: Gains) -> float:
-        """Return the value that gains have, brought into the range."""
+        """Return the value of this parameter in `gains`, clamped to the range."""
         pair = task_gains(self.name)
         if pair is None:
             value = get_gain(gains, self.name)
@@ -52,28 +53,28 @@ class Parameter:
 
 
 def task_gains(name: str) -> tuple[str, str] | None:
-    """Return the stiffness and damping that a task's number stands for; None for a gain."""
+    """Return the stiffness and damping gain of a task's parameter; None for a gain."""
     task, _, what = name.rpartition("_")
     return TASK_GAINS.get(task) if what in ("frequency", "damping") else None
 
 
 def include_start(parameter: Parameter, start: Gains) -> Parameter:
-    """Return a parameter whose range has the start in it.
+    """Return a parameter whose range includes the value of the start gains.
 
     Raises:
-        Error: The start is 0, which no logarithmic scale has.
+        Error: The start value is 0, which is not on a logarithmic scale.
     """
     value = replace(parameter, low=0.0, high=math.inf).get(start)
     if not value > 1e-4:
         raise Error(
-            f"gain: the start's {parameter.name} is {value:g}, expected above 0: it is searched on "
-            "a logarithmic scale; start from another value, or search another gain"
+            f"gain: got start value {value:g} of {parameter.name}, expected above 0 for the "
+            "logarithmic scale; use another start value, or search another gain"
         )
     return replace(parameter, low=min(parameter.low, value), high=max(parameter.high, value))
 
 
 def default_space() -> list[Parameter]:
-    """Return frequency and damping of the five tasks that keep a robot standing."""
+    """Return frequency and damping ratio of the five tasks as parameters."""
     space = []
     for task in TASK_GAINS:
         low, high = FOOT_FREQUENCY_RANGE if task == "foot" else FREQUENCY_RANGE
@@ -83,10 +84,10 @@ def default_space() -> list[Parameter]:
 
 
 def parse_parameter(text: str) -> Parameter:
-    """Read NAME or NAME=LOW:HIGH, the name of a task's number or of a gain.
+    """Parse NAME or NAME=LOW:HIGH; NAME is a task's frequency or damping, or a gain.
 
     Raises:
-        Error: An unknown name, a range outside the gain's own or not above 0.
+        Error: The name is unknown, or the range is not above 0 or not within the gain's range.
     """
     name, _, span = text.partition("=")
     known = {parameter.name: parameter for parameter in default_space()}
@@ -121,7 +122,7 @@ def _parse_range(name: str, span: str, limits: object) -> tuple[float, float]:
 
 
 def apply_parameters(values: dict[str, float], start: Gains) -> Gains:
-    """Return start with a trial's values in it; raises Error if one is out of a gain's range."""
+    """Return `start` with the values of a trial; raises Error if a gain is out of its range."""
     gains = start.__copy__()
     for name, value in values.items():
         if name in {info.name for info in gain_table()}:

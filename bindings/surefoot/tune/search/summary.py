@@ -1,4 +1,4 @@
-"""A search in numbers, and in words."""
+"""Summary of a search, as JSON values and as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from surefoot.tune.search.space import apply_parameters
 
 
 def summarise(result: SearchResult) -> dict[str, Any]:
-    """Return everything as plain JSON types; costs are lower where better."""
+    """Return the result of a search as JSON values; lower costs are better."""
     settings, trials = result.settings, result.trials
     two = len(settings.objectives) == 2
     summary = {
@@ -47,11 +47,11 @@ def summarise(result: SearchResult) -> dict[str, Any]:
 
 
 def summary_text(s: dict[str, Any]) -> str:
-    """Return a summary for people."""
+    """Return a summary of summarise() as text."""
     lines = [
-        f"{s['robot']}: {s['trials']} trials, {s['failures']} with a fall or worse, "
+        f"{s['robot']}: {s['trials']} trials, {s['failures']} with a fall or broken, "
         f"{s['stopped_early']} stopped early",
-        f"{'cost (lower is better)':<26}{'searched':>16}{s['held_seeds']:>10} other seeds",
+        f"{'cost (lower is better)':<26}{'search':>16}{s['held_seeds']:>8} held-out seeds",
     ]
     for name, text in (("start", "start"), ("own", "the robot's own"), ("best", "best")):
         search_costs = _cost_text(s[name]) if name in s else "-"
@@ -60,7 +60,7 @@ def summary_text(s: dict[str, Any]) -> str:
     if s["rollouts"]:
         speed = s["rollouts"]
         lines.append(
-            f"  rollouts: {speed['real_time_factor_per_core']:.0f} x real time a core, "
+            f"  rollouts: {speed['real_time_factor_per_core']:.0f} x real time per core, "
             f"{speed['real_time_factor']:.0f} x with {speed['workers']} workers; "
             f"{speed['ticks_per_cpu_s']:.0f} ticks, {speed['physics_steps_per_cpu_s']:.0f} physics "
             "steps per second of CPU"
@@ -69,17 +69,18 @@ def summary_text(s: dict[str, Any]) -> str:
 
 
 def gains_provenance(s: dict[str, Any], command: str) -> str:
-    """Return where gains come from, for the head of their file."""
+    """Return the origin of the gains as text, for the header of their file."""
     return (
         f"Made by: {command}\n"
-        f"Cost {_cost_text(s['best'])} (start {_cost_text(s['start'])}); on {s['held_seeds']} seeds that "
-        f"were not searched with {_cost_text(s['best_on_held_seeds'])} (start "
-        f"{_cost_text(s['start_on_held_seeds'])}, the robot's own {_cost_text(s['own_on_held_seeds'])})."
+        f"Cost {_cost_text(s['best'])} (start {_cost_text(s['start'])}); on {s['held_seeds']} "
+        f"held-out seeds {_cost_text(s['best_on_held_seeds'])} (start "
+        f"{_cost_text(s['start_on_held_seeds'])}, the robot's own "
+        f"{_cost_text(s['own_on_held_seeds'])})."
     )
 
 
 def term_lines(candidate: Candidate) -> list[str]:
-    """Return a candidate's terms on held-out seeds, one a line."""
+    """Return the cost terms of a candidate on held-out seeds, one per line."""
     terms = candidate.held_out.terms
     return [f"{name} {terms[name]:.2f}: {text}" for name, text in TERMS.items() if name in terms]
 

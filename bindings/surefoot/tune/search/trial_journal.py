@@ -1,4 +1,4 @@
-"""The journal: every trial on disk when it is done, and whose search it is."""
+"""Journal file of trials, from which an interrupted search resumes."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from surefoot._core import Error
 from surefoot.tune.search.settings import SearchSettings
 
 STUDY = "surefoot"
-SEARCH = "search"  # user attribute of the study: what is searched
-START = "start"  # user attribute of the trial that is the start
+SEARCH = "search"  # user attribute of the study: SearchSettings.identity()
+START = "start"  # user attribute of the trial with the start gains
 
 
 @contextmanager
 def open_trial_journal(path: str | None) -> Iterator[BaseStorage]:
-    """Open a journal file, or keep trials in memory only; raises Error, OSError.
+    """Open a journal file, or keep trials in memory if `path` is None; raises Error, OSError.
 
-    One search at a time: trials under way of a search that was killed are run again, so none other
-    may be at work in the same file.
+    A lock permits one search per file: the next search runs the unfinished trials of a killed
+    search again, and must not take those of a running one.
     """
     logging.getLogger("optuna").setLevel(logging.ERROR)
     if path is None:
@@ -39,31 +39,37 @@ def open_trial_journal(path: str | None) -> Iterator[BaseStorage]:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise Error(f"store '{path}': another search is at work in it") from None
+            raise Error(f"store '{path}': another search uses it") from None
         yield _open_journal(path)
 
 
 def _open_journal(path: str) -> BaseStorage:
     _repair_last_line(Path(path))
-    Path(f"{path}.lock").unlink(missing_ok=True)  # of a search that was killed while it wrote
+    Path(f"{path}.lock").unlink(missing_ok=True)  # left by a search that was killed while writing
     try:
         storage = JournalStorage(JournalFileBackend(path, lock_obj=JournalFileOpenLock(path)))
     except (AssertionError, KeyError, TypeError, ValueError) as problem:
-        raise Error(f"store '{path}': is no journal of trials ({problem})") from None
+        raise Error(f"store '{path}': not a journal of trials ({problem})") from None
     return storage
 
 
 def _repair_last_line(path: Path) -> None:
-    """Finish or cut off a last line that a killed search left; raise Error at one that is none."""
+    """Complete or cut off the last line of a killed search; raise Error at an invalid line."""
     content = path.read_bytes()
     whole, _, end = content.rpartition(b"\n")
     for number, line in enumerate(whole.splitlines(), 1):
         if not _is_entry(line):
-            raise Error(f"store '{path}': line {number} is no journal entry; is the file corrupt?")
+            raise Error(
+                f"store '{path}': line {number} is not a journal entry; corrupt, or another file? "
+                "choose another --store"
+            )
     if not end:
         return
     if not whole and not _is_entry(end):
-        raise Error(f"store '{path}': line 1 is no journal entry; is the file corrupt?")
+        raise Error(
+            f"store '{path}': line 1 is not a journal entry; corrupt, or another file? "
+            "choose another --store"
+        )
     with path.open("r+b") as handle:
         if _is_entry(end):
             handle.seek(0, 2)
@@ -81,10 +87,10 @@ def _is_entry(line: bytes) -> bool:
 
 
 def open_or_create_study(storage: BaseStorage, settings: SearchSettings) -> optuna.Study:
-    """Open the study of a store, or begin it.
+    """Load the study of a store, or create it if the store is empty.
 
     Raises:
-        Error: The store holds something else, or another search.
+        Error: The store is no store of a search, or of a search with other settings.
     """
     path, search = settings.store, settings.identity()
     stored = storage.get_all_studies()
@@ -102,13 +108,18 @@ def open_or_create_study(storage: BaseStorage, settings: SearchSettings) -> optu
     for trial in study.get_trials(deepcopy=False, states=(TrialState.COMPLETE,)):
         values = trial.values or [math.nan]
         if not all(isinstance(v, float | int) and math.isfinite(v) for v in values):
-            raise Error(f"store '{path}': trial {trial.number} costs {values}, expected numbers")
+            raise Error(
+                f"store '{path}': trial {trial.number}: got costs {values}, expected numbers"
+            )
     return study
 
 
 def _check_empty(path: str | None) -> None:
     if path is not None and Path(path).stat().st_size > 0:
-        raise Error(f"store '{path}': its beginning is missing; is the file corrupt?")
+        raise Error(
+            f"store '{path}': its beginning is missing; corrupt, or another file? "
+            "choose another --store"
+        )
 
 
 def _check_same_search(path: str | None, stored: dict[str, Any], search: dict[str, Any]) -> None:
@@ -116,14 +127,14 @@ def _check_same_search(path: str | None, stored: dict[str, Any], search: dict[st
         names = [name for name in search if stored.get(name) != search[name]]
         raise Error(
             f"store '{path}': holds another search, which differs in {', '.join(names) or 'all'}; "
-            "name another file, or ask for what it was begun with"
+            "use another file, or the arguments that the store was begun with"
         )
 
 
 def requeue_interrupted_trials(study: optuna.Study) -> None:
-    """Give trials up that a killed search left under way, and queue them anew."""
+    """Mark the unfinished trials of a killed search as failed, and queue them again."""
     for trial in study.get_trials(deepcopy=False, states=(TrialState.RUNNING,)):
-        # Those of the start were asked for before they were written one by one.
+        # A queued trial stores its values in fixed_params before they are stored one by one.
         values = trial.system_attrs.get("fixed_params", trial.params)
         study.enqueue_trial(values, user_attrs=trial.user_attrs)
         study.tell(trial.number, state=TrialState.FAIL)

@@ -1,4 +1,4 @@
-"""Trials under way: what came of them, and what becomes of those whose worker died."""
+"""Queue of running trials, which runs the jobs of dead workers again."""
 
 from __future__ import annotations
 
@@ -8,44 +8,44 @@ from surefoot._core import Error
 from surefoot.tune.search.rollout import Outcome, TrialJob, broken
 from surefoot.tune.search.worker_pool import WorkerPool
 
-MAX_ATTEMPTS = 3  # a trial that has killed as many workers, alone, is broken
-POLL_PERIOD = 2.0  # [s] between looks whether anybody is there at all
+MAX_ATTEMPTS = 3  # attempts of a trial that runs alone; then it counts as broken
+POLL_PERIOD = 2.0  # [s] between checks whether workers exist
 
 
 class TrialQueue:
-    """Jobs under way.
+    """Queue of running jobs.
 
-    A worker that dies takes with it what its pool was at, and nothing else: those jobs are run
-    again, one at a time, so that one that kills every worker is known for what it is.
+    When a worker dies, all running jobs of its pool are lost. The queue runs them again one at a
+    time, so that a job that kills its worker is identified.
 
     Args:
-        worker_pool: Who runs them.
+        worker_pool: Workers that run the jobs.
     """
 
     def __init__(self, worker_pool: WorkerPool) -> None:
-        self._crew = worker_pool
+        self._worker_pool = worker_pool
         self._pending: dict[Future[Outcome], tuple[int, TrialJob]] = {}
 
     def __len__(self) -> int:
-        """Jobs under way."""
+        """Return the number of running jobs."""
         return len(self._pending)
 
     def put(self, number: int, job: TrialJob) -> None:
-        """Hand a trial's job over."""
+        """Submit the job of a trial."""
         try:
-            future = self._crew.submit(job)
+            future = self._worker_pool.submit(job)
         except (
-            self._crew.worker_death_errors
-        ):  # since the last look; what was under way will say so, too
-            self._crew.restart_workers()
-            future = self._crew.submit(job)
+            self._worker_pool.worker_death_errors
+        ):  # a worker died since the last check; the futures of running jobs raise too
+            self._worker_pool.restart_workers()
+            future = self._worker_pool.submit(job)
         self._pending[future] = number, job
 
     def take(self) -> list[tuple[int, Outcome]]:
-        """Wait until at least one trial is done, and return those that are.
+        """Wait until at least one trial is done; return (number, outcome) of all finished trials.
 
         Raises:
-            Error: Nobody is left to answer, or a worker cannot run what it is given.
+            Error: No worker is left, or a worker cannot run a job.
         """
         done: list[tuple[int, Outcome]] = []
         while not done:
@@ -66,18 +66,18 @@ class TrialQueue:
         return done
 
     def _jobs_are_lost(self) -> bool:
-        """Whether jobs under way will never be answered; raises Error if nobody will be."""
+        """Return whether the running jobs are lost; raises Error if no worker is left."""
         try:
-            self._crew.check()
-        except self._crew.worker_death_errors:
+            self._worker_pool.check()
+        except self._worker_pool.worker_death_errors:
             return True
         return False
 
     def _result(self, future: Future[Outcome]) -> Outcome | None:
-        """Return what a job came to, or None if its worker died."""
+        """Return the outcome of a job, or None if its worker died."""
         try:
             return future.result()
-        except self._crew.worker_death_errors:
+        except self._worker_pool.worker_death_errors:
             return None
         except CancelledError:
             return None
@@ -88,20 +88,20 @@ class TrialQueue:
             raise Error(f"a worker cannot run trials: {kind}: {problem}") from problem
 
     def _rerun_one_by_one(self, suspects: list[tuple[int, TrialJob]]) -> list[tuple[int, Outcome]]:
-        # A pool that has broken fails everything that was under way in it.
+        # All running jobs of a broken pool are lost.
         suspects += self._pending.values()
         self._pending.clear()
-        self._crew.restart_workers()
+        self._worker_pool.restart_workers()
         return [(number, self._run_alone(job)) for number, job in suspects]
 
     def _run_alone(self, job: TrialJob) -> Outcome:
         for _ in range(MAX_ATTEMPTS):
-            future = self._crew.submit(job)
+            future = self._worker_pool.submit(job)
             lost = False
             while not lost and not wait([future], timeout=POLL_PERIOD).done:
                 lost = self._jobs_are_lost()
             outcome = None if lost else self._result(future)
             if outcome is not None:
                 return outcome
-            self._crew.restart_workers()
+            self._worker_pool.restart_workers()
         return broken(job)

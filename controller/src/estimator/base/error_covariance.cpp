@@ -32,7 +32,7 @@ void ErrorCovariance::transpose() noexcept {
   }
 }
 
-// P Phi', column by column; those that others still need come last.
+// Compute P Phi' in place, column by column. Columns that others still need are changed last.
 void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexcept {
   const double dt = motion.dt, gravity_dt = kGravity * dt;
   const double* const gyroscope[] = {P_[kGyroscopeBias], P_[kGyroscopeBias + 1],
@@ -42,7 +42,7 @@ void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexce
     const double* const v = P_[kVelocity + k];
     for (int i = 0; i < kPaddedSize; ++i) p[i] += dt * v[i];
   }
-  // Gravity turned by the error of rotation: g x xi, g along -z.
+  // Gravity rotated by the rotation error: g x xi, with g along -z.
   for (int i = 0; i < kPaddedSize; ++i) {
     P_[kVelocity][i] += gravity_dt * P_[kRotation + 1][i];
     P_[kVelocity + 1][i] -= gravity_dt * P_[kRotation][i];
@@ -69,8 +69,9 @@ void ErrorCovariance::multiply_transition(const ErrorPropagation& motion) noexce
   }
 }
 
-// A noisy rate does to the group what an error of the gyroscope's bias does, so its variance goes
-// along as the bias's own, and what that says of the bias is taken back.
+// Gyroscope noise affects the error on the group exactly as an error of the gyroscope bias does. So
+// its variance is added to that of the bias for the propagation, and its effect on the bias rows is
+// removed afterwards.
 void ErrorCovariance::propagate(const ErrorPropagation& motion) noexcept {
   fill_upper_triangle();
   for (int k = 0; k < 3; ++k) P_[kGyroscopeBias + k][kGyroscopeBias + k] += motion.rate_variance;
@@ -104,7 +105,7 @@ void ErrorCovariance::project(int leg, const Vector3& lever, Columns& out) const
     for (int i = d; i < kPaddedSize; ++i) out[k][i] = P_[p][i] - P_[d][i];
   }
   for (int i = 0; i < kPaddedSize; ++i) {
-    Vector3 turn;  // the i-th row of the rotation's columns
+    Vector3 turn;  // row i of the rotation columns
     for (int j = 0; j < 3; ++j) turn[j] = i >= j ? P_[kRotation + j][i] : P_[i][kRotation + j];
     const Vector3 moved = turn.cross(lever);
     for (int k = 0; k < 3; ++k) out[k][i] += moved[k];

@@ -7,13 +7,13 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFilterTime = 0.01;     // [s] keeps the encoders' noise out of speeds
-constexpr double kNoisePeriod = 0.002;   // [s] the sampling that the noise gains are quoted at
-constexpr double kSwingSpeed = 3.0;      // [m/s] how fast a foot off the ground may move
-constexpr double kSwingShare = 3.0;      // of its speed relative to the base, besides
-constexpr double kSwingTime = 0.1;       // [s] for which it goes on like that
-constexpr double kUnloadedShare = 0.03;  // share of the weight that keeps a foot where it is
-constexpr double kUnloadedSpeed = 0.5;   // [m/s] at which one without may slide
+constexpr double kFilterTime = 0.01;     // [s] low-pass against encoder noise
+constexpr double kNoisePeriod = 0.002;   // [s] sample period that the noise gains refer to
+constexpr double kSwingSpeed = 3.0;      // [m/s] assumed speed of a foot off the ground ...
+constexpr double kSwingShare = 3.0;      // ... plus this multiple of its speed relative to the base
+constexpr double kSwingTime = 0.1;       // [s] for which this speed persists
+constexpr double kUnloadedShare = 0.03;  // share of the weight; less loaded feet slide easily
+constexpr double kUnloadedSpeed = 0.5;   // [m/s] slip speed of a foot without load
 }  // namespace
 
 void FootMotionModel::update_velocity(const Dynamics& dynamics, double dt) noexcept {

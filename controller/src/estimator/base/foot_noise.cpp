@@ -7,12 +7,11 @@
 namespace surefoot {
 
 namespace {
-constexpr double kTimeConstant =
-    0.02;  // [s] in which the variance falls by e when nothing surprises
-constexpr double kMaxNisRatio = 25.0;  // times the dimension: a wilder innovation counts no more
-constexpr double kMaxLogChange = 1.0;  // most that one sample changes the logarithm by
-constexpr double kMinSigma = 2e-6;     // [m] nobody knows a foot better
-constexpr double kMaxSigma = 0.02;     // [m]
+constexpr double kTimeConstant = 0.02;  // [s] time constant of the decay without innovations
+constexpr double kMaxNisRatio = 25.0;   // times the dimension: larger innovations are clipped
+constexpr double kMaxLogChange = 1.0;   // largest change of log(variance) by one sample
+constexpr double kMinSigma = 2e-6;      // [m] lower bound
+constexpr double kMaxSigma = 0.02;      // [m] upper bound
 }  // namespace
 
 void FootNoise::reset(const Gains& gains) noexcept {
@@ -23,7 +22,7 @@ void FootNoise::update(const Eigen::Vector4d& nis, const Eigen::Vector4d& predic
                        const std::array<bool, kLegs>& stance, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!stance[leg]) continue;
-    // While the filter itself is in doubt, innovations say little of the measurement.
+    // While the predicted variance dominates, innovations tell little about the measurement noise.
     const double share = variance_[leg] / (variance_[leg] + predicted_variance[leg]);
     const double excess = std::min(nis[leg] / 3.0, kMaxNisRatio) - 1.0;
     const double growth =

@@ -6,24 +6,24 @@
 
 namespace surefoot {
 
-/// How well each foot's position fits, measured: by the innovations' own size.
+/// Adaptive measurement noise of the foot positions.
 ///
-/// What the joint angles say of a foot is off by encoders, bending legs and soft soles, none of
-/// which a data sheet tells. A foot's variance grows while its normalised innovation squared is
-/// above its dimension and shrinks while it is below, exponentially, so that a guess that is wrong
-/// by orders of magnitude is mended in a fraction of a second (innovation-based adaptation as in
-/// Mehra 1970, by stochastic approximation). Real-time: yes.
+/// Encoders, leg flexibility and soft soles make the foot position from joint angles inaccurate,
+/// and no data sheet gives the error. So the variance of a foot grows exponentially while its
+/// normalised innovation squared is above its dimension, and decays while it is below. An initial
+/// value that is wrong by orders of magnitude is corrected in a fraction of a second. This is
+/// innovation-based adaptation (Mehra 1970), by stochastic approximation. Real-time: yes.
 class FootNoise {
  public:
   void reset(const Gains& gains) noexcept;
 
-  /// Learn from feet that stand.
+  /// Adapt the variances of the stance feet.
   /// @param nis normalised innovation squared of each foot, dimension 3
-  /// @param predicted_variance variance of each innovation without the measurement's own [m^2]
+  /// @param predicted_variance variance of each innovation without the measurement noise [m^2]
   void update(const Eigen::Vector4d& nis, const Eigen::Vector4d& predicted_variance,
               const std::array<bool, kLegs>& stance, double dt) noexcept;
 
-  /// Of one coordinate of each foot's position [m^2].
+  /// Variance of one coordinate of each measured foot position [m^2].
   const Eigen::Vector4d& variance() const noexcept { return variance_; }
 
  private:

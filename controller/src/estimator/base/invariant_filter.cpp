@@ -9,18 +9,18 @@ namespace surefoot {
 using namespace error_index;
 
 namespace {
-constexpr double kMinFootVariance = 1e-12;      // [m^2] keeps a perfectly known foot invertible
-constexpr double kVarianceTolerance = 1e-6;     // of a variance of nothing
-constexpr double kMaxSpeed = 20.0;              // [m/s]
-constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
-constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
-constexpr double kRelinearisationAngle = 0.01;  // [rad] after which linearisations are made anew
+constexpr double kMinFootVariance = 1e-12;      // [m^2] keeps the innovation covariance invertible
+constexpr double kVarianceTolerance = 1e-6;     // rounding errors of zero variances
+constexpr double kMaxSpeed = 20.0;              // [m/s] larger is implausible
+constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s] larger is implausible
+constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2] larger is implausible
+constexpr double kRelinearisationAngle = 0.01;  // [rad] rotation that renews a linearisation point
 
 double square(double x) noexcept { return x * x; }
 
-// The accelerometer's bias is a first-order Gauss-Markov process that wanders as its gain says and
-// is as great in the long run as it was thought to be at the start. At rest nothing tells it from a
-// tilt, and without a bound both would walk together for ever.
+// The accelerometer bias is a first-order Gauss-Markov process: accelerometer_drift sets its random
+// walk, start_accelerometer_bias its stationary standard deviation. At rest a horizontal bias
+// cannot be distinguished from a tilt. Without this bound both would drift together for ever.
 void discretise_accelerometer_bias(const Gains& gains, ErrorPropagation& motion) noexcept {
   const double start = square(gains.start_accelerometer_bias);
   const double rate = 0.5 * square(gains.accelerometer_drift) / start;
@@ -53,26 +53,27 @@ void InvariantFilter::reset_covariance(const InitialSigmas& sigmas) noexcept {
 bool InvariantFilter::is_plausible() const noexcept {
   const bool values = v_.norm() < kMaxSpeed && gyroscope_bias_.norm() < kMaxGyroscopeBias &&
                       accelerometer_bias_.norm() < kMaxAccelerometerBias;
-  bool variances = true;  // what is no number is none
+  bool variances = true;  // NaN fails every comparison
   for (int k = 0; k < kSize; ++k) variances = variances && P_(k, k) > -kVarianceTolerance;
   return values && variances;
 }
 
-// What the biases do to the error turns with the attitude. Were it made at each tick's estimate,
-// the estimate's own noise would turn it from tick to tick, always with the innovations that it
-// came from: the filter would believe that it sees the tilt that a bias looks like, and learn both,
-// steadily wrong, by 0.16 m/s^2 an hour on a robot at rest. (Inconsistency by linearisation: Huang,
-// Mourikis, Roumeliotis 2010, "Observability-based rules for designing consistent EKF SLAM
-// estimators".) So the attitude it is made at is kept until the body has turned.
+// Choose the attitude at which the effect of the biases on the error is linearised: keep it until
+// the body has rotated by kRelinearisationAngle. At rest a horizontal bias and a tilt cannot be
+// distinguished. Linearised at each new estimate, the Jacobian would vary with the noise of the
+// estimate and correlate with the innovations. The filter would then seem to observe tilt and bias
+// separately and drift: by 0.16 m/s^2 an hour for a robot at rest. This is inconsistency by
+// linearisation (Huang, Mourikis, Roumeliotis 2010, "Observability-based rules for designing
+// consistent EKF SLAM estimators").
 void InvariantFilter::relinearise() noexcept {
-  // |R - R'|^2 of two attitudes a small angle apart is twice the angle's square.
+  // |R - R'|^2 = 2 a^2 for a small angle a between two attitudes.
   if ((R_ - R_linearisation_).squaredNorm() > 2.0 * square(kRelinearisationAngle))
     R_linearisation_ = R_;
 }
 
-// The same of the measurement's lever, until the lever itself has turned: the ground's normal is
-// found from the believed feet and trembles with them. Taken as it came, it taught a robot that
-// stands 0.016 m/s^2 of bias an hour.
+// Choose the lever at which the measurement is linearised, likewise: the ground normal comes from
+// the estimated feet and has their noise. Linearised at each new lever, the bias of a standing
+// robot would drift by 0.016 m/s^2 an hour.
 void InvariantFilter::relinearise(const Vector3& lever) noexcept {
   const double most = square(kRelinearisationAngle) * lever.squaredNorm();
   if ((lever - lever_linearisation_).squaredNorm() > most) lever_linearisation_ = lever;
@@ -97,15 +98,15 @@ void InvariantFilter::predict(const Gains& gains, const ImuInput& imu,
   motion.foot_variance = foot_variance;
   motion.gyroscope_drift_variance = square(gains.gyroscope_drift) * dt;
   discretise_accelerometer_bias(gains, motion);
-  // Along the vertical standing feet tell the bias from everything else, so it may change soon.
-  // Were it thought to be known, one that jumps would be laid to the horizontal bias and the tilt,
-  // which are not: 0.7 m/s^2 upwards made an a1 rock itself off its feet. How soon it is learnt
-  // goes by sigma sqrt(dt) / drift, with the accelerometer's noise sigma.
+  // Stance feet make the vertical bias observable, so it gets more process noise. With a small
+  // variance, a jump of the vertical bias would be attributed to the horizontal bias and the tilt;
+  // a jump of 0.7 m/s^2 can then make an a1 tip over. The time constant of the vertical bias is
+  // sigma sqrt(dt) / accelerometer_drift_vertical, with sigma the accelerometer noise.
   motion.up_base = R_linearisation_.row(2);
   motion.vertical_drift_variance = square(gains.accelerometer_drift_vertical) * dt;
   P_.propagate(motion);
 
-  // The specific force is turned by half of the tick's rotation: its mean over the tick.
+  // Rotate the specific force by half of the tick's rotation, which gives its mean over the tick.
   const Vector3 turn = dt * (imu.w_base - gyroscope_bias_);
   const Vector3 force = imu.f_base - accelerometer_bias_;
   const Vector3 a = R_ * (force + 0.5 * turn.cross(force)) - kGravity * Vector3::UnitZ();
@@ -129,9 +130,10 @@ void InvariantFilter::correct(const FeetMatrix& y_base, const Eigen::Vector4d& v
   apply(xi);
 }
 
-// z = R y - (d - p) = xi_p - xi_d + xi_R x lever, to first order and whatever the state: a round
-// sole's contact point is straight below its centre, by the very attitude that is looked for. The
-// feet share one point of linearisation: what those before have explained is taken off.
+// z = R y - (d - p) = xi_p - xi_d + xi_R x lever, to first order and independent of the state. The
+// last term: y has the contact point of a spherical foot along the ground normal from the centre,
+// and needs the estimated attitude for that. All feet share one linearisation point, so the
+// correction by the feet before is subtracted from the innovation.
 void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, double gate,
                                    const Vector3& lever, Error& xi) noexcept {
   const int foot = kFeet + 3 * leg;
@@ -169,7 +171,7 @@ void InvariantFilter::correct_foot(int leg, const Vector3& z, double variance, d
   P_.correct(W, K, S);
 }
 
-// X = exp(-xi) X.
+// Apply the correction: X = exp(-xi) X on the group, by difference for the biases.
 void InvariantFilter::apply(const Error& xi) noexcept {
   const Vector3 turn = -xi.segment<3>(kRotation);
   const Quaternion dq = exp_so3(turn);

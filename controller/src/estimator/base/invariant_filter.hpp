@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// Standard deviations that a filter starts with.
+/// Initial standard deviations of the filter.
 struct InitialSigmas {
   double tilt = 0.0;           ///< [rad]
   double velocity = 0.0;       ///< [m/s]
@@ -15,55 +15,67 @@ struct InitialSigmas {
   double accelerometer = 0.0;  ///< [m/s^2]
 };
 
-/// What one tick's IMU says, and how sure it is.
+/// IMU measurement of one tick, with variances.
 struct ImuInput {
-  Vector3 w_base = Vector3::Zero();  ///< [rad/s] as read
-  Vector3 f_base = Vector3::Zero();  ///< [m/s^2] specific force as read
+  Vector3 w_base = Vector3::Zero();  ///< [rad/s] bias included
+  Vector3 f_base = Vector3::Zero();  ///< [m/s^2] specific force, bias included
   double w_variance = 0.0;           ///< [rad^2/s^2]
   double f_variance = 0.0;           ///< [m^2/s^4]
   double dt = 0.0;                   ///< [s]
 };
 
-/// Contact-aided invariant extended Kalman filter for orientation, velocity, position, contact
-/// points and the IMU's biases.
+/// Contact-aided invariant extended Kalman filter (InEKF) for orientation, velocity, position,
+/// contact points and IMU biases.
 ///
-/// State of the IMU's own point, X = (R, v, p, d_1 .. d_4) on SE_6(3), and biases in base axes.
-/// The error is right-invariant, X_estimate = exp(xi) X: its motion does not depend on the state
-/// but through the biases, so it converges from far and learns nothing of what cannot be seen (yaw,
-/// position, and the horizontal accelerometer bias at rest). Hartley, Ghaffari, Eustice, Grizzle
-/// 2020, "Contact-aided invariant extended Kalman filtering for robot state estimation", sections
-/// IV and V. Real-time: yes.
+/// The state X = (R, v, p, d_1 .. d_4) of the IMU point and the contact points is an element of the
+/// group SE_6(3); the biases, in base axes, are vectors beside it. Gyroscope and accelerometer
+/// drive the prediction. The forward kinematics of each leg measure y = R' (d - p), the contact
+/// point from the IMU point.
+///
+/// The error is right-invariant, X_estimate = exp(xi) X. Its linearised dynamics and measurement
+/// depend on the state only through the biases. So the filter converges from large initial errors
+/// and gains no false information about what is not observable: yaw, position and, at rest, the
+/// horizontal accelerometer bias.
+///
+/// Source: Hartley, Ghaffari, Eustice, Grizzle, "Contact-aided invariant extended Kalman filtering
+/// for robot state estimation", IJRR 2020. Differences from the paper: contact points roll with the
+/// spherical feet; all four feet stay in the state, with large process noise off the ground; the
+/// accelerometer bias is a Gauss-Markov process; an innovation gate rejects feet; the linearisation
+/// points of biases and lever are held until they have rotated by 10 mrad. Real-time: yes.
 class InvariantFilter {
  public:
-  /// Begin at rest. @param p IMU's point, @param p_feet contact points, world axes [m]
+  /// Start again with zero biases.
+  /// @param R,v,p attitude, velocity and position of the IMU point @param p_feet contact points,
+  /// world axes [m]
   void reset(const Quaternion& R, const Vector3& v, const Vector3& p, const FeetMatrix& p_feet,
              const InitialSigmas& sigmas) noexcept;
 
-  /// Doubt anew what has been found so far.
+  /// Reset the covariance and keep the estimate.
   void reset_covariance(const InitialSigmas& sigmas) noexcept;
 
-  /// Biases are zero again. Their doubt stays as it is.
+  /// Set the biases to zero and keep the covariance.
   void reset_biases() noexcept {
     gyroscope_bias_.setZero();
     accelerometer_bias_.setZero();
   }
-  /// Is the estimate one that a robot may have? What is not does not come back by itself.
+  /// Return whether the estimate is one that a robot can have. An implausible estimate does not
+  /// recover by itself.
   bool is_plausible() const noexcept;
 
-  /// Move on by one IMU reading.
-  /// @param foot_variance [m^2] that each may have moved besides
+  /// Predict over one tick.
+  /// @param foot_variance process noise [m^2] of each contact point, see FootMotionModel
   void predict(const Gains& gains, const ImuInput& imu,
                const Eigen::Vector4d& foot_variance) noexcept;
 
-  /// Contact points have travelled, by rolling. @param displacement world axes [m]
+  /// Move the contact points by a known displacement, such as rolling; world axes [m].
   void move_feet(const FeetMatrix& displacement) noexcept { feet_ += displacement; }
 
-  /// Take in where the legs say the contact points are.
-  /// @param y_base from the IMU's point, base axes [m], @param variance [m^2] of each
-  /// @param gate standard deviations beyond which a foot counts for less (as if its
-  /// measurement were as noisy as its surprise); beyond kRejectionRatio times that it is refused
-  /// @param lever [m] from a contact point to its sole's centre, world axes; the measurement is
-  /// linearised at one that is kept until it has turned by 10 mrad
+  /// Correct with the contact points by forward kinematics.
+  /// @param y_base contact points from the IMU point, base axes [m]
+  /// @param variance measurement noise [m^2] of each foot
+  /// @param gate [standard deviations] the measurement noise of a foot with a larger innovation is
+  /// enlarged to match; beyond kRejectionRatio times the gate the foot is rejected
+  /// @param lever [m] from a contact point to the centre of its foot, world axes
   void correct(const FeetMatrix& y_base, const Eigen::Vector4d& variance, double gate,
                const Vector3& lever) noexcept;
 
@@ -76,15 +88,17 @@ class InvariantFilter {
   const Vector3& accelerometer_bias() const noexcept { return accelerometer_bias_; }
   const ErrorCovariance& covariance() const noexcept { return P_; }
 
-  /// Of the last correct(): refused feet; normalised innovation squared of the others.
+  /// Results of the last correct(): feet that the gate rejected; normalised innovation squared of
+  /// all other feet together, and its dimension.
   const std::array<bool, kLegs>& rejected_feet() const noexcept { return rejected_feet_; }
   double nis() const noexcept { return nis_; }
   int nis_dimension() const noexcept { return nis_dimension_; }
-  /// The same foot by foot, and the innovations' variance without the measurement's own [m^2].
+  /// Normalised innovation squared of each foot, and the variance of its innovation without the
+  /// measurement noise [m^2].
   const Eigen::Vector4d& foot_nis() const noexcept { return foot_nis_; }
   const Eigen::Vector4d& predicted_variance() const noexcept { return predicted_variance_; }
 
-  /// More doubt about the velocity: a blow has clipped the accelerometer.
+  /// Increase the variance of the velocity, for example after a saturated accelerometer.
   void add_velocity_variance(double variance) noexcept {
     P_.add_variance(error_index::kVelocity, 3, variance);
   }
@@ -100,8 +114,8 @@ class InvariantFilter {
 
   Quaternion q_ = Quaternion::Identity();
   Matrix3 R_ = Matrix3::Identity();
-  Matrix3 R_linearisation_ = Matrix3::Identity();  // attitude that the error's motion is made at
-  Vector3 lever_linearisation_ = Vector3::Zero();  // lever that the measurement is made at
+  Matrix3 R_linearisation_ = Matrix3::Identity();  // of the bias Jacobians
+  Vector3 lever_linearisation_ = Vector3::Zero();  // of the measurement
   Vector3 v_ = Vector3::Zero(), p_ = Vector3::Zero();
   FeetMatrix feet_ = FeetMatrix::Zero();
   Vector3 gyroscope_bias_ = Vector3::Zero(), accelerometer_bias_ = Vector3::Zero();

@@ -8,33 +8,34 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMaxLoadDifference = 0.15;  // share of the weight between two views of one load
-constexpr double kDetectionTime = 0.3;  // [s] of contradiction before a foot's sensor is left out
-constexpr double kRecoveryRate = 0.25;  // how much slower it comes back than it goes
-constexpr double kSilenceTime = 0.5;    // [s] after which nobody speaks
-constexpr double kMovingSpeed = 0.3;    // [m/s] no foot that bears load moves like this for long
-constexpr double kRestSpeed = 0.1;      // [m/s]
-constexpr double kClearanceThreshold = 0.006;  // [m] soft ground gives way by that much
-constexpr double kSlideVote = 0.33;            // a foot may slide under load for a while
-constexpr double kMotionWeight = 2.0;  // a foot that rises bears no ground, whatever else it bears
-constexpr double kBalancedWeight = 1.12;
-constexpr double kConfirmingVote = 0.5;  // of motion that seconds a sensor
-constexpr double kMinAgreement = 0.04;   // least agreement that moves the belief
-constexpr double kAgreementGain = 3.0;   // two of three move it at full speed
+constexpr double kMaxLoadDifference = 0.15;  // share of the weight: two sources agree below this
+constexpr double kDetectionTime = 0.3;       // [s] of contradiction before footForceEst is excluded
+constexpr double kRecoveryRate = 0.25;       // speed of its recovery, relative to that of detection
+constexpr double kNoForceTime = 0.5;  // [s] without force votes before forces are unavailable
+constexpr double kMovingSpeed = 0.3;  // [m/s] a loaded foot does not move this fast for long
+constexpr double kRestSpeed = 0.1;    // [m/s] a slower foot is at rest
+constexpr double kClearanceThreshold = 0.006;  // [m] a loaded foot rises less: soft ground
+constexpr double kSlideVote = 0.33;            // vote of a fast foot, weak: a loaded foot may slide
+constexpr double kMotionWeight = 2.0;  // a rising foot is off the ground, whatever force it carries
+constexpr double kBalancedWeight = 1.12;  // weight of torques that match the accelerometer
+constexpr double kConfirmingVote = 0.5;   // vote with which a source confirms footForceEst
+constexpr double kMinAgreement = 0.04;    // smallest mean vote that changes the confidence
+constexpr double kAgreementGain = 3.0;    // a mean vote of 1/3 (two sources of three): full speed
 
 constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
 constexpr int kCount = static_cast<int>(ContactSource::kFootForce);
 constexpr int kTau = static_cast<int>(ContactSource::kTauEst);
 constexpr int kNoSlip = static_cast<int>(ContactSource::kNoSlip);
 
-// Rest says nothing: feet rest in the air, too.
+// A foot at rest is no evidence of contact: it may rest in the air.
 ContactEvidence motion_evidence(double speed, double clearance) noexcept {
   const double risen = std::clamp(clearance / kClearanceThreshold - 1.0, 0.0, 1.0);
   return {-std::max(speed > kMovingSpeed ? kSlideVote : 0.0, risen), SensorVerdict::kGood};
 }
 
-// A foot's two fields fail together. Where both read no load, have stopped, and the torques say
-// load, that is one failure (or a foot in the air that presses on something): not two witnesses.
+// Return whether footForceEst and footForce of a foot count as one source: both show no load and
+// are constant while the torques show load. That is one common failure, or a foot in the air that
+// presses against something; not two independent measurements.
 bool fields_fail_together(const ContactEvidence& est, bool est_unchanged,
                           const ContactEvidence& count, bool count_unchanged,
                           const ContactEvidence& tau) noexcept {
@@ -63,8 +64,8 @@ void ContactConfidence::update(const Gains& gains, const ContactSignals& all, do
     foot.evidence[kNoSlip] = motion_evidence(signals.speed[leg], signals.clearance[leg]);
     const ContactEvidence& est = foot.evidence[kEst] =
         foot_force_est_evidence(gains, signals, leg, dt);
-    // Torques tell what the foot's counts mean, its newtons without them; nobody while the two
-    // contradict each other.
+    // The torques calibrate footForce; without torques, footForceEst does. While both are available
+    // and contradict each other, the calibration pauses.
     const bool newtons = est.verdict == SensorVerdict::kGood;
     const double est_load = signals.foot_force_est[leg] / weight_;
     const double known_load = newtons && !torques ? est_load : load;
@@ -84,8 +85,8 @@ ContactEvidence ContactConfidence::foot_force_est_evidence(const Gains& gains,
   const double tau_load = torques ? signals.torque_load[leg] : NAN;
   const double load = signals.foot_force_est[leg] / weight_;
   SensorVerdict verdict = foot.est_stuck.update(signals.foot_force_est[leg], tau_load, dt);
-  // A hand under a foot bears what the ground does not: torques alone do not refute newtons that
-  // the foot's counts or its rise second.
+  // An external lift of a foot loads the leg like the ground does. So torques alone do not refute a
+  // footForceEst that footForce or the rise of the foot confirms.
   const bool far =
       std::abs(load - tau_load) > std::max(kMaxLoadDifference, 0.5 * std::abs(tau_load));
   const bool opposite = load > 2.0 * gains.contact_force_on && tau_load < 0.0;
@@ -95,7 +96,7 @@ ContactEvidence ContactConfidence::foot_force_est_evidence(const Gains& gains,
   const bool contradicts = (far || opposite) && !confirmed;
   const double step = contradicts ? dt : -kRecoveryRate * dt;
   foot.contradiction_time = std::clamp(foot.contradiction_time + step, 0.0, 2.0 * kDetectionTime);
-  if (!force_check_.foot_force_est_alive()) {
+  if (!force_check_.foot_force_est_works()) {
     const bool zero = verdict == SensorVerdict::kZero;
     return {0.0, zero ? verdict : SensorVerdict::kUnjudged};
   }
@@ -124,8 +125,8 @@ void ContactConfidence::fuse_votes(const Gains& gains, const ContactSignals& sig
     force_sum += weights[k] * source.vote;
     force_weight += weights[k];
   }
-  foot.silent_time = force_weight > 0.0 ? 0.0 : foot.silent_time + dt;
-  const bool force_available = foot.silent_time < kSilenceTime;
+  foot.no_force_time = force_weight > 0.0 ? 0.0 : foot.no_force_time + dt;
+  const bool force_available = foot.no_force_time < kNoForceTime;
   loaded_by_forces_[leg] = !force_available || force_sum > 0.0;
   double rate = 0.0;
   if (weight_sum > 0.0) {
@@ -133,7 +134,7 @@ void ContactConfidence::fuse_votes(const Gains& gains, const ContactSignals& sig
     if (std::abs(agreement) > kMinAgreement)
       rate = std::clamp(kAgreementGain * agreement, -1.0, 1.0);
   } else if (!force_available && signals.speed[leg] < kRestSpeed) {
-    rate = 0.5;  // no force speaks: nothing but a foot that rests
+    rate = 0.5;  // only evidence: the foot rests. Assume contact, slowly
   }
   const double step = gains.contact_dwell > dt ? dt / gains.contact_dwell : 1.0;
   confidence_[leg] = std::clamp(confidence_[leg] + rate * step, 0.0, 1.0);

@@ -6,36 +6,37 @@
 
 namespace surefoot {
 
-/// What one tick tells of the feet's contact.
+/// Measurements of one tick that show the contact of the feet.
 struct ContactSignals {
   Eigen::Vector4d torque_load = Eigen::Vector4d::Zero();  ///< normal force / weight, by torques
-  SensorVerdict tau_est = SensorVerdict::kGood;           ///< are the torques to be had at all?
+  SensorVerdict tau_est = SensorVerdict::kGood;           ///< verdict on the joint torques
   std::array<std::int16_t, kLegs> foot_force_est{};       ///< [N]
   std::array<std::int16_t, kLegs> foot_force{};           ///< [counts]
-  Eigen::Vector4d speed = Eigen::Vector4d::Zero();  ///< [m/s] of contact points, beyond the slowest
-  Eigen::Vector4d clearance = Eigen::Vector4d::Zero();  ///< [m] from where each last stood
-  double load_factor =
-      1.0;  ///< vertical specific force / g: what the feet would bear of the weight
+  Eigen::Vector4d speed = Eigen::Vector4d::Zero();        ///< [m/s] see excess_speed()
+  Eigen::Vector4d clearance = Eigen::Vector4d::Zero();    ///< [m] see FootClearance
+  /// Vertical specific force / g: sum of the loads / weight of a robot on its feet.
+  double load_factor = 1.0;
 };
 
-/// Belief that each foot bears load, from every source that is alive.
+/// Contact confidence of each foot, fused from all working contact sources.
 ///
-/// Sources vote, -1 .. 1, and the belief moves towards what they agree on, over the gain
-/// contact_dwell: a single wrong sample moves it by one step, and two sources that contradict each
-/// other leave it where it is. The torques count a little more while their sum bears out what the
-/// accelerometer feels, which decides a tie, slowly. Real-time: yes.
+/// Each source votes from -1 (off the ground) to 1 (loaded). The confidence integrates the weighted
+/// mean vote; when all agree it moves from 0 to 1 within the gain contact_dwell. So a single wrong
+/// sample changes it by one step only, and two sources that contradict each other leave it
+/// unchanged. Torques have a slightly larger weight while their sum matches the accelerometer; this
+/// breaks ties, slowly. Real-time: yes.
 class ContactConfidence {
  public:
   explicit ContactConfidence(double weight) : weight_(weight) {}
 
+  /// Process one tick.
   void update(const Gains& gains, const ContactSignals& signals, double dt) noexcept;
 
   const Eigen::Vector4d& confidence() const noexcept { return confidence_; }
-  /// Do the forces alone say that each foot bears, whatever its motion says? True where none
-  /// speaks.
+  /// Whether the force sources alone show each foot as loaded; true if none is available.
   const std::array<bool, kLegs>& loaded_by_forces() const noexcept { return loaded_by_forces_; }
-  bool foot_force_est_alive() const noexcept { return force_check_.foot_force_est_alive(); }
-  /// Verdicts and votes into a report.
+  bool foot_force_est_works() const noexcept { return force_check_.foot_force_est_works(); }
+  /// Write verdicts and votes to a report.
   void write(EstimatorReport& report) const noexcept;
 
   void reset() noexcept { *this = ContactConfidence(weight_); }
@@ -45,9 +46,10 @@ class ContactConfidence {
     std::array<ContactEvidence, kContactSources> evidence{};
     StuckDetector est_stuck;
     FootForceCalibration calibration;
-    double contradiction_time = 0.0;  // [s] for which footForceEst has contradicted the torques
+    double contradiction_time = 0.0;  // [s] footForceEst against torques, leaky
     bool loaded = true;
-    double silent_time = std::numeric_limits<double>::infinity();  // [s] since a force source spoke
+    double no_force_time =
+        std::numeric_limits<double>::infinity();  // [s] since the last force vote
   };
   ContactEvidence foot_force_est_evidence(const Gains& gains, const ContactSignals& signals,
                                           int leg, double dt) noexcept;

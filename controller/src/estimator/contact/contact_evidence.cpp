@@ -8,9 +8,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kStuckTime = 0.1;      // [s] before a value that stands still is suspicious
-constexpr double kMinLoadChange = 0.1;  // share of the weight by which others have moved meanwhile
-constexpr int kSaturation = 32000;      // of an int16
+constexpr double kStuckTime = 0.1;      // [s] a shorter constant value is no fault
+constexpr double kMinLoadChange = 0.1;  // share of the weight: load change that must be visible
+constexpr int kSaturation = 32000;      // near the range of int16
 }  // namespace
 
 double load_vote(const Gains& gains, double load, double load_sigma, bool loaded) noexcept {

@@ -7,18 +7,18 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFilterTime = 0.02;  // [s] keeps noise from passing for a change of load
-constexpr double kOffsetTime = 5.0;   // [s] in which the offset follows a drift
-constexpr double kNoiseSamples = 500.0;
-constexpr double kScaleTime = 2.0;       // [s] of changing load in which the scale follows
-constexpr double kMinLoadChange = 0.04;  // share of the weight by which a load has changed
-constexpr double kMinFitTime = 0.1;      // [s] of changing load before the line is believed
-constexpr double kMinExplained = 0.5;    // least share of the counts' spread that the load explains
-constexpr double kMaxUncorrelated = 0.2;
-constexpr double kRangeTime = 10.0;      // [s] in which the range that was seen is forgotten
-constexpr double kRangeNoise = 8.0;      // times the noise that a range must span ...
-constexpr double kMinRange = 5.0;        // [counts] ... and at least this
-constexpr double kLoadAtMaxCount = 0.4;  // share of the weight at the top of a range
+constexpr double kFilterTime = 0.02;  // [s] low-pass, so that noise does not count as a load change
+constexpr double kOffsetTime = 5.0;   // [s] time constant of the offset
+constexpr double kNoiseSamples = 500.0;   // samples over which the noise is averaged
+constexpr double kScaleTime = 2.0;        // [s] of changing load: time constant of the scale
+constexpr double kMinLoadChange = 0.04;   // share of the weight: smaller load changes are ignored
+constexpr double kMinFitTime = 0.1;       // [s] of changing load before the fit is used
+constexpr double kMinExplained = 0.5;     // smallest r^2 of a good fit
+constexpr double kMaxUncorrelated = 0.2;  // largest r^2 of counts that do not follow the load
+constexpr double kRangeTime = 10.0;       // [s] time constant with which the range shrinks
+constexpr double kRangeNoise = 8.0;       // smallest range, in standard deviations of the noise ...
+constexpr double kMinRange = 5.0;         // ... and in counts
+constexpr double kLoadAtMaxCount = 0.4;   // share of the weight assumed at the top of the range
 }  // namespace
 
 ContactEvidence FootForceCalibration::update(const Gains& gains, int count, double load,
@@ -48,7 +48,7 @@ ContactEvidence FootForceCalibration::update(const Gains& gains, int count, doub
   return out;
 }
 
-// By differences of new samples: a sensor slower than the reports repeats its last.
+// Use differences of new values only: a sensor slower than the samples repeats its last value.
 void FootForceCalibration::measure_noise(double count) noexcept {
   if (count == last_count_) return;
   samples_ = std::min(samples_ + 1.0, kNoiseSamples);
@@ -87,7 +87,8 @@ SensorVerdict FootForceCalibration::fit_verdict() const noexcept {
                                                           : SensorVerdict::kDisagrees;
 }
 
-// Both ends of the range creep to the present count, so that a drift does not widen it for ever.
+// Both ends of the range move slowly towards the present count, so that drift cannot widen it for
+// ever.
 double FootForceCalibration::load_by_range(double count, double dt) noexcept {
   const double blend = dt / (dt + kRangeTime);
   min_count_ = std::min(count, min_count_ + blend * (count - min_count_));

@@ -5,16 +5,19 @@
 
 namespace surefoot {
 
-/// One foot's raw footForce: counts of unknown offset and scale, both of which drift.
+/// Online calibration of one foot's footForce, whose offset and scale are unknown and drift.
 ///
-/// counts = offset + scale load + noise. Where torques tell the load, offset and scale are the line
-/// of least squares through recent pairs, the scale learnt only while the load changes. Where
-/// nothing else tells, the range that the counts themselves have shown stands for the load, from
-/// none at its bottom. A count that does not follow the load is left out. Real-time: yes.
+/// The model is count = offset + scale load + noise. Where another source gives the load, a
+/// least-squares line with exponential forgetting gives offset and scale; the scale is updated only
+/// while the load changes. Until this fit is good, or without another source, the observed range of
+/// counts gives the load: zero at its bottom. Counts that do not follow the load are excluded.
+/// Real-time: yes.
 class FootForceCalibration {
  public:
-  /// @param load share of the weight by the torques, NAN if they are not to be had
-  /// @param load_reliable may the load teach what the counts mean?
+  /// Process one sample and return the evidence.
+  /// @param load share of the weight by another source, NaN if there is none
+  /// @param load_reliable true if the load may be used for calibration
+  /// @param loaded present contact state, for hysteresis
   ContactEvidence update(const Gains& gains, int count, double load, bool load_reliable,
                          bool loaded, double dt) noexcept;
 
@@ -32,11 +35,12 @@ class FootForceCalibration {
   StuckDetector stuck_;
   bool started_ = false;
   double last_count_ = 0.0;
-  double noise_ = 0.0;  // [counts^2] of a sample
+  double noise_ = 0.0;  // [counts^2] variance of a sample
   double samples_ = 0.0;
   double smooth_count_ = 0.0, smooth_load_ = 0.0;
   double mean_count_ = 0.0, mean_load_ = 0.0;
-  double fit_time_ = 0.0, spread_load_ = 0.0, spread_count_ = 0.0, covariance_ = 0.0;  // excited
+  // Sums of the fit, over times with changing load only.
+  double fit_time_ = 0.0, spread_load_ = 0.0, spread_count_ = 0.0, covariance_ = 0.0;
   double scale_ = 0.0;
   double min_count_ = 0.0, max_count_ = 0.0;  // [counts]
 };

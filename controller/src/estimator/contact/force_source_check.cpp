@@ -7,23 +7,23 @@
 namespace surefoot {
 
 namespace {
-constexpr double kSwitchTime = 0.1;  // [s] before the field is believed, or no longer
-constexpr double kUnloadedShare =
-    0.25;  // share of the weight below which the field denies the load
-constexpr double kSupportedShare = 0.5;  // share of the weight that shows the robot is carried
-constexpr double kMaxLoad = 2.0;         // more than that no robot that stands weighs
-constexpr double kBalanceTolerance =
-    0.25;  // share of what is felt that a field which bears it may miss
-constexpr double kTorqueErrorShare = 0.5;  // share of what is felt that wrong torques miss
-constexpr double kDetectionTime = 0.3;     // [s] before torques are called wrong, or right again
+constexpr double kSwitchTime = 0.1;  // [s] before footForceEst counts as working, or as failed
+// Shares of the weight:
+constexpr double kUnloadedShare = 0.25;  // a smaller footForceEst contradicts a loaded robot
+constexpr double kSupportedShare = 0.5;  // a larger load shows that the feet carry the robot
+constexpr double kMaxLoad = 2.0;         // larger loads do not occur in standing
+// Shares of the load that the accelerometer implies:
+constexpr double kBalanceTolerance = 0.25;  // largest error of a source that matches
+constexpr double kTorqueErrorShare = 0.5;   // smallest error of wrong torques
+constexpr double kDetectionTime = 0.3;      // [s] before torques count as wrong, or as right again
 }  // namespace
 
 void ForceSourceCheck::update(const ForceSums& sums, double dt) noexcept {
   const double load_factor = std::max(sums.load_factor, kSupportedShare);
   torques_balance_ =
       std::abs(sums.torque - std::max(sums.load_factor, 0.0)) < kBalanceTolerance * load_factor;
-  const bool bears = std::abs(sums.est - load_factor) < kBalanceTolerance * load_factor;
-  const bool torques_miss = sums.torques && bears &&
+  const bool est_matches = std::abs(sums.est - load_factor) < kBalanceTolerance * load_factor;
+  const bool torques_miss = sums.torques && est_matches &&
                             std::abs(sums.torque - load_factor) > kTorqueErrorShare * load_factor;
   torque_error_time_ =
       std::clamp(torque_error_time_ + (torques_miss ? dt : -dt), 0.0, kDetectionTime);

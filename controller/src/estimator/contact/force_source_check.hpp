@@ -5,34 +5,34 @@
 
 namespace surefoot {
 
-/// What the sums over all feet say, as shares of the weight.
+/// Sums of the loads over all feet, as shares of the weight.
 struct ForceSums {
   double est = 0.0;          ///< of footForceEst
-  double torque = 0.0;       ///< of the normal forces by torques
-  double load_factor = 1.0;  ///< vertical specific force / g: what feet that carry would bear
-  bool torques = true;       ///< are there torques at all?
+  double torque = 0.0;       ///< of the normal forces from joint torques
+  double load_factor = 1.0;  ///< vertical specific force / g: the load expected in contact
+  bool torques = true;       ///< true if torques are available
 };
 
-/// Judges footForceEst and the torques as a whole, by each other and by the accelerometer.
+/// Checks the sums of footForceEst and of the torques against each other and the accelerometer.
 ///
-/// footForceEst lives once it carries the robot, as the torques or, without them, the weight itself
-/// bear out; a field of zeros says nothing. Torques that miss what the accelerometer feels while
-/// footForceEst bears it are wrong. In the air both are silent, and nothing is learnt.
-/// Real-time: yes.
+/// footForceEst counts as working once it has shown a load on the feet that the torques confirm;
+/// without torques, a plausible share of the weight suffices. Torques are wrong if they miss the
+/// load that the accelerometer implies while footForceEst matches it. In the air all sums are zero
+/// and no verdict changes. Real-time: yes.
 class ForceSourceCheck {
  public:
+  /// Process one tick.
   void update(const ForceSums& sums, double dt) noexcept;
 
-  bool foot_force_est_alive() const noexcept { return foot_force_est_alive_; }
+  bool foot_force_est_works() const noexcept { return foot_force_est_alive_; }
   bool torques_disagree() const noexcept { return torques_wrong_; }
-  /// Do the torques carry what the accelerometer feels, at this instant?
+  /// Return whether the torques match the accelerometer in this tick.
   bool torques_balance() const noexcept { return torques_balance_; }
 
  private:
   bool foot_force_est_alive_ = false, torques_wrong_ = false, torques_balance_ = false;
-  double est_contradiction_time_ =
-      0.0;                          // [s] for which what is held of the field has been contradicted
-  double torque_error_time_ = 0.0;  // [s] leaky
+  double est_contradiction_time_ = 0.0;  // [s] sums against foot_force_est_alive_
+  double torque_error_time_ = 0.0;       // [s] leaky
 };
 
 }  // namespace surefoot

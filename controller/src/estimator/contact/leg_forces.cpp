@@ -6,9 +6,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMaxForce = 1e4;  // [N] beyond this a leg is singular, and says nothing
-constexpr double kStopMargin =
-    0.03;  // [rad] nearer to its stop a joint may rest on it: they give, too
+constexpr double kMaxForce = 1e4;  // [N] larger results come from a singular leg and are ignored
+// [rad] A joint closer to its stop may rest on it. Not zero: stops are elastic.
+constexpr double kStopMargin = 0.03;
 }  // namespace
 
 Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept {
@@ -32,7 +32,7 @@ void LegForces::update(const Dynamics& dynamics, const Vector3& a_base, const Ve
     residual += blend * (unfiltered - residual);
     dq_filtered += blend * (dq.segment<3>(3 * leg) - dq_filtered);
     const Vector3 ddq = (dq.segment<3>(3 * leg) - dq_filtered) / kFilterTime;
-    Vector3 tau_contact = L.M_leg * ddq - residual;  // J^T f, and what stops bear
+    Vector3 tau_contact = L.M_leg * ddq - residual;  // J^T f plus torques of stops
     tau_contact =
         (stops.segment<3>(3 * leg).array() * tau_contact.array() < 0.0).select(0.0, tau_contact);
     const Vector3 force = L.J_leg.transpose().inverse() * tau_contact;

@@ -5,31 +5,35 @@
 
 namespace surefoot {
 
-/// On which stop each joint may rest: 1 its upper, -1 its lower, 0 none. SDK motor order.
+/// Return the stop that each joint may rest on: 1 upper, -1 lower, 0 none. SDK motor order.
 Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept;
 
-/// Force of the ground on each foot from the leg's joint torques.
+/// Contact force on each foot from the joint torques of its leg.
 ///
-/// The leg's rows of the equations of motion, f = -J^-T (tau - h - M_lb a_b - M_l q''), through a
-/// first-order filter that turns q'' into a difference of velocities: the generalised-momentum
-/// observer (De Luca, Mattone 2003) of a leg whose base's acceleration is measured, by the IMU. It
-/// takes no joint acceleration and lags by kFilterTime. What a joint presses on its own stop is
-/// none of the ground's: without this the legs of a lifted robot, stretched by their weight, press
-/// on their stops because they are believed to stand, and are because they press. Real-time: yes.
+/// Solves the leg's rows of the equations of motion, f = -J^-T (tau - h - M_lb a_b - M_l q''). A
+/// first-order filter turns q'' into a difference of velocities. This is the generalised-momentum
+/// observer (De Luca, Mattone 2003) for a leg whose base acceleration the IMU measures. It needs no
+/// joint accelerations and lags by kFilterTime.
+///
+/// Torque that a joint may exert against its own stop is not attributed to the ground. Otherwise
+/// the legs of a lifted robot, extended to their stops by their weight, could stay in false
+/// contact: the controller presses a presumed stance leg onto its stops, and that torque looks like
+/// contact force. Real-time: yes.
 class LegForces {
  public:
-  static constexpr double kFilterTime = 0.005;  ///< [s]
+  static constexpr double kFilterTime = 0.005;  ///< [s] time constant
 
-  /// @param dynamics updated with the base's rate and no linear velocity
-  /// @param a_base acceleration of the base's origin, base axes [m/s^2], gravity not in it
+  /// Process one tick.
+  /// @param dynamics updated with the angular velocity of the base and without linear velocity
+  /// @param a_base classical acceleration of the base origin without gravity, base axes [m/s^2]
   /// @param alpha_base [rad/s^2] base axes
   /// @param tau_est,dq [N.m], [rad/s] SDK motor order
-  /// @param stops as joint_stops() has them
+  /// @param stops result of joint_stops()
   void update(const Dynamics& dynamics, const Vector3& a_base, const Vector3& alpha_base,
               const Vector12& tau_est, const Vector12& dq, const Vector12& stops,
               double dt) noexcept;
 
-  /// World axes [N], FR FL RR RL.
+  /// Forces of the ground on the feet, world axes [N], FR FL RR RL.
   const FeetMatrix& forces() const noexcept { return forces_; }
 
   void reset() noexcept { *this = LegForces(); }

@@ -7,18 +7,18 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFilterTime = 0.01;       // [s] of the speeds
-constexpr double kSettlingTime = 0.03;     // [s] from touchdown on in which a foot may come to rest
-constexpr double kDetectionTime = 0.02;    // [s] of sliding until it is sure
-constexpr double kRecoveryTime = 0.5;      // [s] at rest until it is over
-constexpr double kLoadedConfidence = 0.5;  // belief of a foot that can slip
+constexpr double kFilterTime = 0.01;       // [s] low-pass of the velocities
+constexpr double kSettlingTime = 0.03;     // [s] after touchdown in which a foot may still move
+constexpr double kDetectionTime = 0.02;    // [s] of slipping in which slip() rises from 0 to 1
+constexpr double kRecoveryTime = 0.5;      // [s] without slipping in which it falls from 1 to 0
+constexpr double kLoadedConfidence = 0.5;  // contact confidence of a loaded foot
 }  // namespace
 
 void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,
                           const Eigen::Vector4d& contact, double dt) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const bool loaded = contact[leg] > kLoadedConfidence;
-    // A swing's speed is not a slip's: smoothing begins anew, and settles, at touchdown.
+    // The velocity of the swing must not count as slip, so the low-pass restarts at touchdown.
     if (loaded && stance_time_[leg] == 0.0) v_filtered_.col(leg) = v_contact.col(leg);
     v_filtered_.col(leg) += dt / (dt + kFilterTime) * (v_contact.col(leg) - v_filtered_.col(leg));
     stance_time_[leg] = loaded ? stance_time_[leg] + dt : 0.0;

@@ -6,26 +6,27 @@
 
 namespace surefoot {
 
-/// Sees a foot that bears load and moves along the ground. Real-time: yes.
+/// Detects loaded feet that move along the ground.
 ///
-/// Speeds are against the slowest loaded foot: what all feet share is an error of the base's
-/// velocity.
+/// Speeds count relative to the slowest loaded foot, because a speed that all feet share is an
+/// error of the base velocity. Real-time: yes.
 class SlipDetector {
  public:
+  /// Process one tick.
   /// @param v_contact velocities of the contact points, world axes [m/s]
-  /// @param contact belief per foot
+  /// @param contact contact confidence per foot
   void update(const Gains& gains, const FeetMatrix& v_contact, const Eigen::Vector4d& contact,
               double dt) noexcept;
 
-  /// How surely each foot slips, 0 .. 1.
+  /// Slip confidence of each foot, 0 .. 1.
   const Eigen::Vector4d& slip() const noexcept { return slip_; }
-  /// Of the contact points, smoothed [m/s].
+  /// Speeds of the contact points, low-pass filtered [m/s].
   const Eigen::Vector4d& speed() const noexcept { return speed_; }
-  /// The same, world axes.
+  /// Velocities of the contact points, low-pass filtered, world axes [m/s].
   const FeetMatrix& velocity() const noexcept { return v_filtered_; }
-  /// The same beyond the slowest loaded foot's; 0 while none is loaded.
+  /// Speeds beyond that of the slowest loaded foot [m/s]; 0 while no foot is loaded.
   const Eigen::Vector4d& excess_speed() const noexcept { return excess_speed_; }
-  /// What is left of each foot's friction coefficient.
+  /// Compute the share of the friction coefficient that each foot may use, 0 .. 1.
   Eigen::Vector4d friction(const Gains& gains) const noexcept {
     return Eigen::Vector4d::Ones() - (1.0 - gains.slip_friction) * slip_;
   }

@@ -4,10 +4,10 @@
 namespace surefoot {
 
 namespace {
-constexpr double kStuckTime = 0.1;  // [s]
+constexpr double kStuckTime = 0.1;  // [s] of a constant tauEst while other fields change
 }
 
-// No robot with twelve torques of exactly zero stands: the field is not filled.
+// Twelve torques of exactly zero mean that the robot does not fill the field.
 void TorqueCheck::update(const Vector12& tau_est, bool others_changed, double dt) noexcept {
   const bool unchanged = tau_est == last_tau_;
   unchanged_time_ = unchanged ? unchanged_time_ + (others_changed ? dt : 0.0) : 0.0;

@@ -5,10 +5,11 @@
 
 namespace surefoot {
 
-/// Are there joint torques in the reports at all, and do they live? Real-time: yes.
+/// Checks whether the samples contain joint torques, and whether these change. Real-time: yes.
 class TorqueCheck {
  public:
-  /// @param others_changed have other fields of the report changed since the last?
+  /// Process one sample.
+  /// @param others_changed true if other fields differ from the last sample
   void update(const Vector12& tau_est, bool others_changed, double dt) noexcept;
   SensorVerdict verdict() const noexcept { return verdict_; }
   void reset() noexcept { *this = TorqueCheck(); }

@@ -7,8 +7,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRestSpeed = 0.1;  // [m/s] of the centre of mass
-constexpr double kMaxLever = 0.1;   // [m] at which the greatest force may act: bounds the moment
+constexpr double kRestSpeed = 0.1;  // [m/s] a slower centre of mass is at rest
+constexpr double kMaxLever = 0.1;   // [m] lever of the largest force: bounds the moment
 
 Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
   const double size = value.norm();
@@ -33,7 +33,7 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   const Vector3 weight = -mass_ * kGravity * Vector3::UnitZ();
   const double max_force = gains.payload_max * mass_ * kGravity;
   if (!started_) {
-    // If the robot stands still when this begins, what the feet bear is what there is.
+    // If the robot is at rest at the start, statics alone determine the wrench.
     if (dynamics.v_world_com().norm() < kRestSpeed) {
       force_ = limit_norm(-forces.rowwise().sum() - weight, max_force);
       moment_ = limit_norm(-moment, kMaxLever * max_force);
@@ -49,14 +49,16 @@ void PayloadObserver::update(const Gains& gains, const Dynamics& dynamics, const
   freeze_estimate(gains, linear, angular);
 }
 
-// What is explained follows what is, so that nothing is made up for afterwards.
+// Make the integrated momentum consistent with the present wrench. This prevents wind-up at the
+// bounds and a transient after phases without support.
 void PayloadObserver::freeze_estimate(const Gains& gains, const Vector3& linear,
                                       const Vector3& angular) noexcept {
   linear_momentum_ = linear - gains.payload_time * force_;
   angular_momentum_ = angular - gains.payload_time * moment_;
 }
 
-// N = r x (-m_p g z) for a mass m_p at r; m_p r / (m + m_p) is what it moves the centre by.
+// A payload m_p at r from the model's centre of mass has the moment N = r x (-m_p g z) and shifts
+// the centre of mass by m_p r / (m + m_p).
 Vector3 PayloadObserver::com_shift() const noexcept {
   const double total = std::max(mass_ + mass(), 0.1 * mass_);
   return Vector3(moment_.y(), -moment_.x(), 0.0) / (kGravity * total);

@@ -6,18 +6,18 @@
 namespace surefoot {
 
 namespace {
-constexpr double kNoiseLevel =
-    3.0;  // [push_dead_band] that surprise slowly: noise, errors of the model
-constexpr double kFastLevel = 1.0;  // [push_dead_band] more than that: believed in half the time
-constexpr double kMinTimeScale =
-    3.0 / 8.0;  // [push_time]: no single wrong sample is believed whole
-constexpr double kMaxInnovationTime =
-    0.05;  // [s] of surprise that are believed sooner: a push's two ends
-constexpr double kInnovationTimeDecay = 0.05;  // [s] of them forgotten in every second without
+// [push_dead_band] Innovations up to this level are noise and model errors.
+constexpr double kNoiseLevel = 3.0;
+constexpr double kFastLevel = 1.0;  // [push_dead_band] excess that halves the time constant
+// [push_time] Shortest time constant; keeps a single wrong sample from being adopted in full.
+constexpr double kMinTimeScale = 3.0 / 8.0;
+// [s] Longest time of large innovations with a shorter time constant: both ends of a push.
+constexpr double kMaxInnovationTime = 0.05;
+constexpr double kInnovationTimeDecay = 0.05;  // [s/s] recovery of that time afterwards
 }  // namespace
 
-// Pushes that a stand may not survive are horizontal. Vertical surprises are accelerometers that
-// drop out, and feet that land.
+// Only horizontal innovations shorten the time constant, because only horizontal pushes can topple
+// the robot. Large vertical innovations come from accelerometer dropouts and from landing feet.
 void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool supported,
                           double dt) noexcept {
   const Vector3 innovation = unexplained - filtered_;
@@ -27,9 +27,9 @@ void PushObserver::update(const Gains& gains, const Vector3& unexplained, bool s
   filtered_.z() += dt / (dt + gains.push_time) * innovation.z();
 }
 
-// What surprises on and on is the body's own sway, at more delay than was told of: believed that
-// soon, it would go on for good. So would legs that hang from a hand, which bear nothing of a plan
-// that counts on feet.
+// Compute the time constant as a share of push_time. Persistent large innovations are the body's
+// own sway, when the actual delay exceeds the configured one; a short time constant would sustain
+// that oscillation. The same holds for a lifted robot, whose feet cannot exert the planned forces.
 double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool supported,
                                 double dt) noexcept {
   const double excess = innovation_norm - kNoiseLevel * gains.push_dead_band;
@@ -42,8 +42,8 @@ double PushObserver::time_scale(const Gains& gains, double innovation_norm, bool
 
 Vector3 PushObserver::acceleration(const Gains& gains) const noexcept {
   const double size = filtered_.norm();
-  const double believed = std::clamp(size - gains.push_dead_band, 0.0, gains.push_max);
-  return size > 0.0 ? Vector3(believed / size * filtered_) : Vector3::Zero();
+  const double magnitude = std::clamp(size - gains.push_dead_band, 0.0, gains.push_max);
+  return size > 0.0 ? Vector3(magnitude / size * filtered_) : Vector3::Zero();
 }
 
 }  // namespace surefoot

@@ -6,23 +6,24 @@
 
 namespace surefoot {
 
-/// Sees an outside force on the body by what the accelerometer feels and the commands do not
-/// explain, F = m (a_measured - a_feet), where the feet make a_planned less what the plan counted
-/// with of F itself; smoothed, with a dead band that keeps noise and small
-/// errors of the model out, and bounded. The more it surprises along the ground, the sooner it is
-/// believed, for a twentieth of a second, by a robot on its feet: what a push gains in its first 10
-/// ms decides whether it is survived. Real-time: update() yes.
+/// Observer of a push: external force F = m (a_measured - a_feet) on the body.
 ///
-/// Without it a push is felt only once it has moved the body, and the legs of unloaded feet, whose
-/// motion is planned for a body at rest, are dragged along.
+/// a_feet is the acceleration that the contact forces were planned to cause: a_planned less the
+/// push that the plan took into account. The difference passes a first-order low-pass, a dead band
+/// against noise and small model errors, and a bound. While the feet carry the robot, large
+/// horizontal innovations shorten the time constant, for 50 ms at most: the first 10 ms of a push
+/// decide whether it is survived. Real-time: update() yes.
+///
+/// Without this observer the controller reacts only after a push has moved the body. The legs of
+/// unloaded feet, whose motion is planned for a body at rest, would be dragged along.
 class PushObserver {
  public:
-  /// @param unexplained acceleration of the base, measured less what the feet were to make of it,
-  /// world axes [m/s^2]
-  /// @param supported do the feet bear the robot?
+  /// Process one tick.
+  /// @param unexplained a_measured - a_feet of the base origin, world axes [m/s^2]
+  /// @param supported true if the feet carry the robot
   void update(const Gains& gains, const Vector3& unexplained, bool supported, double dt) noexcept;
 
-  /// Outside acceleration that is believed, world axes [m/s^2].
+  /// Compute the acceleration by the push, after dead band and bound, world axes [m/s^2].
   Vector3 acceleration(const Gains& gains) const noexcept;
 
   void reset() noexcept { *this = PushObserver(); }
@@ -31,7 +32,7 @@ class PushObserver {
   double time_scale(const Gains& gains, double innovation_norm, bool supported, double dt) noexcept;
 
   Vector3 filtered_ = Vector3::Zero();
-  double innovation_time_ = 0.0;  // [s] of late
+  double innovation_time_ = 0.0;  // [s] of large innovations, leaky
 };
 
 }  // namespace surefoot

@@ -8,29 +8,31 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kHeldRateDrift = 50.0;    // [rad/s^2] by which a held rate grows wrong
-constexpr double kHeldForceDrift = 500.0;  // [m/s^3] the same of a held specific force
-constexpr double kNoiseOnlyChange =
-    18.0;  // sigma^2: three times what noise alone changes three axes
-constexpr double kMeanUncertainty = 0.25;  // of a change over a tick that its mean may be off by
-constexpr double kQuaternionRateNoise = 0.05;  // [rad/s] noise of the vendor's quaternion's turn
-constexpr double kLegRateNoise = 0.2;          // [rad/s] noise of a rate from the legs
-constexpr double kMaxQuaternionRate = 35.0;  // [rad/s] faster a quaternion does not turn: it jumps
-constexpr double kMinContradiction =
-    1.0;  // [rad/s] by which two others must contradict a gyroscope ...
-constexpr double kAgreementRatio = 0.5;        // ... of which they may differ
-constexpr double kUnmeasuredRateNoise = 1.0;   // [rad/s] doubt where nothing tells
-constexpr double kUnmeasuredForceNoise = 3.0;  // [m/s^2]
+constexpr double kHeldRateDrift = 50.0;    // [rad/s^2] assumed change while a rate is held
+constexpr double kHeldForceDrift = 500.0;  // [m/s^3] the same for a held specific force
+// [sigma^2] Three times the squared change that noise alone causes on three axes.
+constexpr double kNoiseOnlyChange = 18.0;
+constexpr double kMeanUncertainty = 0.25;      // error of a tick's mean, as a share of its change
+constexpr double kQuaternionRateNoise = 0.05;  // [rad/s] sigma of a rate from the IMU quaternion
+constexpr double kLegRateNoise = 0.2;          // [rad/s] sigma of a rate from the legs
+constexpr double kMaxQuaternionRate = 35.0;    // [rad/s] beyond it the quaternion has jumped
+// [rad/s] The gyroscope is rejected if it differs from the legs by more than this ...
+constexpr double kMinContradiction = 1.0;
+constexpr double kAgreementRatio = 0.5;  // ... and the quaternion by less than this share of it
+constexpr double kUnmeasuredRateNoise = 1.0;   // [rad/s] sigma without any measurement
+constexpr double kUnmeasuredForceNoise = 3.0;  // [m/s^2] the same for the specific force
 
 double square(double x) noexcept { return x * x; }
 
-// Of one held sample in a row: the noise of n alike adds up to n times itself, not its root.
+// Compute the variance of the `age`-th use of one sample. Repeats share their noise: n of them add
+// up to variance n^2 sigma^2, so the n-th one adds (2 n - 1) sigma^2. The second term is what the
+// signal has changed by since it was sampled.
 double held_variance(double sigma, int age, double change, double dt) noexcept {
   return (2.0 * age - 1.0) * square(sigma) + square(change * (age - 1) * dt);
 }
 
-// Of a mean over a tick that is known at both ends: what the signal has changed by, beyond its
-// noise, may have come early in the tick or late.
+// Compute the variance of the mean over a tick whose two ends are measured: a change beyond the
+// noise may have come early or late in the tick.
 double mean_variance(const Vector3& change, double sigma) noexcept {
   return square(kMeanUncertainty) *
          std::max(change.squaredNorm() - kNoiseOnlyChange * square(sigma), 0.0);
@@ -83,19 +85,20 @@ ImuInput ImuPreprocessor::update(const Gains& gains, const ImuReading& imu,
   return out;
 }
 
-// Two that agree with each other and not with it. A body that slips or is struck turns as gyroscope
-// and quaternion say, whatever the legs make of it.
+// Return whether legs and IMU quaternion agree with each other, but not with the gyroscope. When
+// feet slip or the body is hit, gyroscope and quaternion agree and the gyroscope is kept.
 bool ImuPreprocessor::contradicts_gyroscope(const ImuReading& imu, const InvariantFilter& filter,
                                             const Dynamics& dynamics,
                                             const Eigen::Vector4d& contact,
                                             bool quaternion_changed) const noexcept {
-  if (!quaternion_changed && !gyroscope_rejected_) return false;  // nobody seconds the legs
-  // No body turns so much faster from one tick to the next: what it did will do for the legs.
+  if (!quaternion_changed && !gyroscope_rejected_) return false;  // legs alone do not suffice
+  // With fewer than three stance feet the last rate stands in for that of the legs: a body cannot
+  // change its rate by kMinContradiction within one tick.
   Vector3 w_legs = last_w_ - filter.gyroscope_bias();
   rate_from_legs(dynamics, contact, w_legs);
   const double deviation = (imu.w_base - filter.gyroscope_bias() - w_legs).norm();
   if (!(deviation > kMinContradiction)) return false;
-  if (!quaternion_changed) return true;  // a quaternion slower than the reports: as it was
+  if (!quaternion_changed) return true;  // quaternion not updated: keep the verdict
   const Vector3 w_quaternion =
       log_so3(last_quaternion_.conjugate() * imu.R_world_base) / quaternion_age_;
   return (w_quaternion - w_legs).norm() < kAgreementRatio * deviation;
@@ -106,7 +109,8 @@ void ImuPreprocessor::replace_rate(const ImuReading& imu, const InvariantFilter&
                                    bool quaternion_changed, ImuInput& out) const noexcept {
   Vector3 w = Vector3::Zero();
   double sigma = kUnmeasuredRateNoise;
-  // A quaternion slower than the reports: what was taken for its turn meanwhile is not taken twice.
+  // A quaternion may be updated less often than samples arrive. The filter has already applied
+  // rotation_since_last_ meanwhile; this must not count twice.
   if (quaternion_changed)
     w = log_so3(rotation_since_last_.conjugate() * last_quaternion_.conjugate() *
                 imu.R_world_base) /
@@ -120,8 +124,8 @@ void ImuPreprocessor::replace_rate(const ImuReading& imu, const InvariantFilter&
   out.w_variance = square(sigma);
 }
 
-// Contact points at rest do not turn about each other: a rate that is too high by b makes of them
-// v_i - mean = b x (p_i - mean).
+// Contact points at rest do not rotate about each other. With a rate that is too high by b, they
+// appear to move by v_i - mean(v) = b x (p_i - mean(p)); least squares for b.
 bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                     Vector3& w_base) noexcept {
   Vector3 p_mean = Vector3::Zero(), v_mean = Vector3::Zero();

@@ -8,21 +8,23 @@
 
 namespace surefoot {
 
-/// Turns a reading of the IMU into a step of the filter, with variances that say what it is worth.
+/// Converts IMU readings to filter inputs: means over the tick and their variances.
 ///
-/// The tick's mean is half the last sample and half this one. Their noise is measured, by second
-/// differences, from the gain's value on. A held sample is wrong by the same noise again and by
-/// what has changed since. A gyroscope that has stopped, or that the turn of the vendor's
-/// quaternion contradicts with one voice with the legs that stand (without three of them, with the
-/// rate of the tick before), is replaced by that turn while it moves, else by the legs; an
-/// accelerometer that has stopped by rest. Real-time: yes.
+/// The mean is the average of the last and the present sample. The sample noise is measured from
+/// second differences (SampleNoise), starting from its gain. Held samples get a larger variance.
+/// The gyroscope is replaced when its verdict is bad, or when the IMU quaternion and the stance
+/// legs agree with each other but contradict it (with fewer than three stance feet the last rate
+/// stands in for the legs). The replacement is the rate of the quaternion while that changes, else
+/// the rate from the legs. An accelerometer with a bad verdict is replaced by gravity, as at rest.
+/// Real-time: yes.
 class ImuPreprocessor {
  public:
-  /// @param dynamics,contact of the tick before
+  /// Compute the filter input of this tick.
+  /// @param dynamics,contact those of the last tick
   ImuInput update(const Gains& gains, const ImuReading& imu, const InvariantFilter& filter,
                   const Dynamics& dynamics, const Eigen::Vector4d& contact, double dt) noexcept;
 
-  /// Did the others outvote the gyroscope in the last step?
+  /// Return whether the last update() rejected the gyroscope.
   bool gyroscope_rejected() const noexcept { return gyroscope_rejected_; }
   void reset() noexcept { *this = ImuPreprocessor(); }
 
@@ -36,18 +38,19 @@ class ImuPreprocessor {
 
   SampleNoise w_noise_, f_noise_;
   Vector3 last_w_ = Vector3::Zero(), last_f_ = Vector3::Zero();
-  Quaternion last_quaternion_ = Quaternion::Identity();  // the vendor's
-  Quaternion rotation_since_last_ =
-      Quaternion::Identity();         // what it was turned by since that was new
-  double quaternion_age_ = 0.0;       // [s] since that was new
-  bool has_last_quaternion_ = false;  // a quaternion
+  Quaternion last_quaternion_ = Quaternion::Identity();  // of the IMU
+  // Rotation that the filter has applied since the quaternion last changed.
+  Quaternion rotation_since_last_ = Quaternion::Identity();
+  double quaternion_age_ = 0.0;       // [s] since the quaternion last changed
+  bool has_last_quaternion_ = false;  // the last sample had a valid quaternion
   bool gyroscope_rejected_ = false;
   bool started_ = false;
 };
 
-/// Rate of the base [rad/s], base axes, at which the standing feet would rest: least squares.
+/// Compute the angular velocity of the base [rad/s], base axes, at which the stance feet are at
+/// rest, by least squares.
 ///
-/// @return false, and w_base as it was, where fewer than three feet stand
+/// @return false with fewer than three stance feet; w_base is then unchanged
 bool rate_from_legs(const Dynamics& dynamics, const Eigen::Vector4d& contact,
                     Vector3& w_base) noexcept;
 

@@ -6,13 +6,13 @@
 namespace surefoot {
 
 namespace {
-constexpr double kForceRange = 156.0;  // [m/s^2] full scale of 16 g
+constexpr double kForceRange = 156.0;  // [m/s^2] full scale: 16 g
 }  // namespace
 
 void ImuReader::StuckVectorDetector::update(const Vector3& value, bool joints_changed,
                                             double dt) noexcept {
   if (value == last) {
-    // A report that repeats as a whole says that nothing has changed, this signal included.
+    // Age the signal only if others have changed: a repeated sample is no evidence of a fault.
     age += joints_changed;
     unchanged_time += joints_changed ? dt : 0.0;
     return;
@@ -30,7 +30,7 @@ SensorVerdict ImuReader::StuckVectorDetector::verdict(double limit) const noexce
 
 void ImuReader::read(const IMU& imu, const RobotConfig& config, const Vector12& joints, double dt,
                      ImuReading& out) noexcept {
-  // Packed fields are not aligned: copy them before indexing.
+  // Packed fields are not aligned, so they are copied before indexing.
   const std::array<float, 4> quaternion = imu.quaternion;
   const std::array<float, 3> gyroscope = imu.gyroscope, accelerometer = imu.accelerometer;
   const Quaternion R_base_imu = quaternion_wxyz(config.quat_base_imu);

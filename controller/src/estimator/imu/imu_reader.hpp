@@ -6,41 +6,42 @@
 
 namespace surefoot {
 
-/// One IMU report in base axes, and what it is worth.
+/// One IMU sample in base axes, with verdicts.
 struct ImuReading {
-  Vector3 w_base = Vector3::Zero();                  ///< [rad/s] raw rate
+  Vector3 w_base = Vector3::Zero();                  ///< [rad/s] as measured, bias included
   Vector3 f_base = Vector3::Zero();                  ///< [m/s^2] specific force at the IMU
-  Quaternion R_world_base = Quaternion::Identity();  ///< the vendor's filter; see has_quaternion
-  bool has_quaternion = false;                       ///< of unit length, within 5 %
-  /// Reports since the last new sample, this one included: 1 is a fresh one.
+  Quaternion R_world_base = Quaternion::Identity();  ///< valid if has_quaternion
+  bool has_quaternion = false;                       ///< its norm is 1, within 5 %
+  /// Number of samples since the value last changed, this one included: 1 is a new value.
   int w_age = 1, f_age = 1;
-  bool changed = true;  ///< has anything in the report changed since the last?
+  bool changed = true;  ///< joints or IMU differ from the last sample
   SensorVerdict gyroscope = SensorVerdict::kUnjudged;
   SensorVerdict accelerometer = SensorVerdict::kUnjudged;
   SensorVerdict quaternion = SensorVerdict::kUnjudged;
 };
 
-/// Reads the IMU through its mount and notices samples that repeat.
+/// Converts IMU samples to base axes and detects values that repeat.
 ///
-/// A sample that repeats is an old one, not a new measurement: an IMU slower than the reports holds
-/// its words, and that is no fault for as long as kMaxHoldTime. A gyroscope that stands still for
-/// longer while the joints go on reporting new values has stopped. Real-time: yes.
+/// A repeated value is an old measurement: an IMU slower than the samples holds its values, which
+/// is no fault for up to kMaxHoldTime. A signal that stays constant for longer while the joint
+/// values change has stopped. Real-time: yes.
 class ImuReader {
  public:
-  static constexpr double kRateRange = 34.8;     ///< [rad/s] just short of 2000 deg/s, full scale
-  static constexpr double kMaxHoldTime = 0.022;  ///< [s] a 50 Hz sensor repeats for 20 ms
+  static constexpr double kRateRange = 34.8;     ///< [rad/s] just below full scale, 2000 deg/s
+  static constexpr double kMaxHoldTime = 0.022;  ///< [s] a 50 Hz sensor holds for 20 ms
 
-  /// @param joints any numbers that change when the robot reports anew
+  /// Process one sample.
+  /// @param joints values that change with every new sample, such as q + dq
   void read(const IMU& imu, const RobotConfig& config, const Vector12& joints, double dt,
             ImuReading& out) noexcept;
   void reset() noexcept { *this = ImuReader(); }
 
  private:
-  // How long a signal has stood still while others moved.
+  // Measures for how long a signal has been constant while the joints changed.
   struct StuckVectorDetector {
     Vector3 last = Vector3::Constant(NAN);
     double unchanged_time = 0.0;  // [s]
-    int age = 1;                  // reports
+    int age = 1;                  // [samples]
     void update(const Vector3& value, bool joints_changed, double dt) noexcept;
     SensorVerdict verdict(double limit) const noexcept;
   };

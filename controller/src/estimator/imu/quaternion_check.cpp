@@ -6,10 +6,10 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMaxTiltDifference =
-    0.0873;  // [rad] 5 deg: vendors' filters lean by that under acceleration
-constexpr double kSigmaFactor = 4.0;    // of our own doubt besides
-constexpr double kDetectionTime = 1.0;  // [s]
+// [rad] 5 deg: error of an IMU's attitude filter under acceleration.
+constexpr double kMaxTiltDifference = 0.0873;
+constexpr double kSigmaFactor = 4.0;    // standard deviations of the filter's tilt, added to it
+constexpr double kDetectionTime = 1.0;  // [s] of contradiction before the verdict changes
 }  // namespace
 
 void QuaternionCheck::update(const ImuReading& imu, const Matrix3& R_world_base, double sigma,

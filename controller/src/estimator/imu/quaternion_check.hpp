@@ -5,14 +5,17 @@
 
 namespace surefoot {
 
-/// Holds the vendor's attitude against ours: a second opinion from the same IMU, never a
+/// Compares the tilt of the IMU quaternion with the tilt of the filter.
+///
+/// Both use the same gyroscope and accelerometer, so the quaternion is a check and never a
 /// measurement. Real-time: yes.
 class QuaternionCheck {
  public:
-  /// @param sigma of our tilt [rad]
+  /// Process one sample.
+  /// @param R_world_base attitude of the filter @param sigma standard deviation of its tilt [rad]
   void update(const ImuReading& imu, const Matrix3& R_world_base, double sigma, double dt) noexcept;
   SensorVerdict verdict() const noexcept { return verdict_; }
-  double tilt_difference() const noexcept { return tilt_difference_; }  ///< [rad] between the two
+  double tilt_difference() const noexcept { return tilt_difference_; }  ///< [rad]
   void reset() noexcept { *this = QuaternionCheck(); }
 
  private:

@@ -8,22 +8,23 @@
 
 namespace surefoot {
 
-/// White noise of a sensor's samples, measured while it is used.
+/// Online estimate of the white noise of a three-axis sensor.
 ///
-/// Second differences pass little of what the body does and all of the noise, six times:
-/// E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2 an axis. Vibration counts as noise, which for a
-/// filter it is. Real-time: yes.
+/// Second differences contain little body motion and six times the noise variance: per axis,
+/// E|x_k - 2 x_{k-1} + x_{k-2}|^2 = 6 sigma^2. Vibration counts as noise, as it should for a
+/// filter. Real-time: yes.
 class SampleNoise {
  public:
-  /// @param sigma first guess, of one axis; what is measured stays within a quarter and ten times
-  /// it
+  /// Start again.
+  /// @param sigma initial standard deviation of one axis; estimates stay within 1/4 .. 10 times it
   void reset(double sigma) noexcept {
     prior_sigma_ = sigma;
     variance_ = sigma * sigma;
     count_ = 0;
   }
 
-  /// @param value a fresh sample, not a held one
+  /// Process one sample.
+  /// @param value new measurement; held samples must not be passed
   void update(const Vector3& value, double dt) noexcept {
     if (count_ >= 2) {
       const double sample_variance = (value - 2.0 * last_ + second_last_).squaredNorm() / 18.0;
@@ -40,11 +41,11 @@ class SampleNoise {
   }
 
  private:
-  static constexpr double kTimeConstant = 0.5;   // [s]
-  static constexpr double kPriorSamples = 20.0;  // samples that the first guess is worth
-  static constexpr double kOutlierRatio = 25.0;  // a blow is not noise
-  static constexpr double kMinRatio = 0.25;  // of the guess: no sensor is that good while it moves
-  static constexpr double kMaxRatio = 10.0;
+  static constexpr double kTimeConstant = 0.5;   // [s] averaging
+  static constexpr double kPriorSamples = 20.0;  // weight of the initial value [samples]
+  static constexpr double kOutlierRatio = 25.0;  // clips larger sample variances: impacts
+  static constexpr double kMinRatio = 0.25;      // lower bound, share of the initial sigma
+  static constexpr double kMaxRatio = 10.0;      // upper bound, share of the initial sigma
   static constexpr int kMaxCount = 1 << 20;
   double prior_sigma_ = 1.0, variance_ = 1.0;
   int count_ = 0;

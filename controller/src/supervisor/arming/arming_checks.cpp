@@ -10,16 +10,22 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMaxLoss = 0.01;  // share of reports that may be missing
-constexpr double kWindow = 1.0;    // [s] over which that is counted
-constexpr double kQuaternionTolerance =
-    1e-3;                              // that a quaternion may be off unit length: float's rounding
-constexpr double kMaxTurnRate = 0.05;  // [rad/s]
-constexpr double kGravityTolerance = 0.05;  // that |a| may be off g
-constexpr double kSmoothing = 0.1;          // [s] over which the IMU's noise is averaged
-// [rad] 10 degrees between attitude and accelerometer: vendors' filters lean by 5 of them.
+// Chosen by hand. `surefoot faults` brackets them: values named "passes" and "refused" are its rows
+// imu_bias, quaternion, packet_loss and unknown_pose (bindings/surefoot/faults/rows).
+// Share of samples that may be missing: above single lost samples; 4 % is refused.
+constexpr double kMaxLoss = 0.01;
+constexpr double kWindow = 1.0;  // [s] time constant of that share; equals the default arming_time
+// Error of a quaternion's length: above the rounding of float (1e-7); 1 % is refused.
+constexpr double kQuaternionTolerance = 1e-3;
+constexpr double kMaxTurnRate = 0.05;       // [rad/s] a body at rest: 0.02 passes, 0.1 is refused
+constexpr double kGravityTolerance = 0.05;  // share of g, error of |a|: 0.2 passes, 0.7 m/s^2 not
+// [s] low-pass filter on the IMU: above the sample period; below the 0.5 s to a refusal.
+constexpr double kSmoothing = 0.1;
+// [rad] 10 degrees, attitude against accelerometer: twice the error of vendors' filters (up to 5).
 constexpr double kMaxAttitudeError = 0.1745;
-constexpr double kMaxTilt = 0.44;  // [rad] 25 degrees: what a robot gets up from, and a little
+// [rad] 25 degrees: above the 20 at which robots come to rest (sim/physics/lying_pose.py);
+// 35 is refused. RolloverMonitor::kRollTilt is the same angle.
+constexpr double kMaxTilt = 0.44;
 
 }  // namespace
 
@@ -49,14 +55,14 @@ void ArmingChecks::count_missed() noexcept {
   missing_ += 1.0;
   ArmingCheck& link = at(ArmingCheckId::kLink);
   check_below(link, missing_ / (received_ + missing_), kMaxLoss);
-  link.passed = false;  // fresh is what comes now
+  link.passed = false;  // this call brought no new sample
   clear_ready();
 }
 
 void ArmingChecks::add_link_counts(double received, double missing) noexcept {
   has_link_counts_ = true;
   received_ += received;
-  missing_ = std::max(missing_ + missing, 0.0);  // what was given up may come after all
+  missing_ = std::max(missing_ + missing, 0.0);  // samples counted as missing may still arrive
 }
 
 void ArmingChecks::count_link(double step) noexcept {
@@ -64,8 +70,8 @@ void ArmingChecks::count_link(double step) noexcept {
   received_ *= fade;
   missing_ *= fade;
   if (!has_link_counts_) {
-    // The shortest step of late is a period: it follows a faster link at once, a slower one in
-    // time.
+    // The period is the shortest step of late: it follows a faster link at once, a slower one
+    // slowly, by 0.1 % a sample (a factor of e in 1000 samples; chosen).
     if (step > 0.0) period_ = period_ > 0.0 ? std::min(1.001 * period_, step) : step;
     received_ += 1.0;
     if (period_ > 0.0) missing_ += std::max(std::round(step / period_) - 1.0, 0.0);
@@ -101,7 +107,7 @@ void ArmingChecks::check_imu(const LowState& state, double step) noexcept {
   const double share = started_ ? -std::expm1(-step / kSmoothing) : 1.0;
   started_ = true;
   const Vector3 gyro(w[0], w[1], w[2]), accelerometer(a[0], a[1], a[2]);
-  // What is no number must not stay in the average for ever.
+  // NaN must not stay in the filter for ever.
   const bool finite = gyro.allFinite() && accelerometer.allFinite();
   gyro_ = finite && gyro_.allFinite() ? Vector3(gyro_ + share * (gyro - gyro_)) : gyro;
   accelerometer_ = finite && accelerometer_.allFinite()

@@ -8,38 +8,41 @@
 
 namespace surefoot {
 
-/// What the checks are held against.
+/// Limits of the arming checks.
 struct ArmingLimits {
-  double time = 1.0;          // [s] that all must pass
-  double temperature = 60.0;  // [deg C]
-  double joint_margin = 0.0;  // [rad] inside the limits
-  double torque_share = 0.0;  // of tau_max that the plan takes; below 1 it is feasible
+  double time = 1.0;          // [s] for which all checks must pass: SupervisorOptions' default
+  double temperature = 60.0;  // [deg C] motors must be cooler: SupervisorOptions' default
+  double joint_margin = 0.0;  // [rad] kept from the joint limits; negative: beyond
+  double torque_share = 0.0;  // of tau_max that the rise plan takes; must be below 1
 };
 
-/// Write into a check what was found, and whether that is below the limit; NaN is not.
+/// Write value and limit into a check; it passes if value < limit. NaN fails.
 inline void check_below(ArmingCheck& check, double value, double limit) noexcept {
   check.value = value;
   check.limit = limit;
   check.passed = value < limit;
 }
 
-/// Runs the arming checks on every LowState. Real-time: update(), count_missed().
+/// Runs the arming checks on every LowState: link, motors, IMU, joints, feet, and faults that keep
+/// the robot down. The robot is ready once all have passed for ArmingLimits::time without a break.
+/// Real-time: yes, except the constructor.
 class ArmingChecks {
  public:
   ArmingChecks(const Robot& robot, const ArmingLimits& limits);
 
-  /// Judge a report. @param step [s] since the one before
+  /// Judge a sample. @param step [s] since the previous sample
   void update(const LowState& state, double step) noexcept;
-  /// What a link has counted since the last call; from then on these count, not the steps.
+  /// Add what the link has counted since the last call. From the first call on, these counts
+  /// replace the count of missing samples by the step of the tick.
   void add_link_counts(double received, double missing) noexcept;
   bool has_link_counts() const noexcept { return has_link_counts_; }
-  /// A call that brought no new report, or an impossible one.
+  /// Count a call without a new sample, or with an impossible tick.
   void count_missed() noexcept;
-  /// What keeps the robot down, or kNone; from the next update() on.
+  /// Set the fault that keeps the robot down, or kNone. The next update() uses it for `ready`.
   void set_blocking_fault(FaultId why) noexcept;
-  /// The report just judged is no good for reasons of its own.
+  /// Restart the time for which all checks must pass.
   void clear_ready() noexcept { report_.passed_for = 0.0, report_.ready = false; }
-  /// Share of the reports of the last second or so that are missing.
+  /// Return the share of missing samples, averaged over about a second; 1e-9 avoids 0 / 0.
   double loss() const noexcept { return missing_ / (received_ + missing_ + 1e-9); }
   const ArmingReport& report() const noexcept { return report_; }
 
@@ -56,11 +59,11 @@ class ArmingChecks {
   Robot robot_;
   ArmingLimits limits_;
   ArmingReport report_;
-  Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();  // noise averaged out
+  Vector3 gyro_ = Vector3::Zero(), accelerometer_ = Vector3::Zero();  // low-pass filtered
   bool started_ = false;
-  double period_ = 0.0;                    // [s] between reports, the shortest of late
-  double received_ = 0.0, missing_ = 0.0;  // reports of the last second or so
-  bool has_link_counts_ = false;           // by add_link_counts()
+  double period_ = 0.0;                    // [s] between samples: the shortest of late
+  double received_ = 0.0, missing_ = 0.0;  // samples, decaying over a second
+  bool has_link_counts_ = false;           // set by add_link_counts()
 };
 
 }  // namespace surefoot

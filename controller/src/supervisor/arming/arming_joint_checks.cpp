@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arming checks that need the robot's own limits, pose and weight.
+// Arming checks against the joint limits, standing pose and weight of the robot.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,14 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kFootForceTolerance = 0.25;  // that the feet's forces may be off m g
-constexpr double kStandingTolerance = 0.35;   // [rad] off the standing pose that is still standing
-constexpr double kSwapMargin = 0.2;  // [rad] outside its range by which an angle is another's
+// Chosen by hand.
+// Share of m g, error of the sum of foot forces. Below: sensor errors; above: one foot of four.
+constexpr double kFootForceTolerance = 0.25;
+// [rad] 20 degrees, error from q_standing of a standing robot: as in supervisor_modes.cpp.
+constexpr double kStandingTolerance = 0.35;
+// [rad] outside its range, an angle is not this motor's. Below: the 0.15 that joint_margin allows
+// for a folded calf. Test: failed_arming_checks_are_named.
+constexpr double kSwapMargin = 0.2;
 
 }  // namespace
 
@@ -25,15 +30,16 @@ void ArmingChecks::check_joints(const LowState& state) noexcept {
     if (outside <= worst.value) continue;
     worst.value = outside;
     worst.motor = i;
-    if (std::isnan(outside)) break;  // no other is worse
+    if (std::isnan(outside)) break;  // NaN is the worst
   }
   check_below(worst, worst.value, -limits_.joint_margin);
   at(ArmingCheckId::kJoints) = worst;
 }
 
-// An angle that is outside its own motor's range, by more than joints that rest on their stops, and
-// inside another's of the same leg, or no further outside, while that one's fits here: the two are
-// swapped. Only what the ranges tell apart can be seen: calves. Without another, far outside.
+// Find a motor whose angle is outside its own range by more than a joint at its stop can be. It is
+// swapped with another motor of its leg if both angles fit the other's range within that tolerance.
+// Only motors with different ranges can be told apart: calves. Without such a partner, the check
+// fails from kSwapMargin on.
 void ArmingChecks::check_order(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   const auto outside = [&](int angle_of, int motor) {
@@ -52,7 +58,7 @@ void ArmingChecks::check_order(const LowState& state) noexcept {
     int other = -1;
     for (int k = leg; k < leg + kLegJoints; ++k) {
       const double fit = std::max(outside(i, k), outside(k, i));
-      if (k == i || !(fit < best)) continue;  // nor what is no number
+      if (k == i || !(fit < best)) continue;  // NaN never fits
       best = fit;
       other = k;
     }

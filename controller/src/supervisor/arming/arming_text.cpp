@@ -20,22 +20,22 @@ std::string format(const char* pattern, Values... values) {
 }
 
 std::string describe_order(const ArmingCheck& check, const RobotConfig& config) {
-  if (check.motor < 0) return "every angle fits its motor";
+  if (check.motor < 0) return "every joint angle is in the range of its motor";
   const char* motor = kMotorNames[check.motor];
   if (check.swapped_with >= 0) {
     return format("%s and %s seem swapped", kMotorNames[std::min(check.motor, check.swapped_with)],
                   kMotorNames[std::max(check.motor, check.swapped_with)]);
   }
   return format(
-      "%s is %.2f rad outside the range of a %s: another robot, or another order of motors", motor,
-      check.value, config.name.c_str());
+      "%s is %.2f rad outside its range on a %s; check the robot and the order of its motors",
+      motor, check.value, config.name.c_str());
 }
 
 std::string describe_value(ArmingCheckId id, const ArmingCheck& c, const RobotConfig& config) {
   const char* motor = c.motor >= 0 ? kMotorNames[c.motor] : "";
   switch (id) {
     case ArmingCheckId::kLink:
-      return format("%.2g %% of the reports missing, expected below %.2g %% and a fresh one",
+      return format("%.2g %% of the samples missing, expected below %.2g %% and a new sample",
                     100.0 * c.value, 100.0 * c.limit);
     case ArmingCheckId::kMotorMode:
       if (c.passed) return "all motors in servo mode";
@@ -43,15 +43,17 @@ std::string describe_value(ArmingCheckId id, const ArmingCheck& c, const RobotCo
     case ArmingCheckId::kTemperature:
       return format("%s at %.0f deg C, expected below %.0f", motor, c.value, c.limit);
     case ArmingCheckId::kQuaternion:
-      return format("%.2g off unit length, expected below %.2g", c.value, c.limit);
+      return format("length differs from 1 by %.2g, expected below %.2g", c.value, c.limit);
     case ArmingCheckId::kGyroscope:
-      return format("%.3f rad/s, expected below %.2f", c.value, c.limit);
+      return format("%.3f rad/s, expected below %.2f: keep the robot still", c.value, c.limit);
     case ArmingCheckId::kAccelerometer:
-      return format("%.1f %% off g, expected below %.0f %%", 100.0 * c.value, 100.0 * c.limit);
+      return format("differs from g by %.1f %%, expected below %.0f %%", 100.0 * c.value,
+                    100.0 * c.limit);
     case ArmingCheckId::kAttitude:
       return format(
-          "the quaternion leans %.1f deg off the vertical that the accelerometer feels, expected "
-          "below %.0f: it is w x y z, from IMU to world, or one of the two sensors is wrong",
+          "the quaternion leans %.1f deg off the vertical of the accelerometer, expected below "
+          "%.0f; check its order (w x y z) and direction (IMU to world), else one "
+          "sensor is wrong",
           57.29578 * c.value, 57.29578 * c.limit);
     case ArmingCheckId::kTilt:
       return format("%.1f deg off level, expected below %.0f", 57.29578 * c.value,
@@ -61,14 +63,14 @@ std::string describe_value(ArmingCheckId id, const ArmingCheck& c, const RobotCo
     case ArmingCheckId::kMotorOrder:
       return describe_order(c, config);
     case ArmingCheckId::kFootForce:
-      return format("sum of foot forces %.0f %% off the weight, expected below %.0f %%",
+      return format("sum of foot forces differs from the weight by %.0f %%, expected below %.0f %%",
                     100.0 * c.value, 100.0 * c.limit);
     case ArmingCheckId::kFault:
-      if (c.passed) return "nothing keeps the robot down";
-      return format("%s keeps the robot down, expected no fault that does",
+      if (c.passed) return "no fault keeps the robot down";
+      return format("%s keeps the robot down, expected no such fault",
                     to_string(static_cast<FaultId>(static_cast<int>(c.value))));
     case ArmingCheckId::kProgram:
-      return format("getting up takes %.0f %% of the torque there is, expected below %.0f %%",
+      return format("getting up takes %.0f %% of a motor's torque limit, expected below %.0f %%",
                     100.0 * c.value, 100.0 * c.limit);
   }
   return "";
@@ -85,7 +87,7 @@ const char* to_string(ArmingCheckId id) noexcept {
 
 std::string describe(ArmingCheckId id, const ArmingCheck& check, const RobotConfig& config) {
   return std::string(to_string(id)) + ": " +
-         (check.applies ? describe_value(id, check, config) : "nothing to judge");
+         (check.applies ? describe_value(id, check, config) : "not applicable");
 }
 
 std::string describe_failures(const ArmingReport& report, const RobotConfig& config) {

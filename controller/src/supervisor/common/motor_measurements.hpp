@@ -6,14 +6,14 @@
 
 namespace surefoot {
 
-/// Torques that the motors say they make, SDK order [N.m]. Real-time: yes.
+/// Return the joint torques that the motors report (tauEst), SDK motor order [N.m]. Real-time: yes.
 inline Vector12 measured_torques(const LowState& state) noexcept {
   Vector12 tau;
   for (int i = 0; i < kMotors; ++i) tau[i] = state.motorState[i].tauEst;
   return tau;
 }
 
-/// Joint velocities, SDK order [rad/s]. Real-time: yes.
+/// Return the joint velocities, SDK motor order [rad/s]. Real-time: yes.
 inline Vector12 measured_velocities(const LowState& state) noexcept {
   Vector12 dq;
   for (int i = 0; i < kMotors; ++i) dq[i] = state.motorState[i].dq;

@@ -9,10 +9,11 @@
 
 namespace surefoot {
 
-/// A plain struct that one thread writes and others read whole, without a lock: a sequence lock.
+/// Sequence lock: one thread writes a plain struct, any thread reads a consistent copy.
 ///
-/// The writer never waits; a reader tries again when it was written over. Source: H.-J. Boehm, "Can
-/// seqlocks get along with programming language memory models?", MSPC 2012, section 4.
+/// The writer never waits. A reader repeats its read if the writer changed the value meanwhile.
+/// Source: H.-J. Boehm, "Can seqlocks get along with programming language memory models?", MSPC
+/// 2012, section 4.
 template <typename T>
 class Seqlock {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -21,7 +22,7 @@ class Seqlock {
  public:
   Seqlock() { write(T{}); }
 
-  /// Real-time: yes.
+  /// Store a value; one thread only. Real-time: yes.
   void write(const T& value) noexcept {
     std::array<std::uint64_t, kWords> words{};
     std::memcpy(words.data(), &value, sizeof(T));
@@ -32,6 +33,7 @@ class Seqlock {
     sequence_.store(sequence + 2, std::memory_order_release);
   }
 
+  /// Return a consistent copy; any thread. It loops while the writer is in the middle of a write.
   T read() const noexcept {
     std::array<std::uint64_t, kWords> words;
     std::uint64_t before = 1, after = 0;

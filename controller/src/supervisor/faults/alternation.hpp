@@ -5,17 +5,21 @@
 
 namespace surefoot {
 
-/// How much a signal goes to and fro from one sample to the next: the mean of minus the product of
-/// neighbouring changes. Positive for what alternates and for white noise (its variance), negative
-/// for what moves smoothly, zero for steps that come now and then. Real-time: yes.
+/// Measures how much a signal alternates from one sample to the next.
+///
+/// The measure is the running mean of -d[k] d[k-1], where d[k] is the change at sample k. It is
+/// positive for an alternating signal, the variance for white noise, negative for a smooth signal,
+/// and zero for isolated steps. Real-time: yes.
 class Alternation {
  public:
-  /// @param share of this sample in the mean @param min_change in the value's unit: smaller ways to
-  /// and fro do not count for is_frequent() @return the mean, in the value's unit squared
+  /// Add a sample.
+  /// @param share weight of this sample in the mean, 0 .. 1
+  /// @param min_change [unit of value] smaller alternations do not count for is_frequent()
+  /// @return the mean [unit of value squared]
   double update(double value, double share, double min_change = 0.0) noexcept {
     const double change = started_ ? value - value_ : 0.0;
     const double product = -change * change_;
-    // The ways that make the mean, not the noise between them.
+    // Count the alternations that make up the mean, not the noise between them.
     const bool counts = product > std::max(0.5 * mean_, min_change * min_change);
     frequency_ += share * ((counts ? 1.0 : 0.0) - frequency_);
     mean_ += share * (product - mean_);
@@ -25,10 +29,12 @@ class Alternation {
     return mean_;
   }
 
-  /// Does it do so in three samples of ten? A wrong sample in ten goes and comes back, too.
+  /// Return whether more than three samples in ten alternate. One wrong sample in ten, which also
+  /// goes up and back, is not enough; one in three is (chosen; test:
+  /// one_wrong_sample_in_ten_is_not_frequent).
   bool is_frequent() const noexcept { return frequency_ > 0.3; }
 
-  /// What comes next is not to be compared with what came last.
+  /// Do not compare the next sample with the last one.
   void interrupt() noexcept {
     started_ = false;
     change_ = 0.0;

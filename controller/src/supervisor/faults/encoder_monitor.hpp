@@ -6,19 +6,26 @@
 
 namespace surefoot {
 
-/// Notices a leg whose angles and speeds repeat themselves bit by bit, while one of those speeds
-/// says that the joint moves and the other legs' reports go on. At rest encoders may well repeat
-/// themselves; and all legs together do so where joints are measured less often than the link runs.
+/// Detects stopped encoders of a leg.
+///
+/// The angles and velocities of the leg repeat bit for bit, although one of these velocities means
+/// motion and other legs' samples change. Two cases are no fault: a leg at rest may repeat its
+/// values, and all legs repeat together if joints are measured less often than samples are sent.
 /// Real-time: yes.
 class EncoderMonitor {
  public:
-  static constexpr double kMinSpeed = 0.1;  ///< [rad/s] below it a joint may as well be at rest
-  static constexpr double kMinTravel =
-      0.01;                              ///< [rad] that the joint says it has gone without going
-  static constexpr int kMinSamples = 5;  ///< in which another leg has changed meanwhile
+  // Chosen by hand; tests: stopped_encoders_are_detected_within_60_ms,
+  // moving_resting_or_slow_joints_are_not_dead_encoders.
+  /// [rad/s] a slower joint may be at rest: twice an offset of 0.05 rad/s, the noise of encoders.
+  static constexpr double kMinSpeed = 0.1;
+  /// [rad] travel by the repeated velocity before it is a fault: 50 ms at 0.2 rad/s, from which on
+  /// the 60 ms of fault_table() hold.
+  static constexpr double kMinTravel = 0.01;
+  /// Samples in which another leg changed meanwhile: 10 ms at 500 Hz, above repeats by chance.
+  static constexpr int kMinSamples = 5;
 
-  /// Judge a report. @param step [s] since the report before @param lost_leg that is not judged,
-  /// -1: all are
+  /// Judge a sample.
+  /// @param step [s] since the previous sample @param lost_leg leg that is not judged, or -1
   void update(const LowState& state, double step, int lost_leg) noexcept {
     motor_ = -1;
     std::array<bool, kLegs> unchanged{};
@@ -38,14 +45,14 @@ class EncoderMonitor {
       if (motor_ < 0 && leg != lost_leg) motor_ = kLegJoints * leg + fastest(record.dq);
     }
   }
-  /// SDK number of the motor whose encoder has stopped, or -1.
+  /// Return the SDK number of the fastest motor of a leg with stopped encoders, or -1.
   int motor() const noexcept { return motor_; }
 
  private:
   struct Leg {
-    Vector3 q = Vector3::Constant(NAN), dq = Vector3::Zero();  // as last reported
-    double time = 0.0;                                         // [s] that they repeat
-    int other_changes = 0;  // reports of that time in which another leg changed
+    Vector3 q = Vector3::Constant(NAN), dq = Vector3::Zero();  // [rad], [rad/s] of the last sample
+    double time = 0.0;                                         // [s] for which they have repeated
+    int other_changes = 0;  // samples of that time in which another leg changed
   };
 
   static int fastest(const Vector3& dq) noexcept {

@@ -5,12 +5,13 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kGyroscopeTime = 0.05;  // [s] legs tell the attitude rate for so long
-constexpr double kSensorTime = 0.02;     // [s] of any other sensor
-constexpr double kSlipTime = 0.02;       // [s]
-constexpr double kLiftedTime = 0.05;     // [s]
-constexpr double kPayloadTime = 1.0;     // [s] pushes are no payloads
-constexpr double kMinSlip = 0.5;         // how surely
+// Minimum times of a finding, chosen by hand. Above: the detection times of fault_table().
+constexpr double kGyroscopeTime = 0.05;  // [s] of 1 s; the legs give the attitude rate meanwhile
+constexpr double kSensorTime = 0.02;     // [s] of 0.1 s and more, for every other sensor
+constexpr double kSlipTime = 0.02;       // [s] of 0.1 s; below: single wrong ticks
+constexpr double kLiftedTime = 0.05;     // [s] of 0.1 s; below: impacts that unload all feet
+constexpr double kPayloadTime = 1.0;     // [s] of 2 s; below: pushes (0.5 s in the full scorecard)
+constexpr double kMinSlip = 0.5;         // confidence of slip
 
 bool bad(SensorVerdict verdict) noexcept {
   return verdict != SensorVerdict::kGood && verdict != SensorVerdict::kUnjudged;
@@ -24,7 +25,7 @@ bool foot_force_bad(const EstimatorReport& report) noexcept {
       zero += verdict == SensorVerdict::kZero;
       wrong += bad(verdict);
     }
-    // A source that has never said anything is not there, on most robots; that is no fault.
+    // A source that reads zero on all feet does not exist on this robot, as on most: no fault.
     if (wrong > 0 && zero < kLegs) return true;
   }
   return false;

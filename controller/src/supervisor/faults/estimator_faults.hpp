@@ -8,25 +8,28 @@
 
 namespace surefoot {
 
-/// What the estimator thinks of its sensors and of the ground, as faults. Real-time: yes.
+/// Turns the findings of a standing robot's estimator into faults: sensor verdicts, slip, contact
+/// and payload. A finding must last for a minimum time before it is a fault. Real-time: yes.
 class EstimatorFaults {
  public:
-  /// @param payload_limit [kg] more than it the robot is not to bear
+  /// @param payload_limit [kg] largest payload that is no fault
   explicit EstimatorFaults(double payload_limit) : payload_limit_(payload_limit) {}
 
-  /// Judge what a standing robot's estimator says. @param dt [s] @param log is told of all that
-  /// nobody else looks at
+  /// Judge the report of a standing robot's estimator.
+  /// @param dt [s] @param log receives kFootForce, kSlip, kLifted and kPayload; verdicts on the IMU
+  /// are read by the accessors below
   void update(const EstimatorReport& report, const RobotState& state, double dt,
               FaultLog& log) noexcept;
-  /// There is no estimator at work. @param sitting what the robot sits down for is held: nothing
-  /// says that it is over
+  /// Forget all findings while no estimator runs.
+  /// @param sitting keep the faults that make the robot sit down: without an estimator nothing
+  /// shows that they have ended
   void reset(bool sitting, FaultLog& log) noexcept;
 
-  /// Verdicts on the IMU, which ImuMonitor judges as well.
+  /// Verdicts on the IMU. ImuMonitor judges it as well, in every mode.
   bool gyroscope_bad() const noexcept { return gyroscope_bad_; }
   bool accelerometer_bad() const noexcept { return accelerometer_bad_; }
   bool quaternion_bad() const noexcept { return quaternion_bad_; }
-  /// Has the estimator found what the robot sits down for?
+  /// Return whether the estimator found a fault that makes the robot sit down.
   bool must_sit_down() const noexcept { return gyroscope_bad_ || overloaded_; }
 
  private:

@@ -5,12 +5,14 @@
 
 namespace surefoot {
 
-/// Keeps the FaultReport: what begins, what ends. Real-time: yes.
+/// Keeps the FaultReport: active faults, how often each began, and at which motor.
+/// Real-time: yes.
 class FaultLog {
  public:
   FaultLog() { report_.motor.fill(-1); }
 
-  /// Say of a fault whether it is there. @param motor SDK number, where it is one motor's
+  /// Set whether a fault is present; count it when it begins.
+  /// @param motor SDK number if the fault concerns one motor, else -1
   void set(FaultId id, bool present, int motor = -1) noexcept {
     const int k = static_cast<int>(id);
     if (present && !report_.active[k]) {

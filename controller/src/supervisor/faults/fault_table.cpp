@@ -13,94 +13,123 @@ constexpr auto kDamp = FaultReaction::kDamp;
 constexpr std::string_view kNeedsArm = "arm()";
 constexpr std::string_view kClearsByItself = "by itself";
 constexpr std::string_view kClearsByItselfOrArm =
-    "by itself, or arm() where legs that stood told it";
+    "by itself, or with arm() if the estimator found it while the robot stood";
 
+// Detection times [s]: limits that `surefoot faults` checks in every cell, not measured times. At
+// 500 Hz 0.002 is one period; 0.020 is kStaleTime. The others are the detectors' times and a
+// margin.
 constexpr std::array<FaultInfo, kFaults - 1> kRows = {{
     {FaultId::kStop, kDamp, 0.002, kNeedsArm,
-     "an operator's stop: stop() from any thread, x + Enter in surefoot run"},
-    {FaultId::kButton, kDamp, 0.002, kNeedsArm, "B on the remote"},
+     "operator stop: stop() from any thread, or x + Enter in surefoot run; the motors damp "
+     "until arm()"},
+    {FaultId::kButton, kDamp, 0.002, kNeedsArm,
+     "button B of the remote is pressed; the motors damp until arm()"},
     {FaultId::kStateNotFinite, kDamp, 0.020, kNeedsArm,
-     "a NaN, an infinity, more than 1e4 in any unit: the last good command for 10 ms, then "
-     "damping"},
+     "a LowState field is NaN, infinite or beyond 1e4 in its unit; the last good command is "
+     "repeated for 10 ms, then the motors damp until arm()"},
     {FaultId::kStateImplausible, kDamp, 0.020, kNeedsArm,
-     "beyond what the robot can do or measure: the last good command for 10 ms, then damping"},
+     "a LowState field is beyond what the robot can do or its sensor can measure; the last "
+     "good command is repeated for 10 ms, then the motors damp until arm()"},
     {FaultId::kStaleTick, kDamp, 0.020, kNeedsArm,
-     "tick does not advance: the last good command for 10 ms, then damping; or it leaps by more "
-     "than "
-     "100 ms, in which robots damp by themselves"},
+     "LowState.tick stands still, runs backwards or jumps; the last good command is repeated "
+     "for 10 ms, then the motors damp until arm(); after a gap of more than 100 ms, in which "
+     "the robot damps on its own, they damp at once"},
     {FaultId::kFrozen, kDamp, 0.020, kNeedsArm,
-     "IMU and joints repeat themselves byte by byte for 10 ms: held as long, then damping"},
+     "IMU and joint values repeat byte for byte for 10 ms while the tick advances; the last "
+     "good command is repeated for 10 ms, then the motors damp until arm()"},
     {FaultId::kLoss, kWatch, 1.0, kClearsByItself,
-     "more than 5 % of the reports of a second are missing"},
+     "more than 5 % of the samples of the last second are missing; no reaction, check the "
+     "network"},
     {FaultId::kJointJump, kDamp, 0.020, kNeedsArm,
-     "an angle jumps more than its speed explains: held for 10 ms, then damping"},
+     "a joint angle jumps further than its velocity explains; the last good command is "
+     "repeated for 10 ms, then the motors damp until arm()"},
     {FaultId::kEncoder, kDamp, 0.060, kNeedsArm,
-     "a leg's angles and speeds repeat themselves bit by bit, while a speed of theirs above 0.2 "
-     "rad/s "
-     "says that it moves; slower, once that makes 0.01 rad"},
+     "the angles and velocities of one leg repeat bit for bit, although the repeated velocity "
+     "amounts to 0.01 rad of motion: an encoder has stopped; the motors damp until arm() (the "
+     "stated time holds from 0.2 rad/s on)"},
     {FaultId::kClock, kDamp, 0.200, kNeedsArm,
-     "joints that move go less than 0.7 of the way that their speeds make by the robot's clock: it "
-     "goes too fast, and what goes by it with it"},
+     "the joints move less than 0.7 of what their velocities predict by the robot's clock: "
+     "the clock is too fast, and so is every timed motion; the motors damp until arm()"},
     {FaultId::kQuaternion, kDegrade, 0.1, kClearsByItself,
-     "no unit length, or contradicted by gyroscope and legs: standing goes on without it"},
+     "the quaternion is not of unit length, or contradicts the gyroscope and the legs; a "
+     "standing robot continues without it"},
     {FaultId::kAttitude, kDamp, 0.020, kNeedsArm,
-     "attitude and gyroscope jump against each other, or it rises or sits without an attitude: "
-     "held for 10 ms, then damping"},
+     "the gyroscope jumps, or the robot is not standing and its attitude is missing or jumps "
+     "against the gyroscope; the last good command is repeated for 10 ms, then the motors "
+     "damp until arm()"},
     {FaultId::kGyroscope, kSit, 1.0, kClearsByItselfOrArm,
-     "zero, constant, clipped for 50 ms, or off the attitude's rate by 0.08 rad/s, and a twentieth "
-     "of it where the robot does not stand, for half a second"},
+     "the gyroscope is zero, constant or clipped for 50 ms, or differs from the rate of the "
+     "attitude by 0.08 rad/s over half a second (plus 5 % of the rate while not standing); "
+     "the robot sits down"},
     {FaultId::kAccelerometer, kDegrade, 0.5, kClearsByItself,
-     "zero, constant, saturated or contradicted: attitude and velocity from the rest; who has not "
-     "begun to stand sits down"},
+     "the accelerometer is zero, constant, saturated or contradicts the other sensors; "
+     "attitude and velocity come from those; a robot that is rising sits down again"},
     {FaultId::kFootForce, kDegrade, 2.0, kClearsByItself,
-     "a foot's sensor is stuck, saturated or contradicted: contact from the rest"},
+     "a foot force sensor is stuck, saturated or contradicts the other sensors; contact comes "
+     "from those"},
     {FaultId::kSlip, kDegrade, 0.1, kClearsByItself,
-     "a standing foot slips: less friction is counted on"},
+     "a stance foot slips; the controller assumes less friction"},
     {FaultId::kLifted, kDegrade, 0.1, kClearsByItself,
-     "no foot bears anything: the pose is held softly"},
-    {FaultId::kPayload, kSit, 2.0, kNeedsArm, "more than the option payload_limit"},
+     "no foot is loaded; the controller holds the pose softly"},
+    {FaultId::kPayload, kSit, 2.0, kNeedsArm,
+     "the payload is above the option payload_limit; the robot sits down and does not rise "
+     "before arm()"},
     {FaultId::kTilt, kDamp, 0.010, kNeedsArm,
-     "the body is tilted too far, or will be in a tenth of a second"},
-    {FaultId::kMotorMode, kDamp, 0.006, kNeedsArm, "a motor reports another mode than servo twice"},
+     "the body is tilted too far, or will be within 0.1 s; the motors damp until arm()"},
+    {FaultId::kMotorMode, kDamp, 0.006, kNeedsArm,
+     "a motor is not in servo mode in two samples; the motors damp until arm(), unless the "
+     "robot can stand without that leg: see leg_lost"},
     {FaultId::kMotorWeak, kDamp, 0.15, kNeedsArm,
-     "a motor's torque is far off what it is told, or none, for 50 ms"},
+     "a motor's torque is missing or far from its command for 50 ms; the motors damp until "
+     "arm(), unless the robot can stand without that leg: see leg_lost"},
     {FaultId::kLegLost, kDegrade, 0.15, kNeedsArm,
-     "motor_mode or motor_weak in one leg of a robot that stands, its centre of mass over the "
-     "other three feet: that leg is given up; a second is not"},
+     "motor_mode or motor_weak in one leg of a standing robot whose capture point is over the "
+     "other three feet; the robot stands on those until arm(); if a second leg fails, the "
+     "motors damp"},
     {FaultId::kOverridden, kDamp, 0.2, kNeedsArm,
-     "the same in several legs at once: another program commands the robot, such as the sport "
-     "mode"},
+     "torques in several legs do not follow their commands: another program, such as the "
+     "sport mode, commands the robot too; the motors damp until arm(); stop the other program "
+     "first"},
     {FaultId::kWiring, kDamp, 15.0, kNeedsArm,
-     "lying: the body rolls over the legs that fold, though they were let go of; or a leg does not "
-     "hang on its hip as it must, or the rear legs press and the nose does not go down: legs are "
-     "swapped, a motor turns the other way, or it does not lie free on the ground; 4 s once all "
-     "legs are "
-     "folded, which swapped ones may not be for longer"},
+     "lying: the body rolls over its folding legs although they were released twice, a leg "
+     "does not weigh on its hip as it must, or the nose does not go down when the rear legs "
+     "press; legs are swapped, a motor turns the wrong way, or the robot does not lie free on "
+     "the ground; the motors damp until arm() (found within 4 s after all legs are folded; "
+     "swapped legs may take longer to fold)"},
     {FaultId::kWrongRobot, kDamp, 15.0, kNeedsArm,
-     "lying: its legs weigh less than 0.6 or more than 1.5 times what the model says; or none can "
-     "be moved, held or too heavy for its springs"},
+     "lying: the legs weigh less than 0.6 or more than 1.5 times what the model says, or no "
+     "leg can move because it is held or too heavy; the motors damp until arm(); check which "
+     "robot was chosen"},
     {FaultId::kTemperature, kSit, 2.0, kClearsByItself,
-     "torque limits fall from temperature_warning on; the robot sits down at temperature_stop"},
-    {FaultId::kJointStop, kDamp, 0.006, kNeedsArm, "a joint is beyond its stop in three reports"},
+     "a motor is at temperature_stop; the robot sits down; torque limits already fall from "
+     "temperature_warning on"},
+    {FaultId::kJointStop, kDamp, 0.006, kNeedsArm,
+     "a joint is outside its limits by more than joint_margin permits in three samples; the "
+     "motors damp until arm()"},
     {FaultId::kPower, kDamp, 0.014, kNeedsArm,
-     "joints took more than the option power_level for six reports net: PowerProtect's rule"},
+     "the motors took more than the option power_level in a net six samples (the SDK's "
+     "PowerProtect rule); the motors damp until arm()"},
     {FaultId::kTorqueRate, kWatch, 0.010, kClearsByItself,
-     "the StandController's torques are held back, to changes of 9.5 % of their limits in 2 ms, "
-     "for 8 ms"},
+     "the StandController's torques have been rate-limited, to 9.5 % of their limits in 2 ms, "
+     "for 8 ms; no other reaction"},
     {FaultId::kProgram, kWatch, 0.002, kClearsByItself,
-     "the StandController has no solution at once: it is sought anew, or bridged for at most 10 "
-     "ms"},
-    {FaultId::kController, kDamp, 0.020, kNeedsArm, "no usable solution for longer than 10 ms"},
+     "the StandController's QP was not solved at the first attempt; a cold solve replaces it, "
+     "or fallback commands for at most 10 ms"},
+    {FaultId::kController, kDamp, 0.020, kNeedsArm,
+     "the StandController has had no usable solution for more than 10 ms; the motors damp "
+     "until arm()"},
     {FaultId::kHanging, kSit, 0.5, kClearsByItself,
-     "up, and the legs bear less than a third of the weight"},
+     "the legs carry less than 0.35 of the weight at the end of a rise: the robot hangs or is "
+     "held; the robot sits down"},
     {FaultId::kBattery, kSit, 2.0, kClearsByItself,
-     "charge below the option battery_low, where it is told"},
+     "the battery charge is below the option battery_low; the robot sits down (not judged if "
+     "no battery data comes)"},
     {FaultId::kOperator, kSit, 0.1, kClearsByItself,
-     "the operator's program is silent: no heartbeat() for the option operator_timeout"},
+     "no heartbeat() from the operator's program for the option operator_timeout; the robot "
+     "sits down"},
     {FaultId::kLink, kDamp, 0.020, kNeedsArm,
-     "the robot is not heard, or began anew, or this program stood still: the last good command "
-     "for "
-     "10 ms, then damping"},
+     "no LowState comes, the robot has restarted, or this program was paused; the last good "
+     "command is repeated for 10 ms, then the motors damp until arm()"},
 }};
 
 constexpr bool ordered() {

@@ -10,17 +10,26 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMaxAttitudeJump = 0.1;  // [rad] of the attitude more than the gyroscope turned
-constexpr double kAttitudeDelay = 0.02;   // [s] of its rate that the attitude may be late
-constexpr double kReacceptTime = 0.5;     // [s] after which a new attitude is taken as it is
-constexpr double kMaxRateJump = 3.0;      // [rad/s] of the gyroscope from one report to the next
-constexpr double kHeldTime = 0.05;        // [s] of a gyroscope that stands still or clips
-constexpr double kMaxRateError =
-    0.08;  // [rad/s] that it may be off the attitude's rate for long ...
-constexpr double kRateErrorClamp =
-    0.8;  // [rad/s] no report is taken to be further off: a few are none
-constexpr double kScaleErrorShare = 0.05;  // of its rate, where bodies roll over: it is scaled
-constexpr double kRateErrorTime = 0.5;  // [s] ... smoothed over this: pushes tilt attitude filters
+// Chosen by hand. The rows imu_bias, imu_dropout, attitude_jump and duplicate_data of
+// `surefoot faults` bracket them; benchmarks/false_trips.py checks that healthy robots pass.
+// [rad] between attitude and integrated gyroscope. Above: the row of 10 degrees (0.17 rad).
+constexpr double kMaxAttitudeJump = 0.1;
+constexpr double kAttitudeDelay = 0.02;  // [s] ... plus this times the rate: 20 ms late passes
+constexpr double kReacceptTime = 0.5;    // [s] of rejection after which any attitude is accepted
+// [rad/s] of the gyroscope between two samples: an offset of 2.5 passes, noise up to 10 does not.
+constexpr double kMaxRateJump = 3.0;
+// [s] that a bad signal must last to be a fault. Below: 18 ms of an IMU that is read at 50 Hz.
+constexpr double kHeldTime = 0.05;
+// [rad/s] mean of gyroscope less rate of the attitude: 0.02 passes, 0.1 is a fault within 1 s.
+constexpr double kMaxRateError = 0.08;
+// [rad/s] clamp of one sample's difference, ten times the limit: 10 ms of outliers move the mean by
+// 0.8 (10 ms / kRateErrorTime) = 0.016 only.
+constexpr double kRateErrorClamp = 0.8;
+// Of the mean rate, error of scale: found as a healthy b1 that rolled over was made to sit (history
+// 55108eb, 2f8a612).
+constexpr double kScaleErrorShare = 0.05;
+// [s] of that mean. Below: pushes (0.1 s) disturb the attitude filter; above: the 1 s to a fault.
+constexpr double kRateErrorTime = 0.5;
 
 }  // namespace
 
@@ -37,7 +46,7 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
   if (attitude_plausible_) {
     const Quaternion attitude = Quaternion(q[0], q[1], q[2], q[3]).normalized();
     const Eigen::AngleAxisd turned(last_attitude_.conjugate() * attitude);
-    // From one attitude to the next, both believed; across a jump there is no rate.
+    // The rate needs two accepted attitudes: across a jump it means nothing.
     const bool timed = started_ && before && step > 0.0;
     const Vector3 w_attitude = timed ? Vector3(turned.angle() / step * turned.axis()) : w;
     last_attitude_ = attitude;
@@ -45,7 +54,7 @@ void ImuMonitor::update(const IMU& imu, double step, bool changed, bool may_turn
         !started_ || rejected_time_ >= kReacceptTime || is_consistent(attitude, w);
     if (attitude_plausible_) {
       const double blend = -std::expm1(-step / kRateErrorTime);
-      const Vector3 rate_error = w - w_attitude;
+      const Vector3 rate_error = w - w_attitude;  // 1e-9 below avoids a division by zero
       rate_error_ +=
           blend *
           (rate_error * std::min(1.0, kRateErrorClamp / (rate_error.norm() + 1e-9)) - rate_error_);
@@ -67,7 +76,7 @@ bool ImuMonitor::is_consistent(const Quaternion& attitude, const Vector3& w) con
 
 void ImuMonitor::judge_rates(const Vector3& w, double step, bool changed,
                              double max_error) noexcept {
-  // A report that repeats as a whole says nothing of the gyroscope.
+  // A sample that repeats as a whole is no evidence against the gyroscope.
   const bool held = gyroscope_held_.update(w == w_last_, changed ? step : 0.0, kHeldTime);
   const bool clipped =
       gyroscope_clipped_.update(w.cwiseAbs().maxCoeff() >= ImuReader::kRateRange, step, kHeldTime);

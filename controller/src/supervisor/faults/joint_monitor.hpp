@@ -6,17 +6,22 @@
 
 namespace surefoot {
 
-/// Holds each joint's angle against its own speed: an angle that jumps is not to be acted upon.
+/// Compares the change of each joint angle with its velocity and rejects angles that jump:
+///   |q - q_last - dq t| - kTravelTolerance |dq t| >= kMaxJump,   t: time since q_last
 /// Real-time: yes.
 class JointMonitor {
  public:
-  static constexpr double kMaxJump = 0.08;         ///< [rad] more than its speed explains
-  static constexpr double kTravelTolerance = 0.5;  ///< of what its speed explains
-  static constexpr double kReacceptTime =
-      0.5;  ///< [s] after which new angles are taken as they are
+  // Chosen by hand; test: joint_motion_during_bad_samples_is_not_a_joint_jump.
+  /// [rad] beyond what the velocity explains. Above: the row position_trip of `surefoot faults`, a
+  /// hip 0.2 rad outside its limits.
+  static constexpr double kMaxJump = 0.08;
+  /// Of what the velocity explains: velocities that are delayed, noisy or change meanwhile.
+  static constexpr double kTravelTolerance = 0.5;
+  /// [s] of rejection after which any angles are accepted; ImuMonitor has the same.
+  static constexpr double kReacceptTime = 0.5;
 
-  /// May these angles be acted upon? @param step [s] since the last look @param lost_leg that is
-  /// not judged, -1: all are
+  /// Return whether the angles of a sample are usable.
+  /// @param step [s] since the last update @param lost_leg leg that is not judged, or -1
   bool update(const LowState& state, double step, int lost_leg) noexcept {
     age_ += step;
     Vector12 q, travel;
@@ -34,8 +39,8 @@ class JointMonitor {
   }
 
  private:
-  Vector12 q_ = Vector12::Zero();  // [rad] that were last believed
-  double age_ = 0.0;               // [s] of them
+  Vector12 q_ = Vector12::Zero();  // [rad] of the last accepted sample
+  double age_ = 0.0;               // [s] since then
   bool started_ = false;
 };
 

@@ -10,22 +10,34 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kBadModes = 2;               // reports in a row
-constexpr int kBadAngles = 3;              // reports in a row
-constexpr double kTorqueTime = 0.03;       // [s] smoothing, longer than delay and lag of a motor
-constexpr double kTorqueOff = 0.12;        // of tau_max that a motor may be off ...
-constexpr double kTorqueOffShare = 0.4;    // ... and of what it is told
-constexpr double kErrorClamp = 2.0;        // times that: no report is taken to be further off
-constexpr double kIdleTorqueShare = 0.3;   // of what a motor is told: less is as good as none ...
-constexpr double kMinCommandShare = 0.05;  // ... once it is told that much of tau_max ...
-constexpr double kMinIdleShare = 0.8;      // ... in that share of reports
-constexpr double kWeakTime = 0.05;         // [s]
-constexpr double kMinAlternation =
-    0.03;  // of tau_max: torques that go to and fro, report by report
-constexpr double kAlternationRatio = 4.0;  // times what they are told to
-constexpr double kAlternationTime = 0.05;  // [s] smoothing
-constexpr double kTemperatureTime = 0.5;   // [s] smoothing: one mad report is no heat
-constexpr double kOverheatedTime = 0.5;    // [s] before the robot sits down
+// Chosen by hand. The rows tau_mismatch, motor_dead, two_controllers and over_temperature of
+// `surefoot faults` bracket them; benchmarks/false_trips.py checks that healthy robots pass.
+// Consecutive samples. Below: one wrong sample; above: the 6 ms of fault_table(), 3 periods.
+constexpr int kBadModes = 2;
+constexpr int kBadAngles = 3;
+// [s] smoothing. Below: a motor's delay (two periods) and lag (2 ms); above: the 0.15 s to a fault.
+constexpr double kTorqueTime = 0.03;
+// Tolerance: a share of tau_max plus a share of the command. Below: torque errors of 5 %, 20 ms of
+// delay, tauEst 0 in one sample of ten; above: a dead motor.
+constexpr double kTorqueOff = 0.12;
+constexpr double kTorqueOffShare = 0.4;
+constexpr double kErrorClamp = 2.0;  // times that: clamp of one sample's error
+// A motor is idle with less than this share of its command, if the command exceeds kMinCommandShare
+// of tau_max, in kMinIdleShare of samples: finds dead motors that report servo mode
+// (docs/faults.md).
+constexpr double kIdleTorqueShare = 0.3;
+constexpr double kMinCommandShare = 0.05;
+constexpr double kMinIdleShare = 0.8;
+constexpr double kWeakTime = 0.05;  // [s] of the 0.15 s of fault_table(); below: impacts
+// Of tau_max: smaller alternations of torque do not count, nor do those below kAlternationRatio
+// times the commands'. Below: noise and one wrong sample; above: two programs in turn.
+constexpr double kMinAlternation = 0.03;
+constexpr double kAlternationRatio = 4.0;
+constexpr double kAlternationTime = 0.05;  // [s] smoothing; above: the 0.2 s of fault_table()
+// [s] smoothing: 120 deg C in 1 sample of 25 is no heat.
+constexpr double kTemperatureTime = 0.5;
+// [s] before the robot sits down; with kTemperatureTime below the 2 s of fault_table().
+constexpr double kOverheatedTime = 0.5;
 
 bool is_idle(double commanded, double measured, double tau_max) noexcept {
   const double amount = std::abs(commanded);
@@ -72,8 +84,8 @@ void MotorFaults::judge_modes(const LowState& state, int lost_leg, FaultLog& log
   log.set(FaultId::kMotorMode, bad_modes_ >= kBadModes, bad);
 }
 
-// Told and measured through the same filter: what the motor's own delay and lag shift is small
-// beside what a dead motor leaves out.
+// Commands and measurements pass the same filter. Its time constant is long enough that a motor's
+// delay and lag matter little beside the torque that a dead motor lacks.
 void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
                                 FaultLog& log) noexcept {
   const double share = -std::expm1(-dt / kTorqueTime);
@@ -84,11 +96,11 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
     expected_[i] += share * (commanded_[i] - expected_[i]);
     const double tau_est = state.motorState[i].tauEst, tau_max = robot_.config().tau_max[i];
     const double allowed = kTorqueOff * tau_max + kTorqueOffShare * std::abs(expected_[i]);
-    // What a few mad reports say counts for no more than any that is off.
+    // The clamp keeps a few wrong samples from dominating the mean.
     const double off_by =
         std::clamp(tau_est - expected_[i], -kErrorClamp * allowed, kErrorClamp * allowed);
     measured_[i] += share * (expected_[i] + off_by - measured_[i]);
-    // A motor that sleeps under a foot that bears little is not far off; its reports are counted.
+    // Below a lightly loaded foot a dead motor is within the tolerance: count idle samples too.
     idle_share_[i] += share * (is_idle(expected_[i], tau_est, tau_max) - idle_share_[i]);
     const bool off =
         std::abs(measured_[i] - expected_[i]) > allowed || idle_share_[i] > kMinIdleShare;
@@ -101,8 +113,8 @@ void MotorFaults::judge_torques(const LowState& state, double dt, int lost_leg,
   log.set(FaultId::kMotorWeak, legs == 1, weak);
 }
 
-// Two who command in turn make torques go to and fro, which the mean hides. Neither delay nor lag
-// of a motor makes more of that than there is in what it is told.
+// Two programs that command in turn make the torques alternate, which the mean hides. A motor's
+// delay and lag do not add alternation to that of its commands.
 int MotorFaults::count_alternating_legs(const LowState& state, double dt, int lost_leg) noexcept {
   const double share = -std::expm1(-dt / kAlternationTime);
   int legs = 0, last_leg = -1;
@@ -144,7 +156,7 @@ void MotorFaults::judge_angles(const LowState& state, int lost_leg, FaultLog& lo
     const double middle = 0.5 * (robot_.config().q_lower[i] + robot_.config().q_upper[i]);
     judged.motorState[i].q = static_cast<float>(middle);
   }
-  // The command is not read.
+  // position_protect() does not read the command.
   const bool inside = safety_.position_protect(LowCmd{}, judged, joint_margin_) > 0;
   bad_angles_ = inside ? 0 : bad_angles_ + 1;
   log.set(FaultId::kJointStop, bad_angles_ >= kBadAngles, safety_.position_motor());

@@ -8,12 +8,18 @@
 
 namespace surefoot {
 
-/// What is wrong with the motors by their own reports: mode, torque against what they were told,
-/// temperature, angle. Real-time: yes.
+/// Detects motor faults from the motors' own measurements: mode, torque against the last command,
+/// temperature and angle.
+///
+/// Commanded and measured torques pass the same filter. A motor whose mean torque stays outside the
+/// tolerance, or which is idle, for 50 ms is weak (kMotorWeak). Weak motors, or alternating
+/// torques, in several legs mean that another program commands the robot (kOverridden). Real-time:
+/// yes.
 class MotorFaults {
  public:
-  /// @param warning, stop [deg C] torque is derated from one on, and the robot sits at the other
-  /// @param joint_margin [rad] inside the limits; negative: beyond
+  /// @param warning [deg C] torques are derated from here on
+  /// @param stop [deg C] the robot sits down from here on
+  /// @param joint_margin [rad] kept from the joint limits; negative: tolerance beyond them
   MotorFaults(const Robot& robot, double warning, double stop, double joint_margin)
       : robot_(robot),
         safety_(robot),
@@ -21,21 +27,26 @@ class MotorFaults {
         temperature_stop_(stop),
         joint_margin_(joint_margin) {}
 
-  /// Judge a report. @param dt [s] @param lost_leg of which temperatures alone are looked at,
-  /// -1: none @param log is told
+  /// Judge a sample. @param dt [s]
+  /// @param lost_leg leg of which only temperatures are judged, or -1 @param log receives the
+  /// faults
   void update(const LowState& state, double dt, int lost_leg, FaultLog& log) noexcept;
-  /// What the motors have just been told: compared with what they report from now on.
+  /// Record the command just sent; later torque measurements are compared with it.
+  /// @param state sample that the command was made from: its dq gives the damping torque
   void record_command(const LowCmd& command, const LowState& state) noexcept;
-  /// Something else than record_command() has left since: torques go to and fro for it.
+  /// Exclude the next sample from the alternation measures: a command was sent that
+  /// record_command() did not see.
   void skip_command() noexcept {
     for (int i = 0; i < kMotors; ++i)
       commanded_alternation_[i].interrupt(), measured_alternation_[i].interrupt();
   }
-  /// Share of each motor's torque that its temperature leaves it, kLeastShare .. 1.
+  /// Share of each motor's torque limit that its temperature leaves, kLeastShare .. 1.
   const Vector12& torque_share() const noexcept { return torque_share_; }
-  /// Forget torques and counts, not temperatures.
+  /// Forget torques and counts, but not temperatures.
   void reset() noexcept;
 
+  /// Share of the torque limits left at temperature_stop. Chosen: 1 would not cool the motor; with
+  /// less than `RisePlan::torque_share` the robot could not hold itself while it sits down.
   static constexpr double kLeastShare = 0.5;
 
  private:
@@ -46,18 +57,18 @@ class MotorFaults {
   void judge_angles(const LowState& state, int lost_leg, FaultLog& log) noexcept;
 
   Robot robot_;
-  Safety safety_;  // its position protection
+  Safety safety_;  // for position_protect()
   double temperature_warning_, temperature_stop_, joint_margin_;
-  Vector12 commanded_ = Vector12::Zero();   // [N.m] by the last command
-  Vector12 expected_ = Vector12::Zero();    // [N.m] told, smoothed
+  Vector12 commanded_ = Vector12::Zero();   // [N.m] of the last command
+  Vector12 expected_ = Vector12::Zero();    // [N.m] commanded, smoothed
   Vector12 measured_ = Vector12::Zero();    // [N.m] tauEst, smoothed
-  Vector12 idle_share_ = Vector12::Zero();  // share of reports in which there was none of it
+  Vector12 idle_share_ = Vector12::Zero();  // share of samples in which a motor was idle
   std::array<Alternation, kMotors> commanded_alternation_, measured_alternation_;
   Vector12 temperature_ = Vector12::Zero();  // [deg C] smoothed
   Vector12 torque_share_ = Vector12::Ones();
   std::array<Debounce, kMotors> deviating_;
   Debounce overheated_;
-  int bad_modes_ = 0, bad_angles_ = 0;  // reports in a row
+  int bad_modes_ = 0, bad_angles_ = 0;  // consecutive samples
   bool started_ = false;
 };
 

@@ -6,15 +6,15 @@
 
 namespace surefoot {
 
-/// Notices reports whose sensors repeat those before while the tick goes on: a sensor board that
-/// hangs behind a link that lives. Real-time: yes.
+/// Detects samples whose IMU and joint values repeat while the tick advances: the sensor board has
+/// stopped, the link works. Real-time: yes.
 class RepeatedSample {
  public:
-  /// [s] that may repeat: robots that measure at 50 Hz do so for 18 ms, and the last good command
-  /// may live on for 10 of them.
+  /// [s] for which values may repeat. Derived: robots that measure at 50 Hz repeat them for 18 ms
+  /// at 500 Hz, and the last good command may be held for the other kHoldTime = 10 ms.
   static constexpr double kMaxAge = 0.010;
 
-  /// @param step [s] since the report before
+  /// Compare a sample with the previous one. @param step [s] between them
   void update(const LowState& state, double step) noexcept {
     Values values;
     const IMU& imu = state.imu;
@@ -27,18 +27,18 @@ class RepeatedSample {
     repeat_time_ = values == last_values_ ? repeat_time_ + step : 0.0;
     last_values_ = values;
   }
-  /// Is what the last report says too old to be acted upon?
+  /// Return whether the values of the last sample are too old to act upon; 1e-9 s is for rounding.
   bool too_old() const noexcept { return repeat_time_ >= kMaxAge - 1e-9; }
-  /// Have the sensors stopped? No robot measures at less than 50 Hz.
+  /// Return whether the sensors have stopped. No robot measures at less than 50 Hz.
   bool stopped() const noexcept { return repeat_time_ >= kStopped; }
-  /// Was the last report the same as the one before it?
+  /// Return whether the last sample had the same values as the one before.
   bool repeats() const noexcept { return repeat_time_ > 0.0; }
 
  private:
-  static constexpr double kStopped = 0.022;  // [s]
+  static constexpr double kStopped = 0.022;  // [s] derived: a period at 50 Hz and one at 500 Hz
   using Values = Eigen::Matrix<float, 42, 1>;
   Values last_values_ = Values::Constant(NAN);
-  double repeat_time_ = 0.0;  // [s]
+  double repeat_time_ = 0.0;  // [s] for which the values have repeated
 };
 
 }  // namespace surefoot

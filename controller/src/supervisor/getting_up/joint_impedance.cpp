@@ -13,17 +13,23 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMaxDeflection = 0.45;  // [rad] beyond which a spring pulls no harder
-constexpr double kTorqueShare = 0.9;     // of what the motor can do
-constexpr double kLiftShare = 0.75;      // of it for holding, where there is to be some for lifting
-constexpr double kReleaseSpeed = 2.0;  // [rad/s] faster than its reference: a joint lets go of ...
-constexpr double kReleaseSpeedRange = 2.0;  // ... its spring within this much more
-constexpr double kFallRateStart =
-    0.6;                              // [rad/s] faster: the body may fall, and legs brake less ...
-constexpr double kFallRateEnd = 1.6;  // [rad/s] ... until here ...
-constexpr double kMinDampingShare = 0.25;  // ... they brake this much of what they would
-constexpr double kSmoothing = 0.02;        // [s] of that: no step of torque
-constexpr double kLoadedShare = 0.1;  // of the body's weight: legs that bear so much are not caught
+// Chosen by hand, against trips of the power protection. Measured with them: benchmarks/get_up.py,
+// 93 W at most at level 1 (100 W); benchmarks/false_trips.py. Tests: test_joint_impedance.cpp.
+// [rad] clamp of spring deflection. Below: LegFolding's lead (0.4); above: power of a released leg.
+constexpr double kMaxDeflection = 0.45;
+constexpr double kTorqueShare = 0.9;  // of a motor's torque limit: a margin
+constexpr double kLiftShare = 0.75;   // of it for holding; the rest is for lifting
+// [rad/s] ahead of its reference: the spring weakens, to zero within kReleaseSpeedRange more.
+// Below: joints that follow their reference; above: legs that come free reach 9 rad/s.
+constexpr double kReleaseSpeed = 2.0;
+constexpr double kReleaseSpeedRange = 2.0;
+// [rad/s] of the body, between which the damping falls. Below: folding; above: bodies that tip over
+// a leg at 3 rad/s.
+constexpr double kFallRateStart = 0.6;
+constexpr double kFallRateEnd = 1.6;
+constexpr double kMinDampingShare = 0.25;  // of the full damping: it takes power as the body falls
+constexpr double kSmoothing = 0.02;        // [s] of damping: ten periods, no step of torque
+constexpr double kLoadedShare = 0.1;       // of the weight: legs with this load are not caught
 }  // namespace
 
 JointImpedance::JointImpedance(const Robot& robot, const RisePlan& plan, double watts)
@@ -56,14 +62,14 @@ void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
   damping_ += dt / (dt + kSmoothing) * (wanted - damping_);
 }
 
-// A spring that pulls with tau and comes free takes (tau - D dq) dq, which is most at
-// dq = tau / (2 D): tau^2 / (4 D).
+// A released spring with torque tau takes the power (tau - D dq) dq. Its maximum is tau^2 / (4 D),
+// at dq = tau / (2 D). 1e-9 [W] avoids a division by zero.
 Vector12 JointImpedance::limit_released_power(const Vector12& pull) const noexcept {
   const double released = (stiffness_ * pull).squaredNorm() / (4.0 * damping_);
   return pull * std::sqrt(std::min(1.0, power_limit_ / std::max(released, 1e-9)));
 }
 
-// At the pose that dynamics_ was last updated for.
+// Requires dynamics_.update() for the present pose.
 Vector12 JointImpedance::gravity_torques(double load) noexcept {
   state_.f_sustained = (1.0 - load) * robot_.mass() * kGravity * Vector3::UnitZ();
   return holding_torques(dynamics_, robot_.mass(), state_, Eigen::Vector4d::Ones());
@@ -90,10 +96,10 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   dynamics_.update(state_.q, state_.v, Vector3::UnitZ());
   Vector12 hold = gravity_torques(load);
   Vector12 pull = (reference.q - q_).cwiseMax(-kMaxDeflection).cwiseMin(kMaxDeflection);
-  // Legs of a body that lies may be caught, also where the rear ones press and hold part of it up.
+  // Legs of a lying body may be caught on something, also during the rear press: load is 0 there.
   const Vector12 freed = limit_released_power(pull);
   pull = freed + smoothstep(load / kLoadedShare) * (pull - freed);
-  // What slips off an obstacle must not be flung: that alone takes more power than the rise.
+  // A leg that slips off an obstacle must not run away: that alone takes more power than a rise.
   for (int i = 0; i < kMotors; ++i) {
     const double ahead = std::copysign(1.0, pull[i]) * (dq_[i] - reference.dq[i]);
     pull[i] *= std::clamp(1.0 - (ahead - kReleaseSpeed) / kReleaseSpeedRange, 0.0, 1.0);
@@ -103,13 +109,14 @@ Vector12 JointImpedance::torques(const JointReference& reference, double load) n
   for (int i = 0; i < kMotors; ++i) {
     const double share = kTorqueShare * torque_share_[i], most = share * config.tau_max[i];
     tau[i] = within_motor_limits(config, i, tau[i], dq_[i], share);
-    // Less power is nearer to it. Not by speed: a report that lies about that lets go of nothing.
+    // limit_power() moves torques towards `hold`. Its clamp does not depend on speed, so that a
+    // wrong speed in one sample does not drop the robot.
     hold[i] = std::clamp(hold[i], -most, most);
   }
   const LimitedTorques out = limit_power(tau, hold, dq_, power_limit_, damping_);
   if (!out.limit_exceeded || !hold.allFinite() || !dq_.allFinite()) return out.torques;
   const double braking = limit_power(hold - damping_ * dq_, hold, dq_, power_limit_).scale;
-  // Against what the motors add by themselves: what they make is nearer to holding.
+  // Counteract part of the motors' damping, so that the sum is closer to the holding torques.
   const Vector12 counter_torque = hold + (1.0 - braking) * damping_ * dq_;
   return counter_torque.cwiseMax(-config.tau_max).cwiseMin(config.tau_max);
 }

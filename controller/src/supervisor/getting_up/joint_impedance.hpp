@@ -9,48 +9,54 @@
 
 namespace surefoot {
 
-/// Torques of joints held by springs and dampers, on top of what gravity takes:
-///   tau = tau_hold(load) + K (q_ref - q) + D dq_ref   and  - D dq  by the motors' own damping
-/// with the spring's reach, the motors' limits and the power bounded. The damping is the motors'
-/// because a leg that slips off the ground is let go of by a taut spring: what comes two or three
-/// ticks later is too late for the power protection. Where braking alone takes more than the power
-/// allows, torques take some of it back: a leg that comes free from under the body is flung,
-/// whatever the springs do. A body that falls onto its legs, as it rolls off one, drives them
-/// faster than torques can change: while it turns they brake less beforehand, and where it tumbles
-/// they pull less, for its fall's end drives all joints at once. Feet and body are weighed by joint
-/// angles and the IMU's attitude alone. Real-time: yes.
+/// Joint impedance of a robot that rises or sits: springs and dampers on top of gravity torques,
+///   tau = tau_hold(load) + K (q_ref - q) + D dq_ref   and   -D dq   by the motors' own damping.
+/// tau_hold needs only joint angles and the IMU's attitude.
+///
+/// Damping: the motors provide it (Kd = D). When a leg slips off the ground its spring accelerates
+/// it at once, and torques two or three ticks later are too late for the power protection.
+///
+/// Limits: spring deflection, motor limits and power are bounded. If damping alone takes more than
+/// the power limit, as in a leg that comes free from under the body, torques counteract part of it.
+/// A body that rolls off a leg drives its joints faster than torques can change. So the damping
+/// falls with the turn rate of the body (reduce_damping()), and with it the spring torque of lying
+/// legs (limit_released_power()). Real-time: yes.
 class JointImpedance {
  public:
-  /// @param watts most that sum |tau dq| may be [W]
+  /// @param watts limit of sum |tau dq| [W]
   JointImpedance(const Robot& robot, const RisePlan& plan, double watts);
 
-  /// Read joints and attitude out of a report.
+  /// Read joints and attitude from a sample.
   void read(const LowState& state) noexcept;
   const Vector12& q() const noexcept { return q_; }
-  /// Brake less while the body turns, and pull less while it tumbles.
-  /// @param turn_rate how fast [rad/s] @param dt [s]
+  /// Reduce the damping while the body turns; 0 restores it.
+  /// @param turn_rate of the body [rad/s] @param dt [s]
   void reduce_damping(double turn_rate, double dt) noexcept;
   double damping() const noexcept { return damping_; }  ///< D, for the motors [N.m.s/rad]
   const Quaternion& R_world_base() const noexcept { return R_world_base_; }
-  /// The world's vertical, in base axes.
+  /// Return the world's vertical in base axes, unit length.
   Vector3 up() const noexcept { return R_world_base_.conjugate() * Vector3::UnitZ(); }
   const Quaternion& R_base_imu() const noexcept { return R_base_imu_; }
-  /// Share of each motor's torque that may be used, SDK order.
+  /// Set the usable share of each motor's torque, 0 .. 1, SDK motor order.
   void set_torque_share(const Vector12& share) noexcept { torque_share_ = share; }
 
-  /// @param load share of the robot's weight that the feet bear, 0 .. 1
+  /// Compute the torques to send with damping().
+  /// @param load share of the robot's weight on the feet, 0 .. 1
   /// @return shape (12,), SDK motor order [N.m]
   Vector12 torques(const JointReference& reference, double load) noexcept;
-  /// Torques that bear the legs alone in the pose read, shape (12,), SDK motor order [N.m].
+  /// Compute the torques that hold only the legs' own weight in the pose read, shape (12,), SDK
+  /// motor order [N.m].
   Vector12 leg_gravity_torques() noexcept;
-  /// Can the motors hold the whole robot in the pose read?
+  /// Return whether the motors can hold the whole robot in the pose read.
   bool can_hold() noexcept;
-  /// Share of the robot's weight that the legs bear by the torques measured, about 0 .. 1.
+  /// Estimate the share of the robot's weight on the legs from measured torques, about 0 .. 1:
+  /// their projection onto the torques of a full load on four legs.
   double load_share(const Vector12& measured) noexcept;
 
  private:
   Vector12 gravity_torques(double load) noexcept;
-  /// Less pull [rad], so that all springs that come free at once stay within the power.
+  /// Scale spring deflections [rad] so that all springs released at once stay within the power
+  /// limit.
   Vector12 limit_released_power(const Vector12& pull) const noexcept;
 
   Robot robot_;

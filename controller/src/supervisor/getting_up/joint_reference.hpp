@@ -5,7 +5,7 @@
 
 namespace surefoot {
 
-/// Where the joints are to be, and how fast they go there; SDK motor order.
+/// Desired joint angles and velocities, SDK motor order.
 struct JointReference {
   Vector12 q = Vector12::Zero();   ///< [rad]
   Vector12 dq = Vector12::Zero();  ///< [rad/s]

@@ -10,11 +10,15 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kAcceleration = 2.0;   // [1/s^2]: a body's 2 m/s^2 at most, far inside friction
-constexpr double kMinRate = 0.01;       // [1/s] of the last bit of the way
-constexpr double kLoadingRange = 0.25;  // of the way, in which the legs take over the weight
-constexpr double kFadeTime = 1.0;       // [s] in which what joints were off fades out
-constexpr double kMaxLag = 0.35;        // [rad] that a joint may be behind before the motion waits
+// Chosen by hand; benchmarks/get_up.py covers them, test_supervisor.cpp tests that the motion is
+// continuous.
+constexpr double kAcceleration = 2.0;   // [1/s^2] at most 2 m/s^2 of the body, far below friction
+constexpr double kMinRate = 0.01;       // [1/s] near the goal: s arrives in finite time
+constexpr double kLoadingRange = 0.25;  // of s, in which the legs take over the weight
+constexpr double kFadeTime = 1.0;       // [s] for the initial offset; below RisePlan's 1.25 s
+// [rad] lag of a joint from which the motion waits. Below: the springs' sag (3 degrees); above:
+// kMaxDeflection of JointImpedance.
+constexpr double kMaxLag = 0.35;
 
 }  // namespace
 
@@ -34,11 +38,11 @@ const JointReference& RiseMotion::step(const Vector12& measured, double dt) noex
   const double remaining = goal_ - s_;
   const bool lagging = (reference_.q - measured).cwiseAbs().maxCoeff() > kMaxLag;
   stalled_time_ = lagging && remaining != 0.0 ? stalled_time_ + dt : 0.0;
-  // Fast enough to be there soon, slow enough for the power and to stop at the end.
+  // Keep the plan's rate (power) and the rate from which the motion can stop at the goal.
   const double braking_rate = std::sqrt(kAcceleration * std::abs(remaining));
   double max_rate = std::max(std::min(plan_.rate_at(s_), braking_rate), kMinRate);
   if (lagging && remaining > 0.0)
-    max_rate = 0.0;  // on the way down it goes on: there is no better place
+    max_rate = 0.0;  // the way down does not wait: no pose on it is safer than lying
   ds_ +=
       std::clamp(std::copysign(max_rate, remaining) - ds_, -kAcceleration * dt, kAcceleration * dt);
   time_ += dt;

@@ -6,35 +6,43 @@
 
 namespace surefoot {
 
-/// Moves along RisePlan's line, up or down, and may be turned round on the way. Real-time: yes.
+/// Moves the joint reference along the path of RisePlan, up or down; go_to() may reverse it
+/// anywhere.
+///
+/// The rate ds/dt keeps the plan's limit and stops smoothly at the goal. On the way up the motion
+/// waits for joints that lag behind. Real-time: yes.
 class RiseMotion {
  public:
   explicit RiseMotion(const RisePlan& plan) : plan_(plan) {}
 
-  /// Begin at s, with joints that need not be exactly there: what they are off fades out in a
-  /// second.
+  /// Start at s with the given joint angles. Their offset from the path fades out in a second.
   void start(double s, const Vector12& joints) noexcept;
+  /// Set the goal, s = 0 .. 1.
   void go_to(double s) noexcept {
     goal_ = s;
     stalled_time_ = 0.0;
   }
+  /// Advance by dt [s] and return the reference. @param measured joint angles [rad]
   const JointReference& step(const Vector12& measured, double dt) noexcept;
 
+  /// Return s.
   double position() const noexcept { return s_; }
+  /// Return whether s is at the goal and the initial offset has faded out.
   bool arrived() const noexcept;
-  /// Share of the weight that the legs are meant to bear: none on the ground, all once they lift.
+  /// Return the planned share of the weight on the legs: 0 on the ground, 1 from a quarter of the
+  /// path on.
   double load() const noexcept;
-  /// Have the joints been unable to follow for long?
+  /// Return whether joints have lagged behind for kStallTimeout.
   bool stuck() const noexcept { return stalled_time_ > kStallTimeout; }
 
  private:
-  static constexpr double kStallTimeout = 2.0;  // [s]
+  static constexpr double kStallTimeout = 2.0;  // [s] chosen: about the time of a rise (1.9)
 
   RisePlan plan_;
   JointReference reference_;
-  Vector12 offset_ = Vector12::Zero();  // [rad] of the joints where the motion began
+  Vector12 offset_ = Vector12::Zero();  // [rad] of the joints from the path, at the start
   double goal_ = 0.0;
-  double s_ = 0.0, ds_ = 0.0;  // ds_ in 1/s
+  double s_ = 0.0, ds_ = 0.0;  // [1], [1/s]
   double time_ = 0.0;          // [s] since the start
   double stalled_time_ = 0.0;  // [s]
 };

@@ -12,19 +12,21 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kStopMargin = 0.1;  // [rad] kept from the joints' ends
-constexpr double kFoldedDepth =
-    0.14;  // of the standing depth: soles just above the ground of a lying robot
-constexpr double kHipOutwardShare = 0.6;  // of the hips' range; beyond it thighs touch trunks
-constexpr double kMaxHipOutward = 0.7;    // [rad]
-constexpr double kSpeedShare = 0.3;       // of the joints' greatest speed
-constexpr double kMaxRate = 0.8;          // [1/s] nobody is in a hurry
-constexpr double kStiffness =
-    1.05;  // of m g times standing depth, per rad: a leg sags by 3 degrees
-constexpr double kDampingTime =
-    0.03;  // [s] damping over stiffness: what delay and lag leave stable
+// Chosen by hand; benchmarks/get_up.py covers them (1000 of 1000 drops stand).
+constexpr double kStopMargin = 0.1;    // [rad] kept from the joint limits; above the SDK's 0.087
+constexpr double kFoldedDepth = 0.14;  // of the standing foot depth: just above the ground, lying
+constexpr double kHipOutwardShare = 0.6;  // of the hip range; beyond it the thigh touches the trunk
+constexpr double kMaxHipOutward = 0.7;    // [rad] for wide hip ranges (go1, go2: 1.05)
+constexpr double kSpeedShare = 0.3;       // of the joints' velocity limits; kMaxRate binds first
+constexpr double kMaxRate = 0.8;  // [1/s] slow on purpose: 1.25 s of a rise of 1.9 (docs/faults.md)
+// [1/rad] K over m g and standing foot depth. Below: legs sag by 3 degrees; above: power of freed
+// legs, which grows with K.
+constexpr double kStiffness = 1.05;
+// [s] D / K. Below: springs that are released too fast; above: what the motors' delay and lag leave
+// stable.
+constexpr double kDampingTime = 0.03;
 
-/// Dynamics of the robot lying level at the origin, at rest, in joint angles in motor order.
+/// Dynamics of the robot at rest with a level base at the origin; joint angles in SDK motor order.
 class LyingPose {
  public:
   explicit LyingPose(const Robot& robot)
@@ -44,17 +46,19 @@ class LyingPose {
   RobotState state_;
 };
 
+// Return how far the foot is below the base [m].
 double foot_depth(LyingPose& pose, const Vector12& joints, int leg) {
   return -pose.at(joints).legs()[leg].p_world_contact.z();
 }
 
-// The calf as it is folded, the foot straight below the hip.
+// Keep the folded calf and put the foot straight below the hip.
 void crouch_leg(int leg, const RisePlan& plan, Vector12& joints) {
   joints[3 * leg + 2] = plan.folded[3 * leg + 2];
   joints[3 * leg + 1] = -0.5 * joints[3 * leg + 2];
 }
 
-// The calf near its stop on the side that it bends to; the thigh turned back until the foot is up.
+// Bend the calf to near its stop; turn the thigh back, by bisection, until the foot is at `depth`.
+// 40 halvings of at most 4 rad leave 4e-12 rad.
 void fold_leg(LyingPose& pose, const RobotConfig& config, int leg, double depth, Vector12& joints) {
   const int thigh = 3 * leg + 1, calf = 3 * leg + 2;
   const bool negative = config.q_standing[calf] < 0.0;

@@ -7,32 +7,34 @@
 
 namespace surefoot {
 
-/// What requests are judged by; published by the tick.
+/// State by which requests are judged. The tick publishes it.
 struct RequestContext {
   Mode mode = Mode::kPassive;
-  bool state_valid = false;  ///< does a valid LowState come?
+  bool state_valid = false;  ///< valid samples arrive
   bool armed = false;
-  bool ready = false;          ///< have all arming checks passed for long enough?
-  bool must_sit = false;       ///< does a fault keep it down?
-  bool fading = false;         ///< are torques on their way from mode to mode?
-  bool checks_waived = false;  ///< does arming ask for no checks?
+  bool ready = false;          ///< all arming checks have passed for arming_time
+  bool must_sit = false;       ///< a fault keeps the robot down
+  bool fading = false;         ///< torques fade between modes
+  bool checks_waived = false;  ///< Start::kStanding: arm() needs no checks
 };
 
-/// May `mode` be entered from here?
+/// Return whether `mode` may be entered now, or why not. Real-time: yes.
 RequestStatus judge_request(const RequestContext& context, Mode mode) noexcept;
+/// Return whether the robot may be armed now, or why not. Real-time: yes.
 RequestStatus judge_arming(const RequestContext& context) noexcept;
 
-/// Where other threads leave what they want, for the tick to take: one thing at a time, except that
-/// a stop always gets through. Lock-free. Real-time: yes.
+/// Mailbox of requests from any thread to the tick. It holds one request; while it is full, further
+/// requests are answered kBusy. A stop is kept apart and always gets through. Lock-free.
+/// Real-time: yes.
 class Requests {
  public:
-  // From any thread:
+  // For any thread:
   RequestStatus request_mode(Mode mode) noexcept;
   RequestStatus request_arming() noexcept;
   void stop() noexcept { stop_.store(true); }
   RequestContext context() const noexcept { return unpack(context_.load()); }
 
-  // From the tick:
+  // For the tick:
   void publish(const RequestContext& context) noexcept { context_.store(pack(context)); }
   bool take_stop() noexcept { return stop_.exchange(false); }
   static constexpr int kNoRequest = -1, kArm = 100;

@@ -7,43 +7,53 @@
 
 namespace surefoot {
 
-/// What the twelve motors are told: torques, and damping of their own.
+/// Torques and damping commanded to the twelve motors, SDK motor order.
 struct MotorDemand {
   Vector12 tau = Vector12::Zero();  ///< [N.m]
-  Vector12 kd = Vector12::Zero();   ///< [N.m.s/rad] with dq = 0
+  Vector12 kd = Vector12::Zero();   ///< [N.m.s/rad] Kd, with desired dq = 0
 };
 
-/// Who decides it.
+/// Where a MotorDemand comes from: damping only, JointImpedance, or StandController.
 enum class TorqueSource { kDamping, kImpedance, kController };
 
-/// Goes over from one source to another without a jump, while both are computed. Real-time: yes.
+/// Torque fade: weights for a change from one torque source to another without a step.
+///
+/// The caller computes both sources during the fade and sends
+///   (1 - w) from + w to,   w = smoothstep(t / kTime)
+/// for torques and damping. A change back to the former source during a fade goes on from the share
+/// that this source still has. Real-time: yes.
 class TorqueFade {
  public:
-  static constexpr double kTime = 0.25;  // [s]
+  /// [s] of a fade. Chosen: below, the torque rate (9.5 % of the limits in 2 ms); above, a robot
+  /// that sinks meanwhile, and requests that are refused as busy.
+  static constexpr double kTime = 0.25;
 
+  /// Begin a fade to another source; no effect if `next` is already the goal.
   void start(TorqueSource next) noexcept {
     if (next == to_) return;
-    // Back to where it came from: from the share that it still has.
+    // Back to the former source: from the share that it still has.
     time_left_ = active() && next == from_ ? kTime - time_left_ : kTime;
     from_ = to_;
     to_ = next;
   }
+  /// Change the source at once.
   void switch_to(TorqueSource next) noexcept {
     from_ = to_ = next;
     time_left_ = 0.0;
   }
   void advance(double dt) noexcept { time_left_ = std::max(time_left_ - dt, 0.0); }
   bool active() const noexcept { return time_left_ > 0.0; }
+  /// Return whether `source` must be computed now.
   bool uses(TorqueSource source) const noexcept {
     return to_ == source || (active() && from_ == source);
   }
   TorqueSource from() const noexcept { return from_; }
   TorqueSource to() const noexcept { return to_; }
-  double weight() const noexcept { return smoothstep(1.0 - time_left_ / kTime); }  ///< of to()
+  double weight() const noexcept { return smoothstep(1.0 - time_left_ / kTime); }  ///< w of to()
 
  private:
   TorqueSource from_ = TorqueSource::kDamping, to_ = TorqueSource::kDamping;
-  double time_left_ = 0.0;  // [s]
+  double time_left_ = 0.0;  // [s] of the fade
 };
 
 }  // namespace surefoot

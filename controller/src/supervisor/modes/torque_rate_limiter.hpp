@@ -9,23 +9,29 @@
 
 namespace surefoot {
 
-/// Keeps torques from jumping: all motors' change is scaled down together, so that its direction
-/// stays, until no motor changes faster than kMaxRate of its limit. What a motor brakes less or
-/// more, because its damping changes, is a change of torque, too. Real-time: yes.
+/// Limits the rate of change of torques.
+///
+/// One factor scales the change of all motors, which keeps its direction, so that no motor changes
+/// faster than kMaxRate of its limit. A change of a motor's own damping Kd changes its torque too
+/// and counts: the last torques are first converted to the new Kd. Real-time: yes.
 class TorqueRateLimiter {
  public:
-  /// [1/s] of tau_max: 0.095 in 2 ms, 1100 N.m/s on a go1's hips. Pushes of half of what it
-  /// survives take up to 0.13, for two or three periods.
+  /// [1/s] share of tau_max: 0.095 in 2 ms, 1100 N.m/s on a go1's hips (libfranka: 1000). Derived:
+  /// 5 % below the 0.1 that `surefoot faults` allows. Pushes at half of the greatest that the robot
+  /// survives need up to 0.13, for two or three periods.
   static constexpr double kMaxRate = 47.5;
 
   explicit TorqueRateLimiter(const Vector12& tau_max) : tau_max_(tau_max) {}
 
-  /// [s] A longer period allows no more: motors see steps, however long they were let alone.
+  /// [s] Longest period that counts, one at 500 Hz: after a longer one a motor would see a larger
+  /// step.
   static constexpr double kMaxPeriod = 0.002;
 
-  /// @param tau wanted, is what may be sent afterwards [N.m]; within +-tau_max if it was @param kd
-  /// sent with it [N.m.s/rad] @param dq joint velocities [rad/s] @param period of commands [s]
-  /// @return was it too much?
+  /// Limit torques against those sent last.
+  /// @param tau in: desired; out: limited, within +-tau_max if it was before [N.m]
+  /// @param kd sent with tau [N.m.s/rad] @param dq joint velocities [rad/s]
+  /// @param period between commands [s]
+  /// @return whether tau was changed
   bool limit(Vector12& tau, const Vector12& kd, const Vector12& dq, double period) noexcept {
     const Vector12 before = has_last_ ? equivalent_torques(kd, plausible_speeds(dq)) : tau;
     const Vector12 change = tau - before;
@@ -40,12 +46,12 @@ class TorqueRateLimiter {
     dq_ = dq;
     return exceeds;
   }
-  /// What was sent last is not known: the next torques go as they are.
+  /// Forget the last command: the next torques pass unlimited.
   void reset() noexcept {
     has_last_ = false;
     dq_ = dq_before_ = unknown();
   }
-  /// The motors were told no torque: they damped by themselves, with kd [N.m.s/rad].
+  /// Record that damping alone was sent, with kd [N.m.s/rad] and no torques.
   void set_damping_only(double kd) noexcept {
     last_.setZero();
     kd_.setConstant(kd);
@@ -54,11 +60,13 @@ class TorqueRateLimiter {
   }
 
  private:
-  static constexpr double kMaxSpeedStep = 10.0;  // [rad/s] in a period: twice what a free leg can
+  // [rad/s] between samples. Derived: twice the step of a free leg (RunawayLegs::kMaxSpeedStep);
+  // above: wrong samples of 25 rad/s, as in the row joint_speed of `surefoot faults`.
+  static constexpr double kMaxSpeedStep = 10.0;
   static Vector12 unknown() noexcept { return Vector12::Constant(NAN); }
 
-  /// Speeds, but one that leaps from both of the last two is a lie, and the last one stands for it:
-  /// where damping fades it would be a step of torque.
+  /// Return the velocities with outliers replaced. A velocity that jumps away from both of the last
+  /// two is a sensor error; while damping fades it would cause a step of torque.
   Vector12 plausible_speeds(const Vector12& dq) const noexcept {
     Vector12 out = dq;
     for (int i = 0; i < kMotors; ++i) {
@@ -68,8 +76,8 @@ class TorqueRateLimiter {
     }
     return out;
   }
-  /// What, sent with this damping, makes the motors make what they make. One that brakes at its
-  /// limit makes no more than that, whatever its damping asks for.
+  /// Return the torques that, sent with damping `kd`, give the motors' present torques. They are
+  /// clamped, because a motor that brakes at its limit gives no more torque.
   Vector12 equivalent_torques(const Vector12& kd, const Vector12& dq) const noexcept {
     const Vector12 tau = last_ + (kd - kd_).cwiseProduct(dq);
     return tau.cwiseMax(-tau_max_).cwiseMin(tau_max_);
@@ -77,8 +85,8 @@ class TorqueRateLimiter {
 
   Vector12 tau_max_;
   Vector12 last_ = Vector12::Zero(), kd_ = Vector12::Zero();
-  Vector12 dq_ = unknown(), dq_before_ = unknown();  // [rad/s] of the last two periods
-  bool has_last_ = false;                            // are last_ and kd_ what was sent?
+  Vector12 dq_ = unknown(), dq_before_ = unknown();  // [rad/s] of the last two samples
+  bool has_last_ = false;                            // last_ and kd_ are those sent last
 };
 
 }  // namespace surefoot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What examples/vendor_sdk.cpp uses of the vendor's header, with its names; so that the example is
-// compiled where that header is not. The structs are ours: the vendor's are checked by the example.
+// The part of the vendor's header that examples/vendor_sdk.cpp uses, with the vendor's names. It
+// allows the example to compile without that header. The structs are Surefoot's; the example itself
+// checks the vendor's.
 #pragma once
 
 #include "surefoot/low_level.hpp"

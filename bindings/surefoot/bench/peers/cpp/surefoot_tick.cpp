@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Our ticks in C++: from a state to torques, or from LowState to LowCmd.
+// Surefoot's ticks in C++: from RobotState to torques, or from LowState to LowCmd.
 #include <cstring>
 #include <surefoot/surefoot.hpp>
 
@@ -54,7 +54,7 @@ class WholeTick {
   }
 
   void load(int tick) {
-    if (tick == 0) controller_.reset();  // or its clock would seem to run backwards
+    if (tick == 0) controller_.reset();  // otherwise its clock would go backwards
     report_ = &reports_[tick];
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// TSID's tick in C++: computeProblemData, solve, getActuatorForces. As workers/tsid_worker.py.
+// TSID's tick in C++: computeProblemData, solve, getActuatorForces. See workers/tsid_worker.py.
 #include <memory>
 #include <tsid/contacts/contact-point.hpp>
 #include <tsid/formulations/inverse-dynamics-formulation-acc-force.hpp>
@@ -61,15 +61,15 @@ class Tsid {
 
  private:
   void check_joints() const {
-    const auto& names = robot_.model().names;  // behind the universe and the root
+    const auto& names = robot_.model().names;  // after the universe and the root joint
     if (!std::equal(names.begin() + 2, names.end(), problem_.names("joints").begin(),
                     problem_.names("joints").end())) {
-      throw std::runtime_error("joints: got another order than that of the states");
+      throw std::runtime_error("joints: got another order than in the states");
     }
   }
 
-  // The faster of both where its sizes, which are fixed, are the problem's: four legs of three
-  // joints.
+  // eiquadprog-rt is faster, but its sizes are fixed at compile time: those of four legs with three
+  // joints each.
   void make_solver(unsigned n, unsigned n_eq, unsigned n_in) {
     if (n == 30 && n_eq == 18 && n_in == 32) {
       solver_ = std::make_unique<tsid::solvers::SolverHQuadProgRT<30, 18, 32>>("solver");
@@ -87,7 +87,7 @@ class Tsid {
     const VectorXd gains = problem_.array("foot_gains");
     contact->Kp(gains[0] * Vector3d::Ones());
     contact->Kd(gains[1] * Vector3d::Ones());
-    contact->useLocalFrame(false);  // else forces and cone turn with the foot
+    contact->useLocalFrame(false);  // otherwise forces and friction cone rotate with the foot
     const Vector3d anchor = problem_.array("anchors").segment<3>(3 * leg);
     contact->setReference(pinocchio::SE3(Eigen::Matrix3d::Identity(), anchor));
     contact->setRegularizationTaskWeightVector(Vector3d::Ones());

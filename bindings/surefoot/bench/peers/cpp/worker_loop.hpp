@@ -13,14 +13,16 @@
 #include <string>
 #include <vector>
 
-/// What every compiled worker does, as workers/worker_loop.py does: read the problem, tick when
-/// told to, say how long it took. Nothing here is surefoot's: it is compiled with the peer too.
+/// Main loop of every C++ worker: read the problem, compute ticks on request, and write their times
+/// and results. workers/worker_loop.py defines the protocol. This header does not use Surefoot,
+/// because the workers of the peers include it too.
 namespace peers {
 
-/// What is written in a problem's files.
+/// Contents of the problem files.
 class Problem {
  public:
-  /// @param file problem.txt; throws std::runtime_error if it or states.bin cannot be read
+  /// @param file path of problem.txt
+  /// @throws std::runtime_error if states.bin is too short
   explicit Problem(const std::string& file) : folder(file.substr(0, file.find_last_of('/') + 1)) {
     std::ifstream lines(file);
     for (std::string line; std::getline(lines, line);) {
@@ -64,11 +66,11 @@ class Problem {
   Eigen::MatrixXd states_;
 };
 
-/// What a tick came to.
+/// Result of a tick.
 struct TickResult {
   bool solved = false;
-  Eigen::VectorXd forces;   ///< (12,) on FR FL RR RL, world axes [N]
-  Eigen::VectorXd torques;  ///< (nv - 6,) Pinocchio's order [N.m]
+  Eigen::VectorXd forces;   ///< (12,) on the feet FR FL RR RL, world axes [N]
+  Eigen::VectorXd torques;  ///< (nv - 6,) in Pinocchio's order [N.m]
 };
 
 inline double nanoseconds(clockid_t clock) {
@@ -77,9 +79,9 @@ inline double nanoseconds(clockid_t clock) {
   return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
 }
 
-/// Play ticks until standard input ends.
-/// @param peer has load(tick), outside the clock; tick(), inside; read_result(), outside
-/// @param versions of what is behind it, JSON
+/// Compute ticks on request until standard input ends.
+/// @param peer has load(tick) and read_result(), which are not timed, and tick(), which is
+/// @param versions versions of the libraries that it uses, JSON
 template <typename Peer>
 void serve(const Problem& problem, Peer& peer, const std::string& versions) {
   std::printf("{\"versions\": %s}\n", versions.c_str());

@@ -1,4 +1,4 @@
-"""PlaCo's tick: update_kinematics, solve."""
+"""Worker of PlaCo: a tick is update_kinematics and solve."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from worker_loop import Problem, serve
 
 
 class Placo:
-    """The problem as a DynamicsSolver."""
+    """The problem as a placo.DynamicsSolver."""
 
     def __init__(self, problem: Problem) -> None:
         robot = placo.RobotWrapper(problem.urdf, placo.Flags.ignore_collisions)
@@ -30,7 +30,7 @@ class Placo:
         for joint, limit in zip(problem.names("joints"), problem.array("tau_max"), strict=True):
             self.solver.set_torque_limit(joint, limit)
         self.solver.enable_torque_limits(True)
-        self.solver.torque_cost = 0.0  # nobody else is asked for small torques
+        self.solver.torque_cost = 0.0  # the other implementations have no torque cost
 
     def _contact(self, problem: Problem, leg: int, foot: str) -> Any:
         anchor = problem.array("anchors")[3 * leg : 3 * leg + 3]
@@ -54,19 +54,19 @@ class Placo:
             task.kp, task.kd = problem.array(f"{name}_gains")
 
     def load(self, k: int) -> None:
-        """Hand state and targets over."""
+        """Set the state and the targets of tick k."""
         self.robot.state.q = self.problem.q[k]
         self.robot.state.qd = self.problem.v[k]
         self.com.target_world = self.problem.com[k]
         self.base.R_world_frame = self.problem.rotation[k]
 
     def tick(self) -> None:
-        """Compute one tick."""
+        """Compute one tick; this is timed."""
         self.robot.update_kinematics()
         self.solution = self.solver.solve()
 
     def read_result(self) -> tuple[bool, Any, Any]:
-        """Return solved, forces (12,), torques."""
+        """Return solved, forces (12,) and torques (nv - 6,)."""
         forces = [np.ravel(contact.wrench) for contact in self.contacts]
         return self.solution.success, np.concatenate(forces), self.solution.tau[6:]
 

@@ -1,4 +1,4 @@
-"""TSID's tick: computeProblemData, solve, getActuatorForces."""
+"""Worker of TSID: a tick is computeProblemData, solve and getActuatorForces."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 class Tsid:
-    """The problem as InverseDynamicsFormulationAccForce on eiquadprog-fast."""
+    """The problem as an InverseDynamicsFormulationAccForce, solved by eiquadprog-fast."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         model = pin.buildModelFromUrdf(problem.urdf, pin.JointModelFreeFlyer())
-        problem.check_joints(list(model.names)[2:])  # behind the universe and the root
+        problem.check_joints(list(model.names)[2:])  # after the universe and the root joint
         self.robot = tsid.RobotWrapper(model, False)
         self.robot.set_rotor_inertias(problem.array("armature"))
         self.robot.set_gear_ratios(np.ones(problem.nv - 6))
         self.formulation = tsid.InverseDynamicsFormulationAccForce("tsid", self.robot, False)
         self.formulation.computeProblemData(0.0, problem.q[0], np.zeros(problem.nv))
-        self.kept_alive: list[Any] = []  # the formulation holds references only
+        self.kept_alive: list[Any] = []  # the formulation only holds references
         self.feet = problem.names("feet")
         for leg, foot in enumerate(self.feet):
             self._add_contact(problem, foot, problem.array("anchors")[3 * leg : 3 * leg + 3])
@@ -40,7 +40,7 @@ class Tsid:
         stiffness, damping = problem.array("foot_gains")
         contact.setKp(stiffness * np.ones(3))
         contact.setKd(damping * np.ones(3))
-        contact.useLocalFrame(False)  # else forces and cone turn with the foot
+        contact.useLocalFrame(False)  # otherwise forces and friction cone rotate with the foot
         contact.setReference(pin.SE3(np.eye(3), anchor))
         contact.setRegularizationTaskWeightVector(np.ones(3))
         contact.setForceReference(problem.number("force") * UP)
@@ -74,7 +74,7 @@ class Tsid:
         self.kept_alive.append(task)
 
     def load(self, k: int) -> None:
-        """Keep the state for the tick, and set the targets."""
+        """Store the state of tick k and set its targets."""
         self.q, self.v = self.problem.q[k], self.problem.v[k]
         com_target = tsid.TrajectorySample(3)
         com_target.value(self.problem.com[k])
@@ -84,13 +84,13 @@ class Tsid:
         self.base.setReference(pose)
 
     def tick(self) -> None:
-        """Compute one tick: kinematics are in computeProblemData."""
+        """Compute one tick, with the kinematics in computeProblemData; this is timed."""
         data = self.formulation.computeProblemData(0.0, self.q, self.v)
         self.solution = self.solver.solve(data)
         self.torques = self.formulation.getActuatorForces(self.solution)
 
     def read_result(self) -> tuple[bool, Any, Any]:
-        """Return solved, forces (12,), torques."""
+        """Return solved, forces (12,) and torques (nv - 6,)."""
         forces = [self.formulation.getContactForce(foot, self.solution) for foot in self.feet]
         return self.solution.status == 0, np.concatenate(forces), self.torques
 

@@ -1,9 +1,10 @@
-"""What every worker does: read the problem, tick when told to, say how long it took.
+"""Main loop of a worker: read the problem, compute ticks on request, return times and results.
 
-Runs in a peer's own environment, without surefoot. On standard input come lines
-"play FIRST COUNT"; on standard output goes a line of JSON once the worker is ready, then for every
-tick played wall [ns], CPU [ns], solved 0 or 1, 12 forces on the feet FR FL RR RL [N, world] and
-the joints' torques [N.m, Pinocchio's order], all float64.
+A worker runs in the environment of the peer, without surefoot. Protocol: once ready, it writes a
+line of JSON with its versions to standard output. It then reads lines "play FIRST COUNT" from
+standard input, and writes for each tick, as float64: wall time [ns], CPU time [ns], solved (0 or
+1), 12 forces on the feet FR FL RR RL [N, world axes], and the joint torques [N.m, Pinocchio's
+order].
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ import numpy as np
 
 
 class Problem:
-    """What is written in a problem's files; numbers as arrays, names as lists."""
+    """Contents of the problem files; numbers as arrays, names as lists."""
 
     def __init__(self, file: Path) -> None:
         rows = [line.split() for line in file.read_text(encoding="utf-8").splitlines()]
@@ -45,17 +46,17 @@ class Problem:
         return np.array([float(word) for word in self._rows[key]])
 
     def check_joints(self, names: list[str]) -> None:
-        """Raise ValueError unless the peer's joints are in the order of the states."""
+        """Raise ValueError unless the joints of the peer are in the order of the states."""
         if names != self.names("joints"):
             raise ValueError(f"joints: got {names}, expected {self.names('joints')}")
 
     def number(self, key: str) -> float:
-        """Return the one number of a line."""
+        """Return the number of a line with one value."""
         return float(self._rows[key][0])
 
 
 def rotation(x: float, y: float, z: float, w: float) -> Any:
-    """Return the matrix of a unit quaternion, shape (3, 3)."""
+    """Return the rotation matrix of a unit quaternion, shape (3, 3)."""
     return np.array(
         [
             [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
@@ -66,14 +67,14 @@ def rotation(x: float, y: float, z: float, w: float) -> Any:
 
 
 def serve(make: Callable[[Problem], Any], packages: list[str]) -> None:
-    """Build the peer's solver and play ticks until standard input ends.
+    """Build the peer's solver and compute ticks until standard input ends.
 
     Args:
-        make: Returns an object with load(k), outside the clock: state and target of tick k;
-            tick(), inside; read_result() -> solved, forces (12,), torques (nv - 6,).
-        packages: Whose versions are told.
+        make: Factory of an object with load(k), which sets state and target of tick k; tick(),
+            which is timed; and read_result() -> solved, forces (12,), torques (nv - 6,).
+        packages: Packages whose versions are returned.
     """
-    # Libraries may print: what they say must not get between the numbers.
+    # Libraries may print: send their output to stderr, so that it does not mix with the replies.
     replies = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     problem = Problem(Path(sys.argv[1]))

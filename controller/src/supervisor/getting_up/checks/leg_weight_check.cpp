@@ -11,9 +11,10 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMoveTime = 0.6;       // [s] that the hips take outward, and back
-constexpr double kSettleTime = 0.15;    // [s] before torques count
-constexpr double kAveragingTime = 0.2;  // [s] that they are averaged over
+// Chosen by hand. [s] of the hips' motion outward, and back: hips below 1 rad/s (test_rise_checks).
+constexpr double kMoveTime = 0.6;
+constexpr double kSettleTime = 0.15;    // [s] before torques count: five time constants D / K
+constexpr double kAveragingTime = 0.2;  // [s] over which torques are averaged: 100 ticks
 constexpr double kReturnTime = kMoveTime + kSettleTime + kAveragingTime;
 
 }  // namespace
@@ -50,13 +51,14 @@ const JointReference& LegWeightCheck::step(const Vector12& measured, const Vecto
     reference_.dq[hip] = (q - reference_.q[hip]) / dt;
     reference_.q[hip] = q;
   }
-  // What is wrong need not wait until the hips are back.
+  // A failure ends the check before the hips are back.
   if (time_ >= kReturnTime && !averaged) judge();
   if (verdict_ == Verdict::kNone && time_ >= kReturnTime + kMoveTime) verdict_ = Verdict::kFits;
   return reference_;
 }
 
-// All legs alike are another robot's; one that is not like the others is in the wrong place.
+// If the ratios of all legs are alike, the robot is another one. A single leg that differs is on
+// the wrong side. Ratios below 1e-3, or negative, count as 1e-3 in the logarithm.
 void LegWeightCheck::judge() noexcept {
   int worst = 0, heaviest = 0, count = 0;
   double off = -1.0, all = 0.0;

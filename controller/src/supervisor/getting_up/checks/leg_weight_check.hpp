@@ -8,40 +8,48 @@
 
 namespace surefoot {
 
-/// Whether the folded legs of a lying robot weigh on their hips as the model says.
+/// Leg weight check: compares the hip torques of a lying robot's folded legs with the model's.
 ///
-/// A leg that is held outward in the air asks its hip for a torque whose sign says on which side of
-/// the body it is and which way its motor turns, and whose size is the leg's weight: as good as the
-/// robot's size. Reports and commands of two legs that are swapped whole agree with each other in
-/// all else. The hips go outward by kHipOutward, for a body may rest on them when they are
-/// straight; one on the wrong side goes inward, and soon lies on the ground. After a rest torques
-/// are averaged; then the hips go back.
+/// A leg that is held outward in the air needs a hip torque. Its sign shows the side of the body
+/// and the direction of the motor; its size shows the weight of the leg, and with it the size of
+/// the robot. Nothing else tells two swapped legs apart: their samples and commands agree.
 ///
-/// Where some legs are stuck the others are weighed alone, and the body may lean on them: it bears
-/// a part of what they weigh, or turns it round, but makes none of them several times too heavy.
-/// Real-time: yes.
+/// The hips move outward by kHipOutward, because the body may rest on straight legs. A leg on the
+/// wrong side moves inward instead and soon lies on the ground. After a pause the torques are
+/// averaged, then the hips move back. The verdict is from ratio = measured / model of each leg:
+/// ratios that are wrong and alike mean another robot, one that differs means a wrong side.
+///
+/// If legs of one side do not fold, the other side is weighed alone. The body may lean on these
+/// legs, which reduces or reverses their torque. So only kMaxPartialRatio is checked. Real-time:
+/// yes.
 class LegWeightCheck {
  public:
-  static constexpr double kHipOutward = 0.35;  ///< [rad]
-  static constexpr double kMinRatio = 0.4;  ///< times the model's weight: a leg that hangs free ...
-  static constexpr double kMaxRatio = 2.5;  ///< ... is between these, however its hip rubs
-  static constexpr double kMaxSpread =
-      2.0;  ///< times the lightest leg: so much may the heaviest weigh
-  static constexpr double kMinMeanRatio = 0.6;  ///< the same of all legs together ...
-  static constexpr double kMaxMeanRatio = 1.5;  ///< ... and whatever they are dressed in
-  static constexpr double kMaxPartialRatio =
-      3.0;  ///< times the weight of one weighed without all others
+  // Chosen between measured ratios (benchmarks/false_trips.py, docs/faults.md): 0.92 to 1.07 for
+  // healthy robots with payloads to 30 % on slopes to 8 degrees; 4 to 12 for swapped legs, 7 for a
+  // b1 with the model of a go1. Tests: tests/cpp/test_rise_checks.cpp.
+  /// [rad] motion of the hips. Below: the body may rest on straight legs; above: the hips' range.
+  static constexpr double kHipOutward = 0.35;
+  static constexpr double kMinRatio = 0.4;  ///< smallest ratio of a leg that hangs free ...
+  static constexpr double kMaxRatio = 2.5;  ///< ... greatest, with friction of its hip
+  /// Heaviest over lightest leg, below which they are alike: another robot, not a wrong side.
+  static constexpr double kMaxSpread = 2.0;
+  static constexpr double kMinMeanRatio = 0.6;  ///< smallest mean ratio of all legs ...
+  static constexpr double kMaxMeanRatio = 1.5;  ///< ... greatest, with shin guards and the like
+  /// Greatest ratio where one side is weighed alone: below the 4 of swapped legs.
+  static constexpr double kMaxPartialRatio = 3.0;
 
   enum class Verdict { kNone = 0, kFits, kWrongSide, kWrongWeight };
 
   explicit LegWeightCheck(const RisePlan& plan) : plan_(plan) {}
 
-  /// @param reference of the legs, where folding ended @param legs that are folded and are weighed
+  /// Start the check. @param reference joint angles at the end of folding [rad]
+  /// @param legs folded legs that are weighed, FR FL RR RL
   void start(const Vector12& reference, const std::array<bool, kLegs>& legs) noexcept;
-  /// @param measured, model torques of all motors that hold the legs up [N.m] @param dt [s]
+  /// Advance by dt [s] and return the joint reference. @param measured joint torques [N.m]
+  /// @param model gravity torques of the legs [N.m]
   const JointReference& step(const Vector12& measured, const Vector12& model, double dt) noexcept;
   Verdict verdict() const noexcept { return verdict_; }
-  /// SDK number of the hip that was found on the wrong side, or -1.
+  /// Return the SDK number of the hip found on the wrong side, or -1.
   int motor() const noexcept { return motor_; }
 
  private:
@@ -51,7 +59,7 @@ class LegWeightCheck {
   JointReference reference_;
   std::array<bool, kLegs> legs_ = {};
   Vector12 q_start_ = Vector12::Zero();                 // [rad]
-  Eigen::Vector4d measured_ = Eigen::Vector4d::Zero();  // [N.m] hips, summed up
+  Eigen::Vector4d measured_ = Eigen::Vector4d::Zero();  // [N.m] hips, sums
   Eigen::Vector4d model_ = Eigen::Vector4d::Zero();     // [N.m]
   double time_ = 0.0;                                   // [s]
   Verdict verdict_ = Verdict::kNone;

@@ -9,26 +9,30 @@
 
 namespace surefoot {
 
-/// Whether lying legs that are told what bears them float: springs hold them where they are, and
-/// have nothing to do as long as the legs weigh what the model says, or rest on something. Those of
-/// a much smaller robot come up against their springs, by what they weigh less: all that hang free
-/// by the same share. (What rests on the ground does not: it stays where it is.) Real-time: yes.
+/// Light leg check: detects legs much lighter than the model's, before the legs move.
+///
+/// The motors get the model's gravity torques of the legs, and springs hold the joints in place.
+/// Springs carry nothing if the legs weigh what the model says, or rest on something. Lighter legs
+/// rise against their springs, which take back a share of the gravity torque:
+///   relief = 1 - measured / model
+/// All legs that hang free have the same relief; a leg that rests on the ground has none. The legs
+/// are too light if the relief agrees in enough joints, hips among them. Real-time: yes.
 class LightLegCheck {
  public:
-  static constexpr double kDuration = 0.5;  ///< [s] in all: torques fade in for half of it
-  static constexpr double kAveragingTime =
-      0.1;                                   ///< [s] at its end, over which torques are averaged
-  static constexpr double kMinRelief = 0.4;  ///< of what bears a leg that its spring takes back ...
-  static constexpr double kMaxRelief = 1.3;  ///< ... no more: then something else pushes it
-  static constexpr double kMinTorqueShare =
-      0.3;  ///< of the greatest such torque: below it a joint is none
-  static constexpr double kMaxDifference =
-      0.06;  ///< that these shares may differ from one of them ...
-  static constexpr double kMinJointShare =
-      0.5;                              ///< ... in so many of the joints, hips and others ...
-  static constexpr int kMinJoints = 3;  ///< ... and no fewer than these
+  // Chosen by hand; test: legs_far_lighter_than_expected_are_detected. Healthy robots that rise
+  // pass (benchmarks/false_trips.py); a go1 with the model of a b1 fails (row wrong_robot).
+  static constexpr double kDuration = 0.5;       ///< [s] of the check: twice TorqueFade::kTime
+  static constexpr double kAveragingTime = 0.1;  ///< [s] at its end: torques are averaged
+  static constexpr double kMinRelief = 0.4;      ///< smallest relief of a light leg ...
+  static constexpr double kMaxRelief = 1.3;      ///< ... greatest: beyond, something else pushes it
+  /// Of the greatest gravity torque: joints with less are skipped, because friction decides there.
+  static constexpr double kMinTorqueShare = 0.3;
+  static constexpr double kMaxDifference = 0.06;  ///< between reliefs that agree
+  static constexpr double kMinJointShare = 0.5;  ///< of the judged joints: others rest on something
+  static constexpr int kMinJoints = 3;           ///< ... and at least one leg's number of joints
 
-  /// @param measured, model torques of all motors that bear the legs [N.m] @param dt [s]
+  /// Add a sample. @param measured joint torques [N.m] @param model gravity torques of the legs
+  /// [N.m], both SDK motor order @param dt [s]
   void update(const Vector12& measured, const Vector12& model, double dt) noexcept {
     time_ += dt;
     if (time_ <= kDuration - kAveragingTime) return;
@@ -36,6 +40,7 @@ class LightLegCheck {
     model_ += model;
   }
   bool done() const noexcept { return time_ >= kDuration; }
+  /// Return the verdict, once done().
   bool too_light() const noexcept {
     const double min_torque = kMinTorqueShare * model_.cwiseAbs().maxCoeff();
     Vector12 relief = Vector12::Zero();
@@ -58,7 +63,7 @@ class LightLegCheck {
   }
 
  private:
-  Vector12 measured_ = Vector12::Zero(), model_ = Vector12::Zero();  // [N.m] summed up
+  Vector12 measured_ = Vector12::Zero(), model_ = Vector12::Zero();  // [N.m] sums
   double time_ = 0.0;                                                // [s]
 };
 

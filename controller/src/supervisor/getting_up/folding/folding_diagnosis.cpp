@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What legs that do not fold as they should say of the robot.
+// What a failed folding shows about the robot.
 #include <algorithm>
 #include <cmath>
 
@@ -9,8 +9,11 @@
 namespace surefoot {
 
 namespace {
-constexpr double kBodyMoved = 0.1;  // [rad] of the body ...
-constexpr double kHipMoved = 0.45;  // [rad] ... and of a hip: that is no room, but a way
+// Chosen by hand; test: body_that_blocks_all_legs_is_pinned.
+// [rad] change of tilt: the body moves freely. Below: noise; above: a lift that frees a leg.
+constexpr double kBodyMoved = 0.1;
+constexpr double kHipMoved =
+    0.45;  // [rad] more than the play of a hip beside a body that lies still
 }  // namespace
 
 int LegFolding::most_catches() const noexcept {
@@ -32,7 +35,7 @@ std::array<bool, kLegs> LegFolding::folded_side(const Vector12& measured) const 
   return side;
 }
 
-// Calves and thighs of a lying robot may have some room where nothing else moves.
+// Calves and thighs are not judged: they may have some play where nothing else moves.
 bool LegFolding::pinned(const Vector12& measured, const Vector3& up) const noexcept {
   bool all = rollover_.rolls() == 0 && std::abs(tilt_angle(up) - tilt_start_) < kBodyMoved;
   for (int leg = 0; leg < kLegs; ++leg) {

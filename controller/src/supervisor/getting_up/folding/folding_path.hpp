@@ -5,26 +5,30 @@
 
 namespace surefoot {
 
-constexpr double kStretchedCalf = 1.2;  ///< [rad] a leg that is stretched, or backs out
+/// [rad] calf of a leg that is stretched or backs out. Chosen: inside the calves' ranges (0.6 ..
+/// 0.9 to 2.6 .. 2.8 rad), far from folded, and bent enough to be regular.
+constexpr double kStretchedCalf = 1.2;
 
-/// How a leg's way is chosen.
+/// Options of folding_target().
 struct FoldingMode {
-  bool allow_detours =
-      true;             ///< is there still time for ways round? Without, only the sweep is left
-  bool rolled = false;  ///< has the body rolled over legs that took the usual way?
+  bool allow_detours = true;  ///< use stretching and the turned-back knee, not only the sweep
+  bool rolled = false;        ///< the body has rolled over legs on the usual path
 };
 
-/// Where the joints of one leg of a lying robot are to go next, on their way to RisePlan::folded.
+/// Compute the next target of one leg of a lying robot on its path to RisePlan::folded.
 ///
-/// While a knee is below its hip that hip is turned outward, so that the leg sweeps beside the
-/// body; once the knee is up the hip goes straight, or the knees of a pair would meet over the
-/// back. So it is while a knee points forward: the foot is then up, and a leg that leans outward
-/// would lay it on the back. A knee that leans over the body is turned back until its hip is
-/// straight: upright it would wedge itself against the body's edge. A leg that is drawn in under
-/// the body and points ahead is stretched out along it until its hip is half open, if its thigh can
-/// point so far ahead: bent, it lifts its side of the body as the hip opens, and the body rolls.
-/// Where it has rolled, so is any such leg, and one that points behind is stretched behind.
-/// @param q measured @param thigh_reference [rad]
+/// Sweep: while the knee is below the hip, the hip is turned outward, so that the leg passes beside
+/// the body. Once the knee is up the hip is straight, else the knees of a pair would meet over the
+/// back. The hip is also straight while the knee points forward: the foot is up then, and an
+/// outward leg would put it on the back.
+///
+/// Knee over the body: the thigh stays turned back until the hip is straight, else the knee jams
+/// against the edge of the body.
+///
+/// Stretch: a leg drawn in under the body that points ahead is first stretched ahead along the body
+/// until its hip is half open, if its thigh reaches that far. Bent, it would lift its side and roll
+/// the body as the hip opens. After a roll every drawn-in leg is stretched, ahead or behind.
+/// @param q measured hip, thigh, calf [rad] @param thigh_reference present reference [rad]
 /// @return hip, thigh, calf [rad]. Real-time: yes.
 Vector3 folding_target(const RisePlan& plan, int leg, const Vector3& q, double thigh_reference,
                        FoldingMode mode) noexcept;

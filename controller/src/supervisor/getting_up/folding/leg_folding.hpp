@@ -10,62 +10,74 @@
 
 namespace surefoot {
 
-/// Folds the legs of a lying robot, from wherever they were measured to RisePlan::folded.
+/// Folding: moves the legs of a lying robot from any measured pose to RisePlan::folded.
 ///
-/// All joints go at once, by folding_target, or one diagonal pair after the other where the body
-/// leans or has rolled (gain fold_wait). A joint that is held up makes its reference wait. A leg
-/// that has caught on something backs out the way it came, hip outward and calf open, further from
-/// try to try; every other time it lies still while the leg beside it does so, which may have
-/// folded onto it. Where the body rolls over them it lets go of all legs for a second, and begins
-/// again with those stretched that are drawn in; twice, then it rolls on. Real-time: yes.
+/// Every joint reference moves towards folding_target() and waits for a joint that lags. All legs
+/// move at once; if the body leans or has rolled, one diagonal pair waits (FoldingOrder, gain
+/// fold_wait).
+///
+/// Catching: a leg that does not move for kCatchTime has caught on something. It backs out, hip
+/// outward and calf open, further with each catch. On every second catch the leg rests and its
+/// neighbour on the same side backs out instead: it may have folded onto the leg. After kMaxCatches
+/// the folding is stuck().
+///
+/// Rolling: if the body rolls over its legs, all legs are released for 1 s and fold again, those
+/// drawn in by a stretch. A body that rolls on after two releases has rolled_over(). Real-time:
+/// yes.
 class LegFolding {
  public:
   /// @param wait gain fold_wait [s]
   LegFolding(const RisePlan& plan, double wait) : plan_(plan), wait_(wait) {}
   void set_wait(double wait) noexcept { wait_ = wait; }
 
-  /// @param measured joints, SDK motor order @param up the world's vertical, in base axes
+  /// Start folding. @param measured joint angles, SDK motor order [rad]
+  /// @param up the world's vertical in base axes, unit length
   void start(const Vector12& measured, const Vector3& up) noexcept;
+  /// Advance by dt [s] and return the joint reference.
   const JointReference& step(const Vector12& measured, const Vector3& up, double dt) noexcept;
-  /// Is the reference there, and the legs with it?
+  /// Return whether references and legs have reached RisePlan::folded.
   bool done() const noexcept { return done_; }
-  /// Legs of a side that is folded while a leg of the other has caught again and again, or is not,
-  /// and the body has rolled: they weigh what all four would, were folding to end. None for two
-  /// tries after side_weighed(), rolled or not.
+  /// Return the folded legs of one side, to be weighed alone because the folding of all four may
+  /// never end: a leg of the other side has caught kMinCatches times, or the body has rolled. None
+  /// until kCatchesBetween more catches after side_weighed().
   std::array<bool, kLegs> folded_side(const Vector12& measured) const noexcept;
+  /// Record that a side was weighed.
   void side_weighed() noexcept { next_weighing_ = most_catches() + kCatchesBetween; }
-  /// While folded legs are weighed, or press, in the place of step(): does the body roll over them?
-  /// Then all are let go of, from where they are, and fold again. @param held reference of all legs
+  /// Return whether the body rolls over its folded legs; call it instead of step() while they are
+  /// weighed or press. If so, go on with step(): it releases the legs and folds them again.
+  /// @param held present reference of all legs
   bool detect_rollover(const JointReference& held, const Vector3& up, double dt) noexcept;
-  /// Has every leg caught, is none folded, are hips and body where they were, and has it never
-  /// rolled? All is too heavy for its springs.
+  /// Return whether no leg can move: all have caught, none is folded, hips and tilt have hardly
+  /// changed, and the body has not rolled. The legs are then too heavy for the impedance, or held.
   bool pinned(const Vector12& measured, const Vector3& up) const noexcept;
-  /// Does the body roll over the legs although they were let go of?
+  /// Return whether the body rolls over the legs although they were released.
   bool rolled_over() const noexcept { return rollover_.rolled_over(); }
-  /// Has a leg caught more often than makes sense to try?
+  /// Return whether folding has taken too long, or a leg has caught too often.
   bool stuck() const noexcept {
     return !done_ && (time_ > kTimeout || most_catches() > kMaxCatches);
   }
 
  private:
-  static constexpr double kTimeout = 40.0;   // [s]
-  static constexpr int kMaxCatches = 8;      // of one leg
-  static constexpr int kMinCatches = 2;      // tries that a leg seldom needs
+  // Chosen by hand. Below: get-ups last 7 to 10 s in the median and 19 s at most (benchmarks/
+  // get_up.py). Test: folding_stops_after_several_retries_of_a_caught_leg (15 to 45 s).
+  static constexpr double kTimeout = 40.0;   // [s] since the start or the last release
+  static constexpr int kMaxCatches = 8;      // of one leg: 8 (kCatchTime + kBackOutTime) = 20 s
+  static constexpr int kMinCatches = 2;      // catches that healthy legs seldom reach
   static constexpr int kCatchesBetween = 2;  // from one weighing of a side to the next
 
   struct Leg {
-    Vector3 q = Vector3::Zero();  // [rad] where it moved last, or caught
+    Vector3 q = Vector3::Zero();  // [rad] where it last moved or caught
     double time = 0.0;            // [s] that it has been folding
-    double still_time = 0.0;      // [s] since it moved last
-    double back_out_time = 0.0;   // [s] that it still backs out for
-    double rest_time = 0.0;       // [s] that it lies still for, while the leg beside it backs out
+    double still_time = 0.0;      // [s] since it last moved
+    double back_out_time = 0.0;   // [s] of backing out left
+    double rest_time = 0.0;       // [s] of rest left, while its neighbour backs out
     int catches = 0;
-    bool interfered = false;  // by the leg beside it, as it seems
+    bool interfered = false;  // possible leg interference with its neighbour
   };
 
   void restart(const Vector12& measured, const Vector3& up) noexcept;
   void release_legs(const Vector12& measured, const Vector3& up, double dt) noexcept;
-  int most_catches() const noexcept;  // of the leg that has caught most often
+  int most_catches() const noexcept;  // catches of the leg that has caught most often
   void step_leg(int leg, const Vector12& measured, double dt) noexcept;
   FoldingOrder::Leg order_input(int leg, const Vector12& measured) const noexcept;
   bool folded(int leg, const Vector12& measured) const noexcept;
@@ -79,10 +91,10 @@ class LegFolding {
   RolloverMonitor rollover_;
   FoldingOrder order_;
   double wait_;                          // [s]
-  Vector12 q_start_ = Vector12::Zero();  // [rad] as it began ...
-  double tilt_start_ = 0.0;              // [rad] ... and the body
-  double time_ = 0.0;                    // [s]
-  int next_weighing_ = 0;                // tries of a leg from which on a side tells again
+  Vector12 q_start_ = Vector12::Zero();  // [rad] at the start
+  double tilt_start_ = 0.0;              // [rad] of the body at the start
+  double time_ = 0.0;                    // [s] since the last start or release
+  int next_weighing_ = 0;                // catches from which a side is weighed again
   bool done_ = false;
 };
 
