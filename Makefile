@@ -57,7 +57,7 @@ test: tests-cpp .venv/.browser
 	$(BIN)/python -m pytest -n 2 --dist worksteal -m "not real_time"; status=$$?; \
 	  $(STALL_TOLERANT) $(BIN)/python -m pytest -m real_time && exit $$status
 
-# The committed code of a tick's dynamics, anew from bindings/src/symbolic; a test compares them.
+# Generate the committed code of a tick's dynamics from bindings/src/symbolic; a test compares them.
 GENERATED := controller/src/dynamics/generated/leg_dynamics.hpp
 generate: install
 	$(BIN)/python -c "from surefoot import _symbolic; print(_symbolic.leg_source(), end='')" \

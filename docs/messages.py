@@ -19,7 +19,8 @@ ROOT = Path(__file__).parents[1]
 THROW = re.compile(r"throw (?:surefoot::)?Error\((?P<text>.*?)\);", re.DOTALL)
 LITERAL = re.compile(r'"((?:\\.|[^"\\])*)"')
 ADVICE = (
-    r"expected|valid \w+:|pip install|install|give|ask for|use a|choose|try|start|the model has"
+    r"expected|valid \w+:|pip install|install|give|ask for|use (?:a|easier)|choose|try|start"
+    r"|the model has"
 )
 REMEDY = re.compile(rf"(?:, |; |: )?(?=\b(?:{ADVICE}))")
 PASSED_ON = re.compile(r"<[^<>]*(?:problem|reason|error|text|what|report|stderr|why)[^<>]*>\)?$")

@@ -85,7 +85,7 @@ def test_summary_is_the_5th_percentile_of_the_worst_direction(card: dict[str, An
         assert share == pytest.approx(100.0 * impulse, rel=1e-4)
 
 
-def test_conditions_have_their_own_limits_and_pass_counts(card: dict[str, Any]) -> None:
+def test_conditions_have_separate_limits_and_pass_counts(card: dict[str, Any]) -> None:
     usual, icy, slope = card["conditions"]
     assert usual["settings"] == {} and usual["stand"]["passed"] == 3 and usual["push"] is None
     assert icy["settings"]["friction"] == 0.2 and icy["push"]["statistic"] == "minimum of 3 seeds"

@@ -16,7 +16,7 @@ import surefoot
 from surefoot.cli import main
 from surefoot.cli.run_log import write_run_log
 from surefoot.estimate import read_log
-from surefoot.sensor_log.columns import CLOCK_COLUMNS
+from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS
 from virtual_robot_helpers import start_controller, start_robot
 
 

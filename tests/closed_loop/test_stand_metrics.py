@@ -193,8 +193,8 @@ def test_saturated_ticks_are_counted_separately():
 
 def test_cold_solves_are_counted_separately():
     log = still_log()
-    log.rung[[3, 4]] = FallbackLevel.COLD_SOLVE.value
-    log.rung[5], log.status[5] = FallbackLevel.FORCES.value, Status.MAX_ITERATIONS.value
+    log.fallback_level[[3, 4]] = FallbackLevel.COLD_SOLVE.value
+    log.fallback_level[5], log.status[5] = FallbackLevel.FORCES.value, Status.MAX_ITERATIONS.value
     s = summarise(log)
     assert (s["cold_solves"], s["qp_failures"]) == (2, 1)
 

@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 
-#include "estimator/base/foot_motion_model.hpp"
+#include "estimator/filter/foot_motion_model.hpp"
 #include "reference/stand_reference.hpp"
 #include "robot_states.hpp"
 

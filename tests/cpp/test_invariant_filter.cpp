@@ -5,8 +5,8 @@
 #include <random>
 
 #include "dynamics/dynamics.hpp"
-#include "estimator/base/foot_noise.hpp"
-#include "estimator/base/invariant_filter.hpp"
+#include "estimator/filter/foot_noise.hpp"
+#include "estimator/filter/invariant_filter.hpp"
 #include "robot_states.hpp"
 #include "surefoot/state_estimator.hpp"
 

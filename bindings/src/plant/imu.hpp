@@ -33,7 +33,7 @@ class MahonyFilter {
   void update(Vector3 gyro, const Vector3& accel, double dt) {
     const double w = quaternion[0], x = quaternion[1], y = quaternion[2], z = quaternion[3];
     const double norm = accel.norm();
-    if (norm > 1e-6) {
+    if (norm > 1e-6) {  // [m/s^2] in free fall there is no vertical to correct to
       // Correction: cross product of measured and estimated up, both in IMU axes.
       const Vector3 up(2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
       const Vector3& a = accel;

@@ -75,6 +75,7 @@ class FootSensors {
     for (int leg = 0; leg < kLegs; ++leg) out[leg] = noise_.next();
     return out;
   }
+  // LowState has int16 foot forces.
   static Counts to_counts(const Array4& values) {
     return values.unaryExpr([](double x) { return std::nearbyint(x); })
         .max(-32768.0)

@@ -19,11 +19,11 @@ struct MotorCommands {
 };
 
 /// Quantisation of commands and torques on the wire: tau is an int16 in units of 1 / per_tau N.m,
-/// Kp a uint16 in units of 1/32 and Kd in units of 1/16, truncated towards zero. In the vendor's
-/// code values out of range wrap around; here they saturate. If `real` is false, values do not
-/// change.
+/// Kp a uint16 in units of 1/32 and Kd in units of 1/16, truncated towards zero. Source: frames of
+/// unitree_legged_sdk (A1, Go1: 1/256 N.m; B1: 1/128), measured on the vendor's library. There
+/// values out of range wrap around; here they saturate. If `real` is false, values do not change.
 struct WireFormat {
-  double per_tau = 256.0;
+  double per_tau = 256.0;  ///< [1/(N.m)] counts; 128 on a B1
   bool real = true;
 
   /// Return a torque [N.m] after transmission.
@@ -66,7 +66,9 @@ struct MotorLaw {
 /// VelStopF the velocity term. A motor that is not in servo mode ignores its command and brakes.
 /// @param brake_kd Kd of a motor that brakes [N.m.s/rad]
 inline MotorLaw command_law(const MotorCommands& command, double brake_kd) {
-  constexpr double kPositionOff = 1e9;  // [rad] from this |q| on there is no position command
+  // [rad] from this |q| on there is no position command: PosStopF of the vendor's Python examples,
+  // below PosStopF of comm.h (2.146e9).
+  constexpr double kPositionOff = 1e9;
   MotorLaw law;
   for (int i = 0; i < kMotors; ++i) {
     const bool brakes = command.mode[i] != kModeServo;

@@ -76,7 +76,7 @@ class Worker:
             self._started = True
         return message
 
-    def give_up_leg(self) -> dict[str, Any]:
+    def give_up(self) -> dict[str, Any]:
         """Kill a process that missed its heartbeat; return the result of its lost unit."""
         self.kill()
         self.timed_out = True

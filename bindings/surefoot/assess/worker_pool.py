@@ -32,14 +32,14 @@ def run_work(
     """
     queue, retries = iter(work_items), list[WorkItem]()
     returned_controllers, retried_units = set[str](), set[tuple[str, str]]()
-    crew: list[Worker] = []
+    workers: list[Worker] = []
     try:
         for work in queue:
-            crew.append(_start_worker(work, source, deadline))
-            if len(crew) == jobs:
+            workers.append(_start_worker(work, source, deadline))
+            if len(workers) == jobs:
                 break
-        while crew:
-            for worker, result in _collect_results(crew):
+        while workers:
+            for worker, result in _collect_results(workers):
                 assert worker.work is not None
                 work_id = worker.work.controller_under_test.name, worker.work.unit.key
                 if (
@@ -54,24 +54,24 @@ def run_work(
                 if not worker.pipe.closed:
                     returned_controllers.add(work_id[0])
                 next_work = retries.pop() if retries else next(queue, None)
-                crew = _next_work_to(crew, worker, next_work, source, deadline)
+                workers = _next_work_to(workers, worker, next_work, source, deadline)
     finally:
-        for worker in crew:
+        for worker in workers:
             worker.kill()
 
 
-def _collect_results(crew: list[Worker]) -> list[tuple[Worker, dict[str, Any]]]:
+def _collect_results(workers: list[Worker]) -> list[tuple[Worker, dict[str, Any]]]:
     """Wait for messages; return the results that arrived and those of timed-out workers."""
-    timeout = min(worker.heartbeat_due for worker in crew) - time.monotonic()
-    ready = wait([worker.pipe for worker in crew], max(0.0, timeout))
+    timeout = min(worker.heartbeat_due for worker in workers) - time.monotonic()
+    ready = wait([worker.pipe for worker in workers], max(0.0, timeout))
     results = []
-    for worker in crew:
+    for worker in workers:
         if worker.pipe in ready:
             result = worker.receive()
             if result is not None:
                 results.append((worker, result))
         elif time.monotonic() > worker.heartbeat_due:
-            results.append((worker, worker.give_up_leg()))
+            results.append((worker, worker.give_up()))
     return results
 
 
@@ -83,18 +83,18 @@ def _start_worker(work: WorkItem, source: RobotSource, deadline: float) -> Worke
 
 
 def _next_work_to(
-    crew: list[Worker], worker: Worker, work: WorkItem | None, source: RobotSource, deadline: float
+    workers: list[Worker], worker: Worker, work: WorkItem | None, source: RobotSource, deadline: float
 ) -> list[Worker]:
     """Give a worker its next work, stop it if there is none, or replace it if it has ended."""
     if not worker.pipe.closed and work is not None:
         try:
             worker.assign(work, deadline)
-            return crew
+            return workers
         except OSError:
             pass  # it died after its last result, so the new work is not the cause
     if not worker.pipe.closed:
         worker.kill()
-    other_workers = [other for other in crew if other is not worker]
+    other_workers = [other for other in workers if other is not worker]
     return (
         other_workers if work is None else [*other_workers, _start_worker(work, source, deadline)]
     )

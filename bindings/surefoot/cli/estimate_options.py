@@ -7,7 +7,7 @@ import textwrap
 
 from surefoot.cli.robot_choice import add_robot_options
 from surefoot.estimate.trajectory import TRAJECTORY_COLUMNS
-from surefoot.sensor_log.columns import COLUMNS, Column
+from surefoot.sensor_log.column_definitions import COLUMNS, Column
 
 _EPILOG = """\
 A log has one row per sample and these columns, in SI units. Legs and feet are ordered FR FL RR RL,

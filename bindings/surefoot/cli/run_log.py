@@ -11,7 +11,7 @@ from surefoot.cli.environment import check_output_path
 from surefoot.estimate import SensorLog, write_log
 from surefoot.messages.low_cmd_layout import LOW_CMD
 from surefoot.messages.low_state_layout import MOTOR_COUNT
-from surefoot.sensor_log.columns import RUN_PREFIX
+from surefoot.sensor_log.column_definitions import RUN_PREFIX
 from surefoot.sensor_log.sensor_columns import sensor_columns
 
 LOG_TIME = 60.0  # [s] default of --log-time

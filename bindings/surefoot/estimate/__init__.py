@@ -10,7 +10,7 @@ from surefoot.estimate.run import run_estimator
 from surefoot.estimate.summary import summarise
 from surefoot.estimate.trajectory import trajectory, write_trajectory
 from surefoot.reports.summary_field import Field
-from surefoot.sensor_log.columns import COLUMNS, Column
+from surefoot.sensor_log.column_definitions import COLUMNS, Column
 from surefoot.sensor_log.read import read_log
 from surefoot.sensor_log.sensor_log import SensorLog
 from surefoot.sensor_log.write import write_log

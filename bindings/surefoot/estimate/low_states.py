@@ -10,7 +10,7 @@ import numpy.typing as npt
 from surefoot._core import LowState
 from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
-from surefoot.sensor_log.columns import FOOT_COLUMNS, SENSOR_COLUMNS
+from surefoot.sensor_log.column_definitions import FOOT_COLUMNS, SENSOR_COLUMNS
 from surefoot.sensor_log.sensor_log import SensorLog
 
 CHUNK = 4096  # rows per block: 4 MB of LowStates

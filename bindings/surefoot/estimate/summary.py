@@ -16,7 +16,7 @@ from surefoot.estimate.truth_summary import truth_summary
 from surefoot.files.json_values import json_value
 from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
-from surefoot.sensor_log.columns import CLOCK_COLUMNS, COLUMN_BY_NAME
+from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS, COLUMN_BY_NAME
 
 PATH_INTERVAL = 0.1  # [s] between points of the path whose length is computed
 

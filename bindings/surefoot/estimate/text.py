@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from surefoot.sensor_log.columns import CLOCK_COLUMNS
+from surefoot.sensor_log.column_definitions import CLOCK_COLUMNS
 
 
 def headline(s: dict[str, Any]) -> str:

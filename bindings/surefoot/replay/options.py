@@ -20,7 +20,8 @@ def options_from_json(values: dict[str, Any], options: Options) -> Options:
     if set(values) != set(_names(options)):
         differing = ", ".join(sorted(set(values) ^ set(_names(options))))
         raise Error(
-            f"log: got options that differ from this version's: {differing}; expected a log of this version"
+            f"log: got options that differ from this version's: {differing}; "
+            "expected a log of this version"
         )
     for name, value in values.items():
         current = getattr(options, name)

@@ -13,7 +13,7 @@ from surefoot._core import Error, LowCmd, LowState
 from surefoot.files.corrupt_npz import CORRUPT_NPZ
 from surefoot.files.tables import write_npz
 from surefoot.replay.recording import Call, Recording
-from surefoot.sensor_log.columns import REPLAY_PREFIX
+from surefoot.sensor_log.column_definitions import REPLAY_PREFIX
 
 _REPORTS, _COMMANDS, _HEADER = (
     f"{REPLAY_PREFIX}{name}" for name in ("reports", "commands", "head")

@@ -7,14 +7,14 @@ from difflib import get_close_matches
 from typing import Generic, TypeVar
 
 from surefoot._core import Error
-from surefoot.sensor_log.column_names import find_column
-from surefoot.sensor_log.columns import (
+from surefoot.sensor_log.column_definitions import (
     CLOCK_COLUMNS,
     COLUMNS,
     REQUIRED_COLUMNS,
     Column,
     valid_names,
 )
+from surefoot.sensor_log.column_names import find_column
 
 Location = TypeVar("Location")
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 
 from surefoot.messages.low_state_layout import LEGS
-from surefoot.sensor_log.columns import COLUMNS, JOINTS, MOTOR_NAMES, Column
+from surefoot.sensor_log.column_definitions import COLUMNS, JOINTS, MOTOR_NAMES, Column
 
 _PATH = re.compile(r"^/?(?:low_?state[._/])?(?:imu(?:_?state)?[._/]|motor_?state[._/](?=[a-z]))?")
 _MOTOR = re.compile(r"^motor_?state[._\[/]?(\d+)\]?[._/](\w+)$")

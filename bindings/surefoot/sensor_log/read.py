@@ -9,7 +9,7 @@ import numpy as np
 from surefoot._core import Error
 from surefoot.geometry.batch_rotations import Array
 from surefoot.sensor_log.clock import read_clock
-from surefoot.sensor_log.columns import COLUMN_BY_NAME, REQUIRED_COLUMNS
+from surefoot.sensor_log.column_definitions import COLUMN_BY_NAME, REQUIRED_COLUMNS
 from surefoot.sensor_log.read_csv import read_csv
 from surefoot.sensor_log.read_npz import read_npz
 from surefoot.sensor_log.sensor_log import SensorLog

@@ -10,7 +10,7 @@ from surefoot._core import Error
 from surefoot.files.corrupt_npz import CORRUPT_NPZ
 from surefoot.geometry.batch_rotations import Array
 from surefoot.sensor_log.column_components import ColumnComponents
-from surefoot.sensor_log.columns import REPLAY_PREFIX, RUN_PREFIX, Column
+from surefoot.sensor_log.column_definitions import REPLAY_PREFIX, RUN_PREFIX, Column
 
 
 def read_npz(path: Path) -> tuple[dict[str, Array], list[str]]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from surefoot.geometry.batch_rotations import Array
-from surefoot.sensor_log.columns import COLUMN_BY_NAME
+from surefoot.sensor_log.column_definitions import COLUMN_BY_NAME
 
 
 @dataclass(frozen=True)

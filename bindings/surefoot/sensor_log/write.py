@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from surefoot.files.tables import check_table_name, write_table
-from surefoot.sensor_log.columns import COLUMNS
+from surefoot.sensor_log.column_definitions import COLUMNS
 from surefoot.sensor_log.sensor_log import SensorLog
 
 

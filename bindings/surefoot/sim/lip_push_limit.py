@@ -32,7 +32,8 @@ def distance_to_edge(points: Array, origin: Array, direction: Array) -> float:
             if i == j:
                 continue
             normal = np.array([b[1] - a[1], a[0] - b[0]])
-            # a -> b is an edge of the hull, counter-clockwise, if no point is on its right.
+            # a -> b is an edge of the hull, counter-clockwise, if no point is on its right. The
+            # tolerance [m^2] is for rounding.
             if np.any((points - a) @ normal > 1e-12):
                 continue
             gap, speed = float((a - origin) @ normal), float(direction @ normal)

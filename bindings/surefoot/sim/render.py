@@ -12,6 +12,7 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_model import build_model
 from surefoot.sim.plant import Plant
 
+# Colours (red, green, blue, opacity). All sizes and angles below are chosen by eye.
 PUSH_RED = (0.86, 0.12, 0.12, 1.0)
 FORCE_GREEN = (0.15, 0.62, 0.32, 0.9)
 

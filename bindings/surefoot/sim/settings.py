@@ -9,11 +9,14 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.flaws import Flaws
 
-COARSE_DT = 0.001  # [s] twice the default physics step: push limits agree (docs/assess.md)
+# [s] twice the default physics step: scorecard and fault matrix take half of the time. Half of the
+# step changes a pushed stand by less than 5 % (test_stand_physics_step.py).
+COARSE_DT = 0.001
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
 _DIRECTIONS = {"forward": 0.0, "lateral": 90.0}
-MIN_SINK, MAX_SINK = 1e-4, 0.1  # [m] of soft ground; feet sink 20 um into rigid ground
+# [m] of soft ground. Below: feet sink 20 um into rigid ground; above: half of a calf's length.
+MIN_SINK, MAX_SINK = 1e-4, 0.1
 
 
 @dataclass(frozen=True)
@@ -51,13 +54,14 @@ class PlantSettings:
 
     sensors: str = "real"
     foot_force: str | None = None
-    friction: float = 0.8
+    friction: float = 0.8  # feet of MuJoCo Menagerie's Unitree quadrupeds
     soft_ground_sink: float = 0.0
     slope_deg: float = 0.0
     slope_heading_deg: float = 0.0
     payload_kg: float = 0.0
     payload_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    control_rate: float = 500.0
+    control_rate: float = 500.0  # dt = 0.002 s of the SDK's examples
+    # Chosen: half of it changes sway by less than 2 % (test_plant_standing.py).
     physics_dt: float = 0.0005
     joint_friction_scale: float = 1.0
     armature_scale: float = 1.0
@@ -75,6 +79,7 @@ class PlantSettings:
         if self.foot_force is not None:
             check_one_of("foot_force", self.foot_force, _FOOT_FORCE)
         self._check_moving_ground()
+        # Sanity limits. physics_dt: above 2 ms MuJoCo would soften the foot contacts (FOOT_SOLREF).
         for name, low, high in (
             ("friction", 0.0, 10.0),
             ("soft_ground_sink", 0.0, MAX_SINK),
@@ -118,7 +123,7 @@ class PlantSettings:
         """Time constant of the motor torque [s], with the default resolved."""
         if self.motor_lag is not None:
             return self.motor_lag
-        return 0.002 if self.real else 0.0
+        return 0.002 if self.real else 0.0  # assumed: one control period; no data sheet states it
 
     def _check_position(self) -> None:
         try:
@@ -170,7 +175,7 @@ class Push:
 
     direction: str | float
     impulse: float
-    duration: float = 0.1
+    duration: float = 0.1  # the standard push of the scorecard
     time: float = 0.0
     height: float = 0.0
 

@@ -12,7 +12,8 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 from surefoot.sim.pinocchio_adapter import PinocchioAdapter
 
-FALLEN_TILT_COS = 0.5  # 60 deg
+# 60 deg: the limit of unitree_guide (R33 < 0.5) and PX4 (FD_FAIL_R, FD_FAIL_P).
+FALLEN_TILT_COS = 0.5
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,11 @@ from surefoot.reports.summary_field import Field
 from surefoot.stand.metrics import summarise
 from surefoot.stand.push_request import PushRequest, parse_push
 from surefoot.stand.reference_request import ReferenceRequest, parse_reference
-from surefoot.stand.replay_tape import stand_recording
 from surefoot.stand.sensor_recorder import SensorRecorder
 from surefoot.stand.settings import StandSettings
 from surefoot.stand.simulation_loop import run_stand
 from surefoot.stand.stand_log import StandLog
+from surefoot.stand.stand_recording import stand_recording
 from surefoot.stand.summary_fields import FIELDS
 
 __all__ = [

@@ -94,7 +94,7 @@ def _controller_ticks(log: StandLog) -> dict[str, Any]:
         "ticks": len(log.time),
         "qp_failures": len(failed),
         "first_failure": Status(int(log.status[failed[0]])).name if len(failed) else None,
-        "cold_solves": np.sum(log.rung == FallbackLevel.COLD_SOLVE.value),
+        "cold_solves": np.sum(log.fallback_level == FallbackLevel.COLD_SOLVE.value),
         "saturated_ticks": np.sum(log.status == Status.SATURATED.value),
         "torque_mode_only": log.torque_mode.all(),
         "iterations": {"mean": log.iterations.mean(), "max": log.iterations.max()},

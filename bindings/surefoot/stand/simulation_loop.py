@@ -126,7 +126,7 @@ class _LogRecorder:
         }
         self._rows: dict[str, np.ndarray] = {k: np.zeros((ticks, *s)) for k, s in shapes.items()}
         self._rows["status"] = np.zeros(ticks, dtype=np.int64)
-        self._rows["rung"] = np.zeros(ticks, dtype=np.int64)
+        self._rows["fallback_level"] = np.zeros(ticks, dtype=np.int64)
         self._rows["iterations"] = np.zeros(ticks, dtype=np.int64)
         self._rows["reach"] = np.zeros(ticks, dtype=np.int64)
         self._rows["reach_motor"] = np.zeros(ticks, dtype=np.int64)
@@ -146,7 +146,7 @@ class _LogRecorder:
         rows["com"][k], rows["tau"][k], rows["dq"][k] = truth.com, truth.tau, truth.dq
         rows["q_estimated"][k], rows["v_estimated"][k] = estimate.q, estimate.v
         rows["contact"][k] = estimate.contact
-        rows["status"][k], rows["rung"][k] = (
+        rows["status"][k], rows["fallback_level"][k] = (
             controller.status.value,
             controller.fallback_level.value,
         )

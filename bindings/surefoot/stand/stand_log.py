@@ -43,7 +43,7 @@ class StandLog:
         v_estimated: (n, nv) as v_true.
         contact: (n, 4) contact confidence of each foot in StandController.state, 0 .. 1.
         status: (n,) surefoot.Status of the tick.
-        rung: (n,) surefoot.FallbackLevel of the tick's command.
+        fallback_level: (n,) surefoot.FallbackLevel of the tick's command.
         torque_mode: (n,) True if all twelve motors were commanded in torque mode.
         iterations: (n,) iterations of the QP solver.
         reach: (n,) surefoot.ReachLimit that stops the body reference before its target.
@@ -71,7 +71,7 @@ class StandLog:
     v_estimated: Array
     contact: Array
     status: IntArray
-    rung: IntArray
+    fallback_level: IntArray
     torque_mode: npt.NDArray[np.bool_]
     iterations: IntArray
     reach: IntArray

@@ -70,7 +70,8 @@ def _launcher() -> Any:
         with warnings.catch_warnings(action="ignore"):
             if not glfw.init():
                 raise Error(
-                    "view: cannot open a window: the display does not answer; start it without --view"
+                    "view: cannot open a window: the display does not answer; "
+                    "start it without --view"
                 )
     except (ImportError, OSError) as problem:
         raise Error(f"view: cannot open a window: {problem}") from None

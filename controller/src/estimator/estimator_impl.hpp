@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "estimator/base/foot_motion_model.hpp"
-#include "estimator/base/foot_noise.hpp"
-#include "estimator/base/invariant_filter.hpp"
 #include "estimator/contact/contact_confidence.hpp"
 #include "estimator/contact/foot_clearance.hpp"
 #include "estimator/contact/leg_forces.hpp"
@@ -11,6 +8,9 @@
 #include "estimator/contact/torque_check.hpp"
 #include "estimator/external_wrench/payload_observer.hpp"
 #include "estimator/external_wrench/push_observer.hpp"
+#include "estimator/filter/foot_motion_model.hpp"
+#include "estimator/filter/foot_noise.hpp"
+#include "estimator/filter/invariant_filter.hpp"
 #include "estimator/imu/imu_preprocessor.hpp"
 #include "estimator/imu/imu_reader.hpp"
 #include "estimator/imu/quaternion_check.hpp"

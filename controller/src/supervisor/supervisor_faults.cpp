@@ -10,17 +10,15 @@ namespace surefoot {
 namespace {
 
 // Chosen by hand.
-// [rad] 40 degrees while rising and sitting. Below: slopes to 8 degrees
-// (benchmarks/false_trips.py); above: 60 degrees, where the row body_tilt expects damping within 10
-// ms.
+// [rad] 40 degrees while rising and sitting. Below: slopes to 8 degrees in
+// benchmarks/false_trips.py; above: the 60 degrees of the row body_tilt.
 constexpr double kFallTilt = 0.7;
 constexpr double kRollTilt = 0.8;  // [rad] while the body lies: above RolloverMonitor's 0.74
 // [s] for which the tilt is predicted. Below: no gain; above: false trips in pushes, which end.
 constexpr double kTiltPrediction = 0.1;
 constexpr double kBatteryTime = 1.0;  // [s] of the 2 s of fault_table(); below: wrong samples
 // Of the height of the centre of mass: distance of the capture point outside the other three feet.
-// The damping of the lost leg carries that much for long enough
-// (tests/closed_loop/test_lost_leg.py).
+// The damping of the lost leg carries that much for long enough. Test: test_lost_leg.py.
 constexpr double kMaxOutside = 0.03;
 constexpr double kMaxPush = 0.1;  // of the weight: a larger push moves the capture point on
 // Share of samples: the rows packet_loss must pass at 4 % and report at 8 %.

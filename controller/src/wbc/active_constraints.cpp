@@ -7,8 +7,11 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMinIndependent = 1e-9;  // a row with less, in its squared norm, is dependent
-}
+// Numerical tolerance against the squared norm of a row in H's metric: with less of it independent
+// of the active rows, the row is dependent. Test:
+// degenerate_and_near_parallel_constraints_are_solved.
+constexpr double kMinIndependent = 1e-9;
+}  // namespace
 
 ActiveConstraints::ActiveConstraints(int n, int n_eq)
     : H_(n),
@@ -101,6 +104,7 @@ void ActiveConstraints::remove(Eigen::Index gone) noexcept {
   factorise(gone);
 }
 
+// 1e-300: no square root of a negative rounding error, no division by zero.
 void ActiveConstraints::factorise(Eigen::Index from) noexcept {
   for (Eigen::Index k = from; k < count_; ++k) {
     auto l = l_.head(k);

@@ -9,8 +9,12 @@ namespace surefoot {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kViolationShare = 0.1;  // a larger violation, as share of the tolerance, counts
-constexpr double kMaxDistance = 1e4;  // between any two solutions, in H's metric with trace(H) = n
+// A larger violation, as share of the tolerance, counts. Chosen: below 1, so that QpCheck passes
+// the solution with a margin; above rounding. Test: test_active_set.cpp.
+constexpr double kViolationShare = 0.1;
+// Between any two solutions, in H's metric with trace(H) = n. Chosen: far above solutions in QP
+// units (order 1). Test: nearly_parallel_constraints_are_not_reported_as_infeasible.
+constexpr double kMaxDistance = 1e4;
 
 double bound_of(const QpProblem& problem, int row, double side) noexcept {
   return side > 0.0 ? problem.u[row] : -problem.l[row];

@@ -11,9 +11,13 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kPushDuration = 0.08;   // [s] the external force is expected to last so long
-constexpr double kEdgeRange = 0.03;      // [m] inside an edge: from there on the edge counts
-constexpr double kMinAlongShare = 0.01;  // not zero: the body would drift along the edge
+// Chosen by hand. `surefoot assess` measured the effect of the axes: 5 points more survival on go1
+// and go2 at 22.5 degrees off forward and backward. Tests: test_braking_axes.cpp.
+// [s] for which the external force is expected to last. Below: the push would not be seen to cross
+// an edge; above: the 0.1 s of the standard push, part of which is over when it is detected.
+constexpr double kPushDuration = 0.08;
+constexpr double kEdgeRange = 0.03;      // [m] inside an edge, where it begins to count
+constexpr double kMinAlongShare = 0.01;  // above zero: the body would drift along the edge
 
 }  // namespace
 

@@ -7,8 +7,11 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kTicksWithoutSlack = 10;  // ticks without slack before the hard QP is solved again
-constexpr double kMinSlack = 1e-5;      // a larger slack counts as a violation
+// Ticks without slack before the hard QP is solved again. Chosen: below, both QPs in many ticks;
+// above, the larger QP for longer than needed. Test: elastic_mode_lasts_equally_long_each_time.
+constexpr int kTicksWithoutSlack = 10;
+// A larger slack counts as a violation. Numerical: ten times the default tolerance (1e-6).
+constexpr double kMinSlack = 1e-5;
 
 int elastic_count(const ElasticRows& rows) {
   int count = 0;
@@ -18,7 +21,8 @@ int elastic_count(const ElasticRows& rows) {
 
 }  // namespace
 
-// ProxQP begins no further attempt after this many inner iterations.
+// ProxQP begins no further attempt after this many inner iterations. Chosen: the elastic QP has
+// about twice the variables and may take more; above, a tick that exceeds its period.
 const ElasticSolver::Budget ElasticSolver::kDefaultBudget{40, 160};
 const ElasticSolver::Budget ElasticSolver::kColdBudget{1, 1};  // one attempt each
 

@@ -9,11 +9,16 @@ namespace surefoot {
 
 namespace {
 // Depth: of a stance foot below its hip axis. Determinants are relative to smallest_determinant.
-constexpr double kSmallestDepth = 0.05;      // [m] a regular leg becomes singular below it
-constexpr double kRegularDepth = 0.06;       // [m] a singular leg becomes regular above it
-constexpr double kRegularDeterminant = 1.2;  // a singular leg becomes regular above it
-constexpr double kSoftDepth = 0.02;          // [m] this far below kSmallestDepth softness is 1
-constexpr double kSoftDeterminant = 0.7;     // this far below 1 softness is 1
+// Chosen by hand; tests: test_form_selector.cpp, test_singular_legs.cpp.
+// [m] a regular leg becomes singular below it. Above: the 0.07 of the gain reach_foot_depth, which
+// references keep.
+constexpr double kSmallestDepth = 0.05;
+constexpr double kRegularDepth = 0.06;       // [m] a singular leg becomes regular: 1 cm hysteresis
+constexpr double kRegularDeterminant = 1.2;  // a singular leg becomes regular: 20 % hysteresis
+// Ranges below kSmallestDepth and below 1 in which softness rises to 1: wide enough that torques do
+// not step, and over before the singularity itself.
+constexpr double kSoftDepth = 0.02;       // [m]
+constexpr double kSoftDeterminant = 0.7;  // of smallest_determinant
 }  // namespace
 
 QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference,

@@ -9,6 +9,8 @@ namespace surefoot {
 namespace {
 constexpr int kForces = QpLayout::kForces;
 constexpr int kEqualities = 6 + kForces;
+// Weight of the squared equalities in the cost, to make H positive definite. Any positive value
+// gives the same solution, because they hold; 1 is the size of the other rows.
 constexpr double kEqualityWeight = 1.0;
 }  // namespace
 

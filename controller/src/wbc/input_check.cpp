@@ -5,7 +5,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;  // on the length of unit quaternions and normals
+// Numerical tolerance on the length of unit quaternions and normals: above the rounding of float
+// (1e-7). The QP assumes length 1, so its error is at most of this size.
+constexpr double kUnitTolerance = 1e-3;
 
 bool finite(const Reference& r) noexcept {
   bool good = r.p_com.allFinite() && r.v_com.allFinite() && r.a_com.allFinite() &&

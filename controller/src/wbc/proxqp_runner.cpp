@@ -12,8 +12,13 @@ namespace {
 
 namespace proxqp = proxsuite::proxqp;
 
-constexpr double kSolverGap = 0.1;  // duality gap requested of ProxQP, times the tolerance
-constexpr double kResidue = 1e-12;  // smaller multipliers are rounding residues
+// Duality gap requested of ProxQP, times the tolerance. Chosen below 1: ProxQP sums over rows,
+// QpCheck judges each row.
+constexpr double kSolverGap = 0.1;
+// Smaller multipliers are rounding residues. Between the residues seen (1e-24) and the tolerance.
+constexpr double kResidue = 1e-12;
+// Iterations of one attempt, chosen: ProxQP has no time limit, 96 inner iterations bound it. An
+// attempt that ends there continues from corrected multipliers (QpSolver).
 constexpr int kMaxOuter = 12;
 constexpr int kMaxInner = 8;
 
@@ -31,14 +36,15 @@ ProxqpRunner::ProxqpRunner(int n, int n_eq, int n_in)
   qp.settings.eps_rel = 0.0;
   qp.settings.max_iter = kMaxOuter;
   qp.settings.max_iter_in = kMaxInner;
-  // With the default 1e-4 ProxQP reports feasible balance QPs as infeasible after a warm start.
+  // With the default 1e-4 ProxQP 0.8.0 reports feasible balance QPs as infeasible after a warm
+  // start; with 1e-9 and below none of 3000 was.
   qp.settings.eps_primal_inf = 1e-12;
   qp.settings.eps_dual_inf = 1e-12;
   // With primal and dual residuals alone, ProxQP may stop with nonzero multipliers on inactive
   // rows. Such forces look converged but are not optimal. The duality gap detects them.
   qp.settings.check_duality_gap = true;
   qp.settings.eps_duality_gap_rel = 0.0;
-  qp.settings.default_mu_in = 1e-2;
+  qp.settings.default_mu_in = 1e-2;  // chosen: 1e-3 to 1e-1 solve these QPs; 1e-1 is the default
   qp.settings.initial_guess = proxqp::InitialGuessStatus::WARM_START_WITH_PREVIOUS_RESULT;
   // One regular init() sets the sizes and the identity preconditioner.
   const QpProblem dummy(n, n_eq, n_in);

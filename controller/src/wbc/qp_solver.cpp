@@ -10,9 +10,11 @@ namespace surefoot {
 
 namespace {
 
+// Chosen by hand. Tests: proxqp_alone_solves_97_percent_of_degenerate_qps,
+// both_methods_meet_a_tolerance_of_1e_minus_12.
 constexpr int kWarmAttempts = 3;  // one warm, two more without wrong multipliers
 constexpr int kAttempts = 6;      // the warm attempts, then a cold one and two more
-constexpr double kTight = 1e-8;   // tolerances below it are for offline checks
+constexpr double kTight = 1e-8;   // tolerances below it are for offline checks, without a deadline
 constexpr int kTightFactor = 10;  // on attempts and budget, for such a tolerance
 
 }  // namespace

@@ -44,6 +44,8 @@ class QpSolver {
   ///   with kInfeasible. kCertain: a contradiction can only be rounding, so ProxQP runs
   QpResult solve(const QpProblem& problem, int budget = kBudget,
                  Feasibility feasibility = Feasibility::kCertain) noexcept;
+  /// Default budget, for callers without a deadline: about one full attempt (96). ElasticSolver has
+  /// its own.
   static constexpr int kBudget = 100;
 
   /// Forget the last solution: the next solve is a cold start.

@@ -15,6 +15,8 @@ namespace {
 
 // Smallest determinant of a leg's Jacobian, as a share of its value in the standing pose. Below it
 // the knee is nearly straight or the foot near hip height, and joint accelerations become large.
+// Chosen: below, joint accelerations ten times those of standing; above, poses that BodyReference
+// allows.
 constexpr double kSmallestShare = 0.1;
 
 // Return the norm, per axis, of the matrix from contact forces to the angular acceleration of the
@@ -37,6 +39,7 @@ Vector3 angular_row_lengths(const Dynamics& dynamics) {
 
 }  // namespace
 
+// 1e-9 [m^3]: a determinant below it is rounding; a standing leg has about a link length cubed.
 QpUnits::QpUnits(const Robot& robot) {
   Dynamics dynamics(robot);
   dynamics.update(robot.q_standing(), Eigen::VectorXd::Zero(robot.nv()), Vector3::UnitZ());

@@ -8,9 +8,10 @@
 namespace surefoot {
 
 namespace {
-constexpr double kReleasedRange = 1e4;  // [rad/s^2] more than the QP requires of any leg
-constexpr int kSweeps = 20;             // further sweeps change next to nothing
-constexpr double kMinLever = 1e-9;      // [m^2] avoids a division by zero
+// [rad/s^2] more than the QP requires of any leg. Chosen: above the 400 that thrown legs took.
+constexpr double kReleasedRange = 1e4;
+constexpr int kSweeps = 20;  // chosen: further sweeps change next to nothing with three joints
+constexpr double kMinLever = 1e-9;  // [m^2] numerical: a joint that does not move the foot
 
 // Bounds on the accelerations of a leg's joints [rad/s^2].
 struct Bounds {

@@ -8,9 +8,16 @@
 namespace surefoot {
 
 namespace {
-constexpr double kInsideFallShare = 0.35;   // [g] more downward acceleration at fade = 1
-constexpr double kInsideTurnFactor = 30.0;  // [g / length] more tilt acceleration at fade = 1
-constexpr double kRiseFade = 1.6;           // the tilt bound shrinks above 3/8 of edge_rise
+// [g] more downward acceleration at fade = 1. Chosen by `surefoot assess`: with 3, and a slower
+// push estimate, the worst of 16 directions of a go1 survived 97.5 % of its push limit; with 0.35
+// 100 %.
+constexpr double kInsideFallShare = 0.35;
+// [g / length] more tilt acceleration at fade = 1. Chosen: no bound in practice inside the support,
+// 1000 rad/s^2 for a go1, whose base_kp_tilt asks for 820 per rad.
+constexpr double kInsideTurnFactor = 30.0;
+// Derived: 1 / (1 - 3/8), so that the tilt bound shrinks above 3/8 of edge_rise. The 3/8 is chosen;
+// edge_rise itself is a gain that benchmarks/weight_search.py finds.
+constexpr double kRiseFade = 1.6;
 }  // namespace
 
 double edge_fade(const Gains& gains, const Dynamics& dynamics,

@@ -9,11 +9,21 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kSaturated = 1e-3;  // share of tau_max: a motor this close to a limit is saturated
-constexpr double kCurvature = 1.0;   // of the slacks' cost, before scaling
-constexpr double kTightest = 1e-12;  // smallest tolerance that rounding allows
-constexpr double kRelaxed = 10.0;    // tolerance factor of a cold solve
-constexpr double kMinBuiltInShare = 1e-5;  // share of trace(H) that user tasks must leave
+// Share of tau_max: a motor this close to a limit is saturated. Numerical: above what residuals of
+// 5e-6 (QP units) move a torque.
+constexpr double kSaturated = 1e-3;
+// Of the slacks' cost, before scaling. Chosen: above 0 for a strictly convex QP; the linear
+// penalties (gains penalty_*) make the constraints exact.
+constexpr double kCurvature = 1.0;
+// Numerical: smallest tolerance that rounding allows. Test:
+// both_methods_meet_a_tolerance_of_1e_minus_12.
+constexpr double kTightest = 1e-12;
+// Tolerance factor of a cold solve. Chosen: above 1, or it would fail as the first solve did; 1e-5
+// is far below a newton. Test: cold_solve_accepts_residuals_up_to_10_times_the_tolerance.
+constexpr double kRelaxed = 10.0;
+// Share of trace(H) that user tasks must leave. Derived: with the default tolerance 1e-6 the
+// reduced tolerance stays ten times above kTightest.
+constexpr double kMinBuiltInShare = 1e-5;
 
 ElasticRows elastic_rows(const JointTable& joints) {
   const QpLayout layout(static_cast<int>(joints.size()));

@@ -10,7 +10,7 @@ from surefoot._core import Error, Robot
 from surefoot.estimate.checks.windows import DEG_PER_RAD, Windows, finite_median
 from surefoot.geometry.batch_rotations import Array
 from surefoot.messages.low_state_layout import LEGS
-from surefoot.sensor_log.columns import MOTOR_NAMES
+from surefoot.sensor_log.column_definitions import MOTOR_NAMES
 from surefoot.sensor_log.sensor_log import SensorLog
 
 MAX_BEYOND_LIMIT = 0.5  # [rad] beyond a limit: more than a calibration error

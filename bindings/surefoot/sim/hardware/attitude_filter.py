@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from surefoot import _plant
 
-MAHONY_GAIN = (
-    0.5  # [1/s] low: a push tilts the estimate little; a gyro bias tilts it by bias / MAHONY_GAIN
-)
+# [1/s] Chosen: the vendor's gain is not published. Above: a push tilts the estimate by the gain times
+# the horizontal velocity over g; below: a gyro bias tilts it by bias / MAHONY_GAIN.
+MAHONY_GAIN = 0.5
 
 
 class MahonyFilter(_plant.MahonyFilter):

@@ -8,9 +8,12 @@ import numpy as np
 
 from surefoot import _plant
 
-POSITION_QUANTUM = 2.0 * math.pi / 2**15 / 6.0  # [rad] 15 bits per rotor turn, gear ratio 6
+# [rad] 15 bits per rotor turn, as Unitree's GO-M8010-6 (unitree_actuator_sdk; gear ratio 6.33).
+# Gear ratio 6: hips and thighs of a go1 (models/go1.toml); other joints have finer angles.
+POSITION_QUANTUM = 2.0 * math.pi / 2**15 / 6.0
+# Assumed, for no data sheet states them; tests: test_plant_sensors.py.
 VELOCITY_CUTOFF = 100.0  # [Hz] of the driver's first-order filter; its delay is 1.6 ms
-VELOCITY_NOISE = 0.05  # [rad/s] standard deviation
+VELOCITY_NOISE = 0.05  # [rad/s] standard deviation, white, at every sample
 
 
 class IdealEncoders(_plant.Encoders):

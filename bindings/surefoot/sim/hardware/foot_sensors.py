@@ -8,11 +8,14 @@ import numpy as np
 
 from surefoot import _plant
 
+# The vendor publishes no figures. Offsets are those of unloaded feet in public logs of one Go1, 8 to
+# 48 counts; all others are assumed. Tests: test_plant_sensors.py.
 FORCE_NOISE = 3.0  # [N] standard deviation of footForceEst
 COUNT_NOISE = 2.0  # counts, standard deviation of footForce
-COUNT_OFFSET = (5.0, 50.0)  # counts of an unloaded foot
-COUNT_GAIN = (1.0, 2.0)  # counts per newton
-COUNT_DRIFT = 10.0 / 2.0  # counts, standard deviation of the offset's random walk in a minute
+COUNT_OFFSET = (5.0, 50.0)  # counts of an unloaded foot, uniform
+COUNT_GAIN = (1.0, 2.0)  # counts per newton, uniform
+# Counts, standard deviation of the offset's random walk in a minute: two of them are 10 counts.
+COUNT_DRIFT = 10.0 / 2.0
 
 
 class FootSensors(_plant.FootSensors):

@@ -9,11 +9,14 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
 
+# Assumed: Unitree names no IMU and no data sheet. Above: the arming checks' 0.05 rad/s and 5 % of g,
+# which healthy robots pass. Public logs of a Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2; see
+# benchmarks/estimation for larger biases.
 GYRO_NOISE = 0.005  # [rad/s] standard deviation of a sample
 GYRO_BIAS = 0.005  # [rad/s] constant, uniform in +- this value
 ACCELEROMETER_NOISE = 0.05  # [m/s^2] standard deviation of a sample
 ACCELEROMETER_BIAS = 0.05  # [m/s^2] constant, uniform in +- this value
-SAMPLE_PERIOD = 0.001  # [s] of the real IMU and its attitude filter
+SAMPLE_PERIOD = 0.001  # [s] of the real IMU and its attitude filter: LowState comes at 1 kHz
 
 
 def draw_imu_flaws(

@@ -12,9 +12,11 @@ from surefoot.geometry.rotations import Array
 from surefoot.messages.low_state_layout import MOTOR_COUNT
 from surefoot.sim.flaws import Flaws
 
-SERVO_MODE = 0x0A
+SERVO_MODE = 0x0A  # as in the SDK's comm.h
 DAMPING_MODE = 0x00
-BRAKE_KD = 3.0  # [N.m.s/rad] damping of a motor that is not in servo mode
+# [N.m.s/rad] damping of a motor that is not in servo mode. The vendor publishes none; this is the Kd
+# of unitree_guide's passive state, and the default of Gains.damping_kd.
+BRAKE_KD = 3.0
 
 MotorLaw = _plant.MotorLaw
 

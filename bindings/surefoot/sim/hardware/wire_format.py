@@ -21,6 +21,7 @@ class WireFormat(_plant.WireFormat):
     """
 
     def __init__(self, robot_name: str, real: bool) -> None:
+        # Counts per N.m in unitree_legged_sdk's frames; controller/src/protocol has the same.
         super().__init__(128.0 if robot_name == "b1" else 256.0, real)
 
 
@@ -30,7 +31,8 @@ def default_low_state() -> LowState:
     for i in range(MOTOR_COUNT):
         state.motorState[i].mode, state.motorState[i].temperature = SERVO_MODE, 35
     state.imu.temperature = 45
-    # A six-cell pack in the middle of its charge.
+    # Plausible constants [deg C], [%], [mA], [mV], far from all limits: nothing here is modelled. A
+    # six-cell pack in the middle of its charge.
     state.bms.version_h, state.bms.bms_status, state.bms.SOC = 1, 1, 80
     state.bms.current, state.bms.cycle = -3000, 50
     state.bms.BQ_NTC[:], state.bms.MCU_NTC[:] = 30, 32

@@ -19,11 +19,13 @@ import mujoco
 from surefoot._core import Error, Robot
 from surefoot.sim.settings import PlantSettings
 
-# Contact of the teeth. Critically damped: they separate with a tenth of their speed. Stiff: they
-# yield by 0.001 deg under the torques of a standing robot. 2 ms are four default physics steps.
+# Contact of the teeth, chosen; tests: test_plant_backlash.py. Critically damped: they separate with
+# a tenth of their speed. Stiff: they yield by 0.001 deg under the torques of a standing robot. 2 ms
+# are four default physics steps. [0.001, 0.5, 2.0] are MuJoCo's defaults.
 TOOTH_SOLREF = [0.002, 1.0]
 TOOTH_SOLIMP = [0.999, 0.999, 0.001, 0.5, 2.0]
 # The armature is the rotor's inertia, but MuJoCo needs a body with mass for the coordinate.
+# Numerical: far below any armature (0.004 kg.m^2 and more).
 _BODY_MASS = 1e-9  # [kg]
 _BODY_INERTIA = 1e-12  # [kg.m^2]
 

@@ -17,12 +17,15 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.sim.settings import PlantSettings
 
 PLATFORM, BLOCK, GROUND_JOINT = "surefoot_platform", "surefoot_block", "surefoot_ground"
-PLATFORM_HALF_SIZE = (2.0, 2.0, 0.05)  # [m] half sides of the platform
-BLOCK_HALF_SIZE = (0.06, 0.06, 0.1)  # [m] half sides of the block
-BLOCK_PROTRUSION = (
-    0.001  # [m] initial height of the block's top above the ground: the foot touches only the block
-)
-GROUND_INERTIA = 1e6  # [kg] of the block, [kg.m^2] of the platform
+# Chosen by hand; tests: test_plant_moving_ground.py.
+PLATFORM_HALF_SIZE = (2.0, 2.0, 0.05)  # [m] half sides of the platform: a robot may fall on it
+# [m] half sides of the block: below, a foot (radius 4 cm at most) that slides; above, other feet.
+BLOCK_HALF_SIZE = (0.06, 0.06, 0.1)
+# [m] initial height of the block's top above the ground: the foot touches only the block.
+BLOCK_PROTRUSION = 0.001
+# [kg] of the block, [kg.m^2] of the platform: the weight of a b1 (550 N) changes its velocity by
+# 1e-6 m/s in a control period. Above: loss of solver precision (physics/hanging.py).
+GROUND_INERTIA = 1e6
 
 
 def set_ground_speed(model: mujoco.MjModel, data: mujoco.MjData, speed: float) -> None:

@@ -154,7 +154,7 @@ def add_payload(spec: mujoco.MjSpec, settings: PlantSettings) -> None:
     mass = settings.payload_kg
     if mass <= 0.0:
         return
-    cube_edge = (mass / 1000.0) ** (1.0 / 3.0)
+    cube_edge = (mass / 1000.0) ** (1.0 / 3.0)  # [m] water: 1000 kg/m^3
     body = root_body(spec).add_body(name=PAYLOAD_BODY, pos=settings.payload_position)
     body.mass = mass
     body.inertia = [mass * cube_edge**2 / 6.0] * 3

@@ -51,5 +51,5 @@ def _repair_inertia(body: mujoco.MjsBody) -> None:
     if np.isnan(xx):
         return
     moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    if moments[0] <= 1e-12:
+    if moments[0] <= 1e-12:  # [kg.m^2] numerical: far below those of any link
         body.fullinertia = [xx, yy, zz, 0.0, 0.0, 0.0]

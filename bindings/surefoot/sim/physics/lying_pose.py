@@ -9,14 +9,16 @@ from surefoot._core import Robot
 from surefoot.geometry.rotations import Array
 from surefoot.sim.model.mujoco_handles import Handles
 
+# Chosen by hand; tests: test_plant_lying_pose.py.
 FIRST_CHECK_TIME = 1.0  # [s] after a drop; most drops that will fail can be detected by then
 LYING_SETTLE_TIME = 4.0  # [s] that braking motors need to lower the body
-REST_SPEED = 0.05  # [m/s], [rad/s] a slower robot is at rest
-MAX_DROPS = 400  # one drop in four to thirty succeeds, depending on robot and ground
-MAX_REST_TILT = np.radians(20.0)
-_ABORT_TILT = np.radians(40.0)
-_DROP_TILT = np.radians(10.0)
-_DROP_HEIGHT = 0.005  # [m] of the lowest point above the ground
+# [m/s], [rad/s] a slower robot is at rest. Above: the arming checks' 0.05 rad/s.
+REST_SPEED = 0.05
+MAX_DROPS = 400  # measured: one drop in four to thirty succeeds, depending on robot and ground
+MAX_REST_TILT = np.radians(20.0)  # below the 25 degrees at which the arming checks refuse
+_ABORT_TILT = np.radians(40.0)  # twice MAX_REST_TILT: the body will not come to rest
+_DROP_TILT = np.radians(10.0)  # uniform in +- this value
+_DROP_HEIGHT = 0.005  # [m] of the lowest point above the ground: no bounce
 _LEG_CLEARANCE = 0.02  # [m] along the body between the front and the rear leg of a side
 
 

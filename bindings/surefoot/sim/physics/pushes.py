@@ -63,7 +63,7 @@ class PushSchedule:
         force, moment = np.zeros(3), np.zeros(3)
         for k, push in enumerate(self._pushes):
             overlap = min(time + self._dt, push.time + push.duration) - max(time, push.time)
-            # Rounding of the clock leaves tiny overlaps at both ends of a push.
+            # Rounding of the clock leaves tiny overlaps at both ends of a push, below 1e-9 steps.
             if overlap <= 1e-9 * self._dt:
                 continue
             if k not in self._direction:

@@ -39,7 +39,7 @@ def open_trial_journal(path: str | None) -> Iterator[BaseStorage]:
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise Error(f"store '{path}': another search uses it") from None
+            raise Error(f"store '{path}': another search uses it; choose another --store") from None
         yield _open_journal(path)
 
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dynamics/dynamics.hpp"
-#include "estimator/base/invariant_filter.hpp"
+#include "estimator/filter/invariant_filter.hpp"
 
 namespace surefoot {
 

@@ -25,8 +25,7 @@ constexpr double kMaxRateError = 0.08;
 // [rad/s] clamp of one sample's difference, ten times the limit: 10 ms of outliers move the mean by
 // 0.8 (10 ms / kRateErrorTime) = 0.016 only.
 constexpr double kRateErrorClamp = 0.8;
-// Of the mean rate, error of scale: found as a healthy b1 that rolled over was made to sit (history
-// 55108eb, 2f8a612).
+// Of the mean rate, error of scale. Below: a healthy b1 that rolls over as its legs fold must pass.
 constexpr double kScaleErrorShare = 0.05;
 // [s] of that mean. Below: pushes (0.1 s) disturb the attitude filter; above: the 1 s to a fault.
 constexpr double kRateErrorTime = 0.5;

@@ -23,8 +23,7 @@ constexpr double kTorqueOff = 0.12;
 constexpr double kTorqueOffShare = 0.4;
 constexpr double kErrorClamp = 2.0;  // times that: clamp of one sample's error
 // A motor is idle with less than this share of its command, if the command exceeds kMinCommandShare
-// of tau_max, in kMinIdleShare of samples: finds dead motors that report servo mode
-// (docs/faults.md).
+// of tau_max, in kMinIdleShare of samples: a dead motor in servo mode, see docs/faults.md.
 constexpr double kIdleTorqueShare = 0.3;
 constexpr double kMinCommandShare = 0.05;
 constexpr double kMinIdleShare = 0.8;

@@ -12,8 +12,7 @@ namespace {
 // Chosen by hand; test: body_that_blocks_all_legs_is_pinned.
 // [rad] change of tilt: the body moves freely. Below: noise; above: a lift that frees a leg.
 constexpr double kBodyMoved = 0.1;
-constexpr double kHipMoved =
-    0.45;  // [rad] more than the play of a hip beside a body that lies still
+constexpr double kHipMoved = 0.45;  // [rad] motion of a hip that is more than play
 }  // namespace
 
 int LegFolding::most_catches() const noexcept {

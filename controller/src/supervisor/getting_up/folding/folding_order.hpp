@@ -52,12 +52,11 @@ class FoldingOrder {
   }
 
  private:
-  // Chosen by hand from rises of a go2 (benchmarks/false_trips.py: no trip in 515 rises, history
-  // 6b6030f .. 71eb7a7). Tests: legs_of_a_leaning_body_fold_one_diagonal_pair_at_a_time and others.
-  static constexpr double kMinTilt = 0.2;  // sine of 11.5 degrees: the body lies on something
-  static constexpr double kHipInward =
-      0.5;                                // [rad] drawn in under the body; as in folding_path.cpp
-  static constexpr double kKneeUp = 2.2;  // [rad] thigh angle, knee up; as in folding_path.cpp
+  // Chosen by hand from rises of a go2 (benchmarks/false_trips.py: no trip in 515 rises). Angles as
+  // in folding_path.cpp. Test: legs_of_a_leaning_body_fold_one_diagonal_pair_at_a_time.
+  static constexpr double kMinTilt = 0.2;    // sine of 11.5 degrees: the body lies on something
+  static constexpr double kHipInward = 0.5;  // [rad] drawn in under the body
+  static constexpr double kKneeUp = 2.2;     // [rad] thigh angle with the knee up
 
   double time_left_ = 0.0;       // [s] of waiting left
   int waiting_front_leg_ = FR_;  // waits together with its diagonal leg

@@ -17,14 +17,12 @@ constexpr double kSpeed = 1.2;          // [rad/s] slow on purpose: folding take
 constexpr double kAcceleration = 15.0;  // [rad/s^2] kSpeed in 80 ms
 constexpr double kSettlingRate = 4.0;   // [1/s] gain of the reference near its target
 constexpr double kMaxLead = 0.4;        // [rad] over its joint; below kMaxDeflection of the spring
-constexpr double kInterferenceLead =
-    0.3;                               // [rad] with leg interference: freed legs stay at level 1
-constexpr double kDetourTime = 4.0;    // [s] for which detours are allowed; then the sweep only
-constexpr double kReleaseTime = 0.03;  // [s] time constant: no step of torque
+constexpr double kInterferenceLead = 0.3;  // [rad] with leg interference: less power when freed
+constexpr double kDetourTime = 4.0;        // [s] for which detours are allowed; then the sweep only
+constexpr double kReleaseTime = 0.03;      // [s] time constant: no step of torque
 constexpr double kReferenceTolerance = 0.005;  // [rad] error of a reference that has arrived
-constexpr double kJointTolerance =
-    0.25;                             // [rad] error of a joint: friction and ground hold it there
-constexpr double kMinMovement = 0.1;  // [rad] a leg that moves less than this ...
+constexpr double kJointTolerance = 0.25;       // [rad] error of a joint: friction and ground
+constexpr double kMinMovement = 0.1;           // [rad] a leg that moves less than this ...
 constexpr double kCatchTime = 1.0;    // [s] ... in this time has caught; it could move 1.2 rad
 constexpr double kBackOutTime = 1.5;  // [s] of backing out: up to 1.8 rad at kSpeed
 constexpr double kBackOutStep = 0.6;  // [rad] of the thigh, times the number of catches

@@ -43,8 +43,8 @@ class RolloverMonitor {
   bool rolled_over() const noexcept { return rolled_over_; }
 
  private:
-  // Chosen between rises measured with benchmarks/false_trips.py (docs/faults.md; history 6b6030f
-  // .. fbe5c33): no trip of a go2 in 515 rises.
+  // Chosen between rises measured with benchmarks/false_trips.py (docs/faults.md): no trip of a go2
+  // in 515 rises.
   static constexpr double kRollTilt = 0.44;         // [rad] 25 degrees: ArmingChecks' kMaxTilt ...
   static constexpr double kMinTiltIncrease = 0.12;  // [rad] ... and 7 degrees over the initial tilt
   static constexpr double kReleaseTime = 1.0;       // [s] until the body lies again

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "estimator/base/error_covariance.hpp"
+#include "estimator/filter/error_covariance.hpp"
 #include "surefoot/gains.hpp"
 
 namespace surefoot {

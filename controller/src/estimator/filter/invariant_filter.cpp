@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimator/base/invariant_filter.hpp"
+#include "estimator/filter/invariant_filter.hpp"
 
 #include <Eigen/LU>
 #include <cmath>

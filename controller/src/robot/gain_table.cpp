@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "surefoot/gains.hpp"
-
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "common/text.hpp"
 #include "surefoot/error.hpp"
+#include "surefoot/gains.hpp"
 
 namespace surefoot {
 

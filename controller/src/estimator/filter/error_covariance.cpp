@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimator/base/error_covariance.hpp"
+#include "estimator/filter/error_covariance.hpp"
 
 #include <utility>
 

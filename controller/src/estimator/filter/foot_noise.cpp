@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimator/base/foot_noise.hpp"
+#include "estimator/filter/foot_noise.hpp"
 
 #include <algorithm>
 #include <cmath>

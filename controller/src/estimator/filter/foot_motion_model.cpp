@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "estimator/base/foot_motion_model.hpp"
+#include "estimator/filter/foot_motion_model.hpp"
 
 #include <algorithm>
 #include <cmath>
