@@ -25,7 +25,10 @@ def still_log(**changes):
         **{"com": np.zeros((TICKS, 3)), "tau": motors, "dq": motors.copy()},
         **{"contact": np.ones((TICKS, 4)), "status": np.zeros(TICKS, dtype=np.int64)},
         **{"torque_mode": np.ones(TICKS, dtype=bool), "iterations": np.ones(TICKS, dtype=np.int64)},
-        **{"reach": np.zeros(TICKS, dtype=np.int64), "fallback_level": np.zeros(TICKS, dtype=np.int64)},
+        **{
+            "reach": np.zeros(TICKS, dtype=np.int64),
+            "fallback_level": np.zeros(TICKS, dtype=np.int64),
+        },
         **{"reach_motor": np.full(TICKS, -1)},
         **{"tick_us": np.linspace(0.0, 100.0, TICKS), "commands": np.zeros((TICKS, 734), np.uint8)},
     }

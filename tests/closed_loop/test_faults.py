@@ -13,7 +13,7 @@ from faulty_supervisor import FAULTY_SUPERVISORS, FaultySupervisor
 from surefoot import cli
 from surefoot.faults import FaultSettings, choose_cells, run_faults
 from surefoot.faults.catalogue import ROWS
-from surefoot.faults.kinds.injections import INJECTIONS
+from surefoot.faults.kinds.signal_faults import INJECTIONS
 from surefoot.faults.matrix.matrix_setup import MatrixSetup, make_setup
 from surefoot.faults.matrix.run_cell import run_cell
 from surefoot.robot.loading import describe_robot

@@ -10,6 +10,7 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.robot_toml import suggest
 from surefoot.robot.setting_checks import check_number, check_numbers, check_one_of, check_unique
 
+# Sanity limits of the fields, in their units.
 _RANGES = {
     "friction": (0.01, 10.0),
     "slope_deg": (0.0, 45.0),
@@ -63,7 +64,7 @@ class Condition:
     """
 
     name: str
-    friction: float = 0.8
+    friction: float = 0.8  # PlantSettings' default
     slope_deg: float = 0.0
     headings_deg: tuple[float, ...] = (0.0,)
     tilt_deg: float = 0.0
@@ -76,11 +77,12 @@ class Condition:
     latency_ms: float = 0.0
     loss_percent: float = 0.0
     joint_friction_scale: float = 1.0
-    motor_lag_ms: float = 2.0
+    motor_lag_ms: float = 2.0  # PlantSettings' default for real sensors
     torque_scale: float = 1.0
     soft_ground_mm: float = 0.0
-    quiet_s: float = 0.4
+    quiet_s: float = 0.4  # chosen: above the 0.15 s in which the estimator finds the attitude
     pushes: bool = False
+    # Tolerances of RETURN_DISTANCE, RETURN_ANGLE and MAX_FOOT_TRAVEL (push_outcome.py).
     height_within_mm: float = 10.0
     tilt_within_deg: float = 2.0
     foot_within_mm: float = 10.0

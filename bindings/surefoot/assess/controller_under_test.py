@@ -25,7 +25,9 @@ from surefoot.robot.gain_files import gains_from_values
 ControllerFactory = Callable[..., Any]
 REFERENCE_CONTROLLERS = ("pd", "force_qp")
 BUILT_IN_CONTROLLERS = ("surefoot", *REFERENCE_CONTROLLERS)
-_MIN_PREDICTED_DELAY = 0.0095  # [s] shorter delays are not predicted, such as 2 periods + 5 ms
+# [s] shorter delays are not predicted. Derived: two periods (4 ms) and 5 ms of latency, with 0.5 ms
+# for the rounding to whole milliseconds. Chosen for small delays: prediction amplifies noise.
+_MIN_PREDICTED_DELAY = 0.0095
 _MAX_PREDICTED_DELAY = 0.05  # [s] limit of StandOptions.delay
 
 

@@ -25,6 +25,7 @@ from surefoot.assess.worker_pool import run_work
 from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
 
+# Chosen for the size of a report; FRAME_PERIOD is that of `surefoot stand`.
 MAX_FILMS = 6  # greatest number of films in a report
 FRAME_PERIOD = 0.08  # [s] between frames
 WIDTH, HEIGHT = 480, 360  # [px]
@@ -45,7 +46,7 @@ class FilmUnit:
     level: float
     file: str
     caption: str
-    deadline_factor: ClassVar[float] = 20.0
+    deadline_factor: ClassVar[float] = 20.0  # chosen: rendering without a graphics card is slow
 
     @property
     def key(self) -> str:

@@ -25,7 +25,7 @@ class FaultUnit:
     """
 
     cell: str
-    deadline_factor: ClassVar[float] = 20.0
+    deadline_factor: ClassVar[float] = 20.0  # chosen: a cell gets up first, one heartbeat in all
 
     @property
     def key(self) -> str:

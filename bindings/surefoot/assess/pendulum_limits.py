@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 from surefoot.sim.lip_push_limit import GRAVITY, max_lip_impulse
 
-_BISECTIONS = 60  # more halvings than a double has bits
+_BISECTIONS = 60  # numerical: more halvings than the 53 bits of a double
 
 
 @dataclass(frozen=True)
@@ -86,6 +86,7 @@ def _survives(
     w2 = GRAVITY / p.com_height
     x_switch = p.edge_distance - most / w2  # [m] beyond it the edge limits braking, before it B
     if x >= x_switch:
+        # 1e-12: rounding must not turn the exact LIP push limit into a fall.
         return v <= math.sqrt(w2) * (p.edge_distance - x) * (1.0 + 1e-12)
     # Braking by B to x_switch must leave no more speed than the edge can brake: w (d - x_switch).
     return v**2 - 2.0 * most * (x_switch - x) <= most**2 / w2

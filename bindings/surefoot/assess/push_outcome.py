@@ -10,6 +10,8 @@ import numpy as np
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.geometry.rotations import Array
 
+# Protocol of docs/assess.md, chosen by hand. Times: 15 and 10 time constants of the LIP (0.2 s);
+# above: run time. Feet and pose: above what noise and soft contacts move (0.1 mm, 0.05 deg).
 SURVIVAL_TIME = 3.0  # [s] after the end of a push: a robot that does not fall until then survived
 RETURN_TIME = 2.0  # [s] after the end of a push: from then on the body must be back in its pose
 MAX_FOOT_TRAVEL = 0.01  # [m] tolerance of a foot's slide or lift, without its rolling

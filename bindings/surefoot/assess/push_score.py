@@ -13,7 +13,9 @@ from surefoot.assess.sweep import Sweep, rows_to_sweep
 from surefoot.assess.work_units import PushUnit
 
 CRITERIA = {"survive": "survived", "strict": "in_place"}
-MIN_PERCENTILE_SEEDS = 20  # least number of seeds for a 5th percentile; fewer: the minimum
+# Least number of seeds for a 5th percentile; with fewer it is the minimum. Derived: 1 / 0.05, one
+# seed below it.
+MIN_PERCENTILE_SEEDS = 20
 
 UnitResults = Mapping[str, dict[str, Any]]
 """Results of the units of one controller, by unit key."""

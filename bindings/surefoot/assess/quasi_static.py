@@ -12,7 +12,9 @@ from surefoot.assess.stance_model import StanceModel, direction_vector
 from surefoot.geometry.rotations import Array
 from surefoot.sim.lip_push_limit import GRAVITY
 
-CONE_EDGES = 16  # edges of the pyramid inside a friction cone; one is along the push
+# Edges of the pyramid inside a friction cone; one is along the push. Chosen: it loses at most
+# 1 - cos(pi / 16) = 1.9 % of the cone across the push, nothing along it.
+CONE_EDGES = 16
 
 
 def quasi_static_force(stance: StanceModel, direction_deg: float, friction: float) -> float:

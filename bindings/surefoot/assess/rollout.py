@@ -16,7 +16,7 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim import Plant
 from surefoot.sim.truth import has_fallen
 
-_LOSS_STREAM = 17  # random stream of frame losses; the plant uses streams 0 .. 3
+_LOSS_STREAM = 17  # random stream of frame losses, any but the plant's streams 0 .. 3
 
 TickCallback = Callable[[Plant, int], None]
 """Called with the plant and the tick number."""

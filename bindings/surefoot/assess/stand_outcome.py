@@ -11,6 +11,8 @@ from surefoot.assess.push_outcome import attitude_angles
 from surefoot.assess.rollout import TrueTrajectory
 from surefoot.stand.foot_frame import pose_in_support, rotation_angle
 
+# Protocol of docs/assess.md, chosen by hand. Below: the swing after the ground motion; above: run
+# time.
 HOLD_TIME = 4.0  # [s] of standing after the quiet phase and the ground motion
 JUDGED_TIME = 1.0  # [s] at the end of the run over which tilt and height are judged
 

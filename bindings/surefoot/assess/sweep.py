@@ -10,6 +10,8 @@ from typing import Any
 from surefoot._core import Error
 from surefoot.assess.push_outcome import PushOutcome
 
+# Protocol of docs/assess.md, chosen by hand: 10 to 12 runs a sweep. START_LEVELS seeds together try
+# all ten levels to 100 %.
 MIN_LEVEL = 10.0  # [%] of the push limit: lowest level
 MAX_LEVEL = 200.0  # [%] highest level
 COARSE_STEP = 20.0  # [%] first step

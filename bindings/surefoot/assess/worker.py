@@ -14,7 +14,9 @@ from surefoot.assess.controller_under_test import ControllerUnderTest
 from surefoot.assess.work_units import WorkUnit, run_unit
 from surefoot.system.worker_processes import die_with_parent, spawn_context
 
-_STARTUP_TIME = 120.0  # [s] added to the first deadline: a new process imports and builds plants
+# [s] added to the first deadline: a new process imports and builds plants. Chosen: seconds on a
+# free machine; the rest is for a loaded one or a network disk.
+_STARTUP_TIME = 120.0
 _HEARTBEAT = None  # message at the start and after every run; a dictionary is a unit's result
 LOST_KEY = "lost"  # key in the result of a unit that did not end; a resumed run repeats the unit
 

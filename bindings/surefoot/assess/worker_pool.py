@@ -83,7 +83,11 @@ def _start_worker(work: WorkItem, source: RobotSource, deadline: float) -> Worke
 
 
 def _next_work_to(
-    workers: list[Worker], worker: Worker, work: WorkItem | None, source: RobotSource, deadline: float
+    workers: list[Worker],
+    worker: Worker,
+    work: WorkItem | None,
+    source: RobotSource,
+    deadline: float,
 ) -> list[Worker]:
     """Give a worker its next work, stop it if there is none, or replace it if it has ended."""
     if not worker.pipe.closed and work is not None:

@@ -18,7 +18,7 @@ class Case:
     """One injection of a row of the catalogue.
 
     Attributes:
-        injection: One of injections.INJECTIONS.
+        injection: One of signal_faults.INJECTIONS.
         description: Description of the injection.
         make_fault: Constructs a new fault for each run.
         expectations: Expected reaction by mode; modes without an entry do not apply.

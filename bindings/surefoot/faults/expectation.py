@@ -7,8 +7,8 @@ from enum import Enum
 
 from surefoot._core import Error, FaultReaction, fault_table
 
-MAX_HOLD_TIME = 0.010  # [s] limit of a command hold
-TIME_TOLERANCE = 1e-9  # [s] tolerance for rounding
+MAX_HOLD_TIME = 0.010  # [s] limit of a command hold: kHoldTime (common/command_times.hpp)
+TIME_TOLERANCE = 1e-9  # [s] numerical: rounding of times that are sums of periods
 
 
 class Reaction(Enum):
@@ -41,7 +41,7 @@ class Expectation:
 
 
 WATCH = Expectation(Reaction.WATCH)
-REFUSE = Expectation(Reaction.REFUSE, 0.020)
+REFUSE = Expectation(Reaction.REFUSE, 0.020)  # kStaleTime (common/command_times.hpp)
 
 
 def expect_damp(within: float) -> Expectation:

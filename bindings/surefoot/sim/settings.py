@@ -9,8 +9,8 @@ from surefoot.messages.low_state_layout import LEGS
 from surefoot.robot.setting_checks import check_number, check_one_of
 from surefoot.sim.flaws import Flaws
 
-# [s] twice the default physics step: scorecard and fault matrix take half of the time. Half of the
-# step changes a pushed stand by less than 5 % (test_stand_physics_step.py).
+# [s] twice the default physics step, so that scorecard and fault matrix take half of the time. Push
+# limits came out the same with both. Above: a fifth of FOOT_SOLREF's 5 ms.
 COARSE_DT = 0.001
 _SENSORS = ("real", "ideal")
 _FOOT_FORCE = ("est", "raw", "dead")
@@ -61,7 +61,8 @@ class PlantSettings:
     payload_kg: float = 0.0
     payload_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     control_rate: float = 500.0  # dt = 0.002 s of the SDK's examples
-    # Chosen: half of it changes sway by less than 2 % (test_plant_standing.py).
+    # Chosen: half of it changes sway by less than 2 % (test_plant_standing.py), and a pushed stand
+    # by less than 5 % (test_stand_physics_step.py).
     physics_dt: float = 0.0005
     joint_friction_scale: float = 1.0
     armature_scale: float = 1.0
@@ -79,7 +80,7 @@ class PlantSettings:
         if self.foot_force is not None:
             check_one_of("foot_force", self.foot_force, _FOOT_FORCE)
         self._check_moving_ground()
-        # Sanity limits. physics_dt: above 2 ms MuJoCo would soften the foot contacts (FOOT_SOLREF).
+        # Sanity limits. physics_dt: from 2.5 ms on MuJoCo softens the foot contacts (FOOT_SOLREF).
         for name, low, high in (
             ("friction", 0.0, 10.0),
             ("soft_ground_sink", 0.0, MAX_SINK),

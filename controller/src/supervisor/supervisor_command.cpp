@@ -42,10 +42,10 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   }
   // A StandController without a solution since its reset has no command to hold and never latches
   // its own damping: time it here.
-  const bool program = fade.uses(TorqueSource::kController);
-  const bool idle =
-      unsolved.update(program && stand.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
-  if (idle || (program && stand.status() == Status::kDamping)) {
+  const bool uses_controller = fade.uses(TorqueSource::kController);
+  const bool idle = unsolved.update(
+      uses_controller && stand.fallback_level() == FallbackLevel::kDamping, dt, kHoldTime);
+  if (idle || (uses_controller && stand.status() == Status::kDamping)) {
     const FaultId why = stand.fault() == Status::kFallen ? FaultId::kTilt : FaultId::kController;
     log.set(why, true);
     latch(why);
@@ -56,7 +56,7 @@ const LowCmd& Supervisor::Impl::command(const LowState& state, double dt) noexce
   const bool limited =
       rate_limiter.limit(demand.tau, demand.kd, measured_velocities(state), clock.period());
   log.set(FaultId::kTorqueRate,
-          rate_limited.update(limited && program, clock.period(), kRateLimitedTime));
+          rate_limited.update(limited && uses_controller, clock.period(), kRateLimitedTime));
   return command_hold.accept(torque_low_cmd(demand.tau, demand.kd));
 }
 

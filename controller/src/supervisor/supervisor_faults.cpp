@@ -59,8 +59,9 @@ void Supervisor::Impl::judge_legs() noexcept {
     if (!log.report().has(id) || !is_standing()) continue;
     const int motor = log.report().motor[static_cast<int>(id)];
     const int leg = motor / kLegJoints;
-    const Reference& wanted = stand.reference();
-    const double height = wanted.p_com.z() - wanted.feet[diagonal_leg(leg)].p_world.z();
+    const Reference& stand_reference = stand.reference();
+    const double height =
+        stand_reference.p_com.z() - stand_reference.feet[diagonal_leg(leg)].p_world.z();
     const double push = stand.state().f_external.head<2>().norm();
     // Written so that NaN keeps the leg.
     const bool quiet = push <= kMaxPush * kGravity * robot.mass();
@@ -111,8 +112,8 @@ void Supervisor::Impl::judge_tilt(const LowState& state) noexcept {
 }
 
 void Supervisor::Impl::react() noexcept {
-  for (const FaultId asked : {FaultId::kStop, FaultId::kButton}) {
-    if (log.report().has(asked)) latch(asked);
+  for (const FaultId stop_fault : {FaultId::kStop, FaultId::kButton}) {
+    if (log.report().has(stop_fault)) latch(stop_fault);
   }
   if (!applies_torque()) return;
   // For a sample fault tick() holds the last command before it latches.

@@ -66,7 +66,7 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
   if (good) judge(state, dt);
   react();
   if (good) {
-    handle_request(requests.take());
+    handle_request(requests.take_over_now());
     if (context.checks_waived && context.mode == Mode::kPassive && !context.armed) take_over();
     step_motion(state, dt);
   }
@@ -82,11 +82,11 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
     if (command_hold.latched() || clock.gap() > kRobotWatchdogTime) latch(sample_fault);
   }
   if (good) motors.record_command(*out, state);
-  const bool program = good && fade.uses(TorqueSource::kController);
-  fresh = good && (!program || is_fresh(stand.fallback_level()));
-  const bool bridged = stand.fallback_level() != FallbackLevel::kSolved &&
-                       stand.fallback_level() != FallbackLevel::kDamping;
-  log.set(FaultId::kProgram, program && bridged);
+  const bool uses_controller = good && fade.uses(TorqueSource::kController);
+  fresh = good && (!uses_controller || is_fresh(stand.fallback_level()));
+  const bool used_fallback = stand.fallback_level() != FallbackLevel::kSolved &&
+                             stand.fallback_level() != FallbackLevel::kDamping;
+  log.set(FaultId::kProgram, uses_controller && used_fallback);
   publish();
   return *out;
 }
@@ -95,17 +95,17 @@ const LowCmd& Supervisor::Impl::tick(const LowState& state) noexcept {
 void Supervisor::Impl::handle_request(int request) noexcept {
   if (request == Requests::kArm) {
     if (judge_arming(context) != RequestStatus::kAccepted) return;
-    const bool take = context.checks_waived && context.mode == Mode::kDamping;
+    const bool take_over_now = context.checks_waived && context.mode == Mode::kDamping;
     context.mode = Mode::kPassive;
     context.armed = true;
     command_hold.reset();
     clock_monitor = {};  // joints at rest would keep its last verdict
-    for (const FaultId over :
+    for (const FaultId cleared :
          {FaultId::kController, FaultId::kWiring, FaultId::kWrongRobot, FaultId::kLegLost}) {
-      log.set(over, false);  // arming clears these
+      log.set(cleared, false);  // arming clears these
     }
     reason = FaultId::kNone;
-    if (take) {
+    if (take_over_now) {
       take_over();
     } else {
       stand.reset();  // all four legs count again
@@ -129,7 +129,7 @@ void Supervisor::Impl::take_over() noexcept {
 }
 
 void Supervisor::Impl::latch(FaultId why) noexcept {
-  requests.take();  // earlier requests are void
+  requests.take_over_now();  // earlier requests are void
   if (context.mode == Mode::kDamping) return;
   context.mode = Mode::kDamping;
   context.armed = context.ready = false;

@@ -104,8 +104,8 @@ void Supervisor::Impl::weigh(const LowState& state, double dt) noexcept {
 }
 
 void Supervisor::Impl::press(const LowState& state, double dt) noexcept {
-  const double borne = impedance.load_share(measured_torques(state));
-  reference = press_check.step(impedance.R_world_base(), borne, dt);
+  const double load = impedance.load_share(measured_torques(state));
+  reference = press_check.step(impedance.R_world_base(), load, dt);
   if (press_check.failed()) return abort_rise(FaultId::kWiring, press_check.motor());
   if (!press_check.passed()) return;
   stage = RiseStage::kUp;

@@ -7,8 +7,8 @@ void posture_accelerations(const Gains& gains, const JointTable& joints, const R
                            const Eigen::VectorXd& posture, Eigen::VectorXd& out) noexcept {
   for (int k = 0; k < static_cast<int>(joints.size()); ++k) {
     const JointRow& joint = joints[k];
-    const double wanted = posture.size() > 0 ? posture[joint.v - 6] : joint.q_standing;
-    const double error = joint.q >= 0 ? wanted - state.q[joint.q] : 0.0;
+    const double desired = posture.size() > 0 ? posture[joint.v - 6] : joint.q_standing;
+    const double error = joint.q >= 0 ? desired - state.q[joint.q] : 0.0;
     out[k] = gains.posture_kp * error - gains.posture_kd * state.v[joint.v];
   }
 }

@@ -58,10 +58,10 @@ void CondensedQp::add_posture(const QpTerms& terms) noexcept {
   problem_.g.noalias() -= A.transpose() * weight.cwiseProduct(b);
 }
 
-void CondensedQp::add_custom(const TaskRows& rows, const Eigen::VectorXd& wanted) noexcept {
-  for (Eigen::Index k = 0; k < wanted.size(); ++k) {
+void CondensedQp::add_custom(const TaskRows& rows, const Eigen::VectorXd& desired) noexcept {
+  for (Eigen::Index k = 0; k < desired.size(); ++k) {
     Eigen::Matrix<double, 1, 6> base = rows.A_a.row(k).head<6>();
-    double b = wanted[k];
+    double b = desired[k];
     for (int i = 0; i < kMotors; ++i) {
       const double joint = rows.A_a(k, motor_to_v_[i]);
       base.noalias() += joint * condensed_.W.row(i);

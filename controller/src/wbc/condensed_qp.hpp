@@ -40,7 +40,7 @@ class CondensedQp {
   void write_cost(const QpTerms& terms) noexcept;
   void add_body(const BodyRows& rows) noexcept;
   void add_posture(const QpTerms& terms) noexcept;
-  void add_custom(const TaskRows& rows, const Eigen::VectorXd& wanted) noexcept;
+  void add_custom(const TaskRows& rows, const Eigen::VectorXd& desired) noexcept;
   void write_joint_rows(const QpTerms& terms) noexcept;
 
   QpUnits units_;

@@ -22,7 +22,7 @@ constexpr double kSoftDeterminant = 0.7;  // of smallest_determinant
 }  // namespace
 
 QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference,
-                            QpForm wanted) noexcept {
+                            QpForm requested) noexcept {
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegDynamics& L = dynamics.legs()[leg];
     const double determinant = std::abs(L.J_leg.determinant()) / smallest_determinant_;
@@ -34,7 +34,7 @@ QpForm FormSelector::update(const Dynamics& dynamics, const Reference& reference
     const double soft = std::max(shallow, (1.0 - determinant) / kSoftDeterminant);
     softness_[leg] = std::clamp(soft, 0.0, 1.0);
   }
-  if (wanted != QpForm::kAuto) return wanted;
+  if (requested != QpForm::kAuto) return requested;
   const bool any = std::any_of(singular_.begin(), singular_.end(), [](bool s) { return s; });
   return dynamics.condensable() && !any ? QpForm::kCondensed : QpForm::kGeneral;
 }

@@ -20,9 +20,9 @@ class FormSelector {
       : smallest_determinant_(smallest_determinant) {}
 
   /// Update singular() and softness() for this pose.
-  /// @return `wanted` unless it is kAuto; then kCondensed, or kGeneral if a leg is near singular or
-  /// the robot has further joints
-  QpForm update(const Dynamics& dynamics, const Reference& reference, QpForm wanted) noexcept;
+  /// @return `requested` unless it is kAuto; then kCondensed, or kGeneral if a leg is near singular
+  /// or the robot has further joints
+  QpForm update(const Dynamics& dynamics, const Reference& reference, QpForm requested) noexcept;
 
   const std::array<bool, kLegs>& singular() const noexcept { return singular_; }
   /// Softness of each foot: 0: its acceleration is met exactly; 1: it is a task of weight

@@ -124,8 +124,8 @@ void GeneralQp::add_soft_foot(const Dynamics& dynamics, const QpTerms& terms, in
   for (int k = 0; k < 3; ++k) {
     row_.setZero();
     row_.head(nv_) = scale * full_.J.row(3 * leg + k);
-    const double wanted = terms.feet_acceleration(k, leg) - dynamics.legs()[leg].drift[k];
-    add_row(terms.weight_foot_soft[leg], scale * wanted);
+    const double desired = terms.feet_acceleration(k, leg) - dynamics.legs()[leg].drift[k];
+    add_row(terms.weight_foot_soft[leg], scale * desired);
   }
 }
 

@@ -13,8 +13,8 @@ Eigen::Vector4d hold_down_forces(const Gains& gains, double weight, double fade,
   Eigen::Vector4d forces;
   for (int leg = 0; leg < kLegs; ++leg) {
     const double load = planned_load(reference.feet[leg]);
-    const double belief = std::clamp(contact[leg], 0.0, 1.0);
-    forces[leg] = gains.hold_down * weight * fade * load * belief;
+    const double confidence = std::clamp(contact[leg], 0.0, 1.0);
+    forces[leg] = gains.hold_down * weight * fade * load * confidence;
   }
   return forces;
 }

@@ -137,16 +137,16 @@ void QpTermsWriter::write_even_forces(const Dynamics& dynamics, const BodyAccele
 // one pull towards the weighted mean.
 void QpTermsWriter::write_forces(const Gains& gains, const Reference& reference,
                                  const FeetMatrix* previous) noexcept {
-  Vector12 wanted = even_forces_;
+  Vector12 desired = even_forces_;
   if (reference.use_forces) {
     for (int leg = 0; leg < kLegs; ++leg) {
-      wanted.segment<3>(3 * leg) = reference.feet[leg].f_world;
+      desired.segment<3>(3 * leg) = reference.feet[leg].f_world;
     }
   }
   terms_.weight_force = gains.weight_force + gains.weight_smooth;
   const double smooth = gains.weight_smooth / terms_.weight_force;
-  terms_.forces = wanted;
-  if (previous != nullptr) terms_.forces += smooth * (previous->reshaped() - wanted);
+  terms_.forces = desired;
+  if (previous != nullptr) terms_.forces += smooth * (previous->reshaped() - desired);
 }
 
 void QpTermsWriter::write_posture(const Gains& gains, const RobotState& state,

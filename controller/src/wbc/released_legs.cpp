@@ -27,21 +27,21 @@ bool is_released(const JointLimits& limits, int leg) noexcept {
 
 // Return the joint limits of a leg, widened so that clamping changes no acceleration by more than
 // a_released: a violation that the QP accepted through a slack must stay.
-Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& asked) noexcept {
+Bounds released_bounds(const JointLimits& limits, int leg, const Vector3& desired) noexcept {
   Bounds bounds;
   for (int j = 0; j < 3; ++j) {
     const int k = 3 * leg + j;
-    bounds.lower[j] = std::min(limits.a_lower[k], asked[j] + limits.a_released[k]);
-    bounds.upper[j] = std::max(limits.a_upper[k], asked[j] - limits.a_released[k]);
+    bounds.lower[j] = std::min(limits.a_lower[k], desired[j] + limits.a_released[k]);
+    bounds.upper[j] = std::max(limits.a_upper[k], desired[j] - limits.a_released[k]);
   }
   return bounds;
 }
 
 // Return the joint accelerations within bounds that bring the foot acceleration closest to that of
-// `asked`: least squares by projected Gauss-Seidel, one joint after the other.
-Vector3 nearest_within(const Matrix3& J, const Vector3& asked, const Bounds& bounds) noexcept {
-  Vector3 a = asked.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
-  Vector3 missing = J * (asked - a);
+// `desired`: least squares by projected Gauss-Seidel, one joint after the other.
+Vector3 nearest_within(const Matrix3& J, const Vector3& desired, const Bounds& bounds) noexcept {
+  Vector3 a = desired.cwiseMax(bounds.lower).cwiseMin(bounds.upper);
+  Vector3 missing = J * (desired - a);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (int j = 0; j < 3; ++j) {
       const Vector3 column = J.col(j);
@@ -56,10 +56,10 @@ Vector3 nearest_within(const Matrix3& J, const Vector3& asked, const Bounds& bou
 
 // Return the change of a leg's joint accelerations [rad/s^2] that keeps its own limits.
 Vector3 clamping_change(const JointLimits& limits, int leg, const Matrix3& J,
-                        const Vector3& asked) noexcept {
-  const Bounds bounds = released_bounds(limits, leg, asked);
-  if (bounds.hold(asked)) return Vector3::Zero();
-  return nearest_within(J, asked, bounds) - asked;
+                        const Vector3& desired) noexcept {
+  const Bounds bounds = released_bounds(limits, leg, desired);
+  if (bounds.hold(desired)) return Vector3::Zero();
+  return nearest_within(J, desired, bounds) - desired;
 }
 
 }  // namespace
@@ -85,8 +85,8 @@ void limit_foot_accelerations(const Dynamics& dynamics, const JointLimits& limit
     bool invertible = false;
     L.J_leg.computeInverseWithCheck(inverse, invertible, smallest_determinant);
     if (!invertible) continue;
-    const Vector3 asked = inverse * (feet_acceleration.col(leg) - L.drift);
-    feet_acceleration.col(leg) += L.J_leg * clamping_change(limits, leg, L.J_leg, asked);
+    const Vector3 desired = inverse * (feet_acceleration.col(leg) - L.drift);
+    feet_acceleration.col(leg) += L.J_leg * clamping_change(limits, leg, L.J_leg, desired);
   }
 }
 
@@ -97,9 +97,9 @@ void clamp_released_legs(const JointTable& joints, const Dynamics& dynamics,
     if (!is_released(limits, leg)) continue;
     const LegDynamics& L = dynamics.legs()[leg];
     const int first = 3 * leg;
-    Vector3 asked;
-    for (int j = 0; j < 3; ++j) asked[j] = accelerations[joints[first + j].v];
-    const Vector3 change = clamping_change(limits, leg, L.J_leg, asked);
+    Vector3 desired;
+    for (int j = 0; j < 3; ++j) desired[j] = accelerations[joints[first + j].v];
+    const Vector3 change = clamping_change(limits, leg, L.J_leg, desired);
     for (int j = 0; j < 3; ++j) accelerations[joints[first + j].v] += change[j];
     torques.segment<3>(first) += L.M_leg * change;
   }

@@ -32,8 +32,8 @@ void bound_at_edge(const Gains& gains, double fade, double length, double v_up,
   desired.a.z() = std::max(desired.a.z(), least_lift);
   const double slow = std::clamp(kRiseFade * (1.0 - v_up / gains.edge_rise), 0.0, 1.0);
   const double most_turning = slow * (1.0 + kInsideTurnFactor * fade * fade) * kGravity / length;
-  const double asked = desired.alpha.head<2>().norm();
-  if (asked > most_turning) desired.alpha.head<2>() *= most_turning / asked;
+  const double desired_norm = desired.alpha.head<2>().norm();
+  if (desired_norm > most_turning) desired.alpha.head<2>() *= most_turning / desired_norm;
 }
 
 }  // namespace surefoot

@@ -161,10 +161,10 @@ void WholeBodySolver::write_solution(const Dynamics& dynamics, const JointLimits
   out.clipped_torque = 0.0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const double tau = std::min(std::max(torques_[k], limits.tau_lower[k]), limits.tau_upper[k]);
-    const double taken = std::abs(tau - torques_[k]);
-    out.clipped_torque = std::max(out.clipped_torque, taken);
+    const double clipped = std::abs(tau - torques_[k]);
+    out.clipped_torque = std::max(out.clipped_torque, clipped);
     const double near = kSaturated * joints_[k].tau_max;
-    if (taken > near || limits.tau_upper[k] - tau < near || tau - limits.tau_lower[k] < near) {
+    if (clipped > near || limits.tau_upper[k] - tau < near || tau - limits.tau_lower[k] < near) {
       out.status = Status::kSaturated;
     }
     out.torques[joints_[k].v - 6] = tau;

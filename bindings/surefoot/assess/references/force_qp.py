@@ -31,6 +31,7 @@ from surefoot.messages.low_cmd_layout import LOW_CMD
 from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 from surefoot.sim.lip_push_limit import GRAVITY
 
+# Values of unitree_guide: gains of State_BalanceTest, weights of BalanceCtrl; see the docstring.
 KP_POSITION, KD_POSITION = 150.0, 25.0  # [1/s^2], [1/s]
 KP_ROTATION, KD_ROTATION = 200.0, 30.0  # [1/s^2], [1/s]
 S = np.array([20.0, 20.0, 50.0, 450.0, 450.0, 450.0])

@@ -5,9 +5,11 @@ from __future__ import annotations
 from surefoot._core import LowCmd, LowState, Robot
 from surefoot.messages.low_state_layout import MOTOR_COUNT
 
+# Chosen: of 6 to 40 and 0.15 to 0.8 that were tried, these survive and stand best (docs/assess.md).
+# KD_PER_KG is the end of its range. sim/physics/standing_pose.py holds the robot with the same.
 KP_PER_KG = 25.0  # [N.m/rad] per kilogram of robot
 KD_PER_KG = 0.8  # [N.m.s/rad] per kilogram of robot
-SERVO = 0x0A
+SERVO = 0x0A  # motor mode, as in the SDK's comm.h
 
 
 class JointPd:

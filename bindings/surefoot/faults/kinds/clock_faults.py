@@ -10,9 +10,9 @@ from surefoot._core import LowCmd, LowState, Supervisor, damping_low_cmd
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Plant
 
-WATCHDOG_PERIODS = (
-    50  # [control periods] without a command after which a robot damps by itself: 100 ms
-)
+# Control periods without a command after which a robot damps by itself. Derived: 100 ms at 500 Hz,
+# kRobotWatchdogTime (controller/src/common/command_times.hpp) and the virtual robot's time-out.
+WATCHDOG_PERIODS = 50
 
 
 class TickFault(Fault):
@@ -67,7 +67,7 @@ class MissedPeriods(Fault):
     def change_command(self, command: LowCmd, k: int) -> None:
         """Damp the motors after 100 ms without a command, as the robot does by itself."""
         if self._missed_count > WATCHDOG_PERIODS:
-            command.raw[:] = damping_low_cmd(3.0).raw
+            command.raw[:] = damping_low_cmd(3.0).raw  # [N.m.s/rad] sim.hardware.motors.BRAKE_KD
 
 
 class ProgramSuspended(MissedPeriods):
@@ -104,7 +104,7 @@ class OperatorAction(Fault):
 
 def random_periods(share: float) -> Callable[[int], bool]:
     """Return a function of the period that is True at random with probability `share`."""
-    rng = np.random.default_rng(11)
+    rng = np.random.default_rng(11)  # any seed: runs repeat
     return lambda k: bool(rng.uniform() < share)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from surefoot._core import LowCmd, LowState, Robot, SupervisorOptions
 from surefoot.faults.kinds.fault import CombinedFault, Fault
-from surefoot.faults.kinds.injections import constant
+from surefoot.faults.kinds.signal_faults import constant
 from surefoot.faults.kinds.signals import AttitudeFault, SignalFault, signal_view
 from surefoot.geometry.rotations import Array
 from surefoot.robot.loading import load_robot
@@ -34,6 +34,7 @@ class WrongWiring(Fault):
 
     def change_state(self, state: LowState, k: int) -> None:
         """Report the motors in the wrong order and direction."""
+        # Offset and size of motorState in the SDK's LowState.
         motors = state.raw[75 : 75 + 12 * 38].reshape(12, 38)
         motors[:] = motors[self._order]
         for name in ("q", "dq", "tauEst"):
@@ -44,6 +45,7 @@ class WrongWiring(Fault):
         for i in self._reversed_motors:
             motor = command.motorCmd[i]
             motor.tau, motor.dq = -motor.tau, -motor.dq if abs(motor.dq) < 1e3 else motor.dq
+        # Offset and size of motorCmd in the SDK's LowCmd; |dq| >= 1e3 rad/s is VelStopF (16000).
         motors = command.raw[22 : 22 + 12 * 33].reshape(12, 33)
         commanded = motors.copy()
         motors[self._order] = commanded
@@ -118,6 +120,7 @@ class UnknownPayload(Fault):
     def plant_settings(self, settings: PlantSettings) -> PlantSettings:
         """Return the plant settings with the payload."""
         load = self._share * self._mass
+        # 0.1 m above the origin of the base: on the back of a small robot.
         return replace(settings, payload_kg=load, payload_position=(self._x, 0.0, 0.1))
 
 
@@ -139,7 +142,7 @@ def swapped_legs(one: int, other: int) -> dict[int, int]:
 
 def reported_slope() -> Fault:
     """Return a fault whose samples show a pitch of 35 degrees for a robot that lies level."""
-    angle = np.radians(35.0)
+    angle = np.radians(35.0)  # above the 25 degrees that the arming checks allow
     return CombinedFault(
         AttitudeFault(lambda k: 35.0, 1),
         SignalFault("accelerometer", constant(-9.81 * np.sin(angle)), 0),

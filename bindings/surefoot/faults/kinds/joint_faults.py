@@ -8,8 +8,10 @@ from surefoot._core import LowState, Robot
 from surefoot.faults.kinds.fault import Fault
 from surefoot.robot.power_level import power_level
 
-WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's power protection
-KNEE_SPEED = 5.0  # [rad/s] reported speed of the knees
+WATTS_PER_LEVEL = 100.0  # [W] per level of the SDK's PowerProtect; Safety::kWattsPerLevel
+# [rad/s] reported speed of the knees. Chosen: below, torques beyond the plausible range of a
+# LowState; above, the speed limits of motors (15 rad/s and more).
+KNEE_SPEED = 5.0
 
 
 class JointOutsideLimits(Fault):

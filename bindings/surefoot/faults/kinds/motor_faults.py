@@ -9,7 +9,7 @@ from surefoot.faults.kinds.fault import Fault
 from surefoot.faults.kinds.signals import signal_view
 from surefoot.sim.hardware.motors import DAMPING_MODE
 
-OVERHEATED_MODE = 8  # motor mode of an overheated motor
+OVERHEATED_MODE = 8  # motor mode of an overheated motor, as in the SDK's comm.h
 
 
 class WeakMotor(Fault):
@@ -105,4 +105,5 @@ class SecondController(Fault):
             return
         for i, q in enumerate(self._q):
             motor = command.motorCmd[i]
+            # [N.m/rad], [N.m.s/rad] chosen: the size of the vendor's stand gains.
             motor.q, motor.dq, motor.tau, motor.Kp, motor.Kd = q, 0.0, 0.0, 60.0, 2.0

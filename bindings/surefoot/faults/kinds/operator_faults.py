@@ -17,7 +17,7 @@ from surefoot._core import (
 from surefoot.faults.kinds.clock_faults import OperatorAction
 from surefoot.faults.kinds.fault import Fault
 
-BUTTON_B = 2  # mask of button B in byte 3 of wirelessRemote
+BUTTON_B = 2  # mask of button B in byte 3 of wirelessRemote (joystick.h of the SDK: bit 9)
 
 
 def stop(supervisor: Supervisor, k: int) -> None:
@@ -51,7 +51,7 @@ def alternating_pose(supervisor: Supervisor, k: int) -> None:
 
 def random_poses() -> OperatorAction:
     """Return an operator action that requests another random pose in every tick."""
-    rng = np.random.default_rng(17)
+    rng = np.random.default_rng(17)  # any seed: runs repeat
 
     def request_pose(supervisor: Supervisor, k: int) -> None:
         supervisor.set_body_reference(BodyReference(*rng.uniform(-0.05, 0.05, 3)))

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from surefoot._core import LowState
 from surefoot.faults.kinds.fault import Fault
-from surefoot.faults.kinds.injections import Change
+from surefoot.faults.kinds.signal_faults import Change
 from surefoot.messages.low_state_layout import LOW_STATE, MOTOR_COUNT
 
 Values = npt.NDArray[Any]
@@ -96,7 +96,7 @@ class RandomAttitudeFault(Fault):
     """The IMU reports another random attitude in every sample."""
 
     def __init__(self) -> None:
-        self._rng = np.random.default_rng(13)
+        self._rng = np.random.default_rng(13)  # any seed: runs repeat
 
     def change_state(self, state: LowState, k: int) -> None:
         """Replace the quaternion by a random one."""

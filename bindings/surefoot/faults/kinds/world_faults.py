@@ -8,7 +8,7 @@ from surefoot._core import RobotState, Supervisor, Task, TaskRows
 from surefoot.faults.kinds.fault import Fault
 from surefoot.sim import Lift, Plant, PlantSettings, Push
 
-PUSH_DURATION = 0.1  # [s] duration of pushes
+PUSH_DURATION = 0.1  # [s] duration of pushes: the scorecard's standard push
 
 
 class PushFault(Fault):

@@ -9,7 +9,7 @@ from surefoot._core import Error
 from surefoot.robot.description import RobotDescription, describe_robot
 from surefoot.robot.loading import build_robot, robot_identity
 
-MAX_JOBS = 256
+MAX_JOBS = 256  # sanity limit
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from surefoot.robot.description import RobotDescription
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
-_LYING_RNG_STREAM = 99  # random stream for the lying pose
+_LYING_RNG_STREAM = 99  # random stream for the lying pose, any but the plant's streams 0 .. 3
 
 
 @dataclass(frozen=True)

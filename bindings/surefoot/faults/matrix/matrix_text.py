@@ -9,7 +9,7 @@ from surefoot.faults.case import MODES
 from surefoot.faults.catalogue import Cell
 
 MARKS = {"pass": "ok", "fail": "FAIL"}
-_WIDTH = 46
+_WIDTH = 46  # columns of the first column
 
 
 def faults_text(result: dict[str, Any]) -> str:

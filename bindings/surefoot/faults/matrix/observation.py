@@ -12,10 +12,14 @@ from surefoot.faults.matrix.reach_mode import RISE_TIME
 from surefoot.faults.matrix.scenario import PERIOD, Scenario
 from surefoot.sim.truth import has_fallen
 
-SETTLED_TIME = 0.6  # [s] of observation after latched damping, or after the robot lies
-STAND_TIME = 3.0  # [s] of observing a standing robot, or waiting for it to damp
-LIE_TIME = 1.2  # [s] of observing a lying robot
-SIT_TIME = 9.0  # [s] limit of sitting down
+# Chosen by hand; above: run time, 495 cells a robot in 4 to 11 minutes.
+# [s] of observation after latched damping, or after the robot lies: torques that return would do so
+# within TorqueFade's 0.25 s.
+SETTLED_TIME = 0.6
+# [s] of observing a standing robot, or waiting for it to damp: above most times of fault_table().
+STAND_TIME = 3.0
+LIE_TIME = 1.2  # [s] of observing a lying robot: above the arming_time of 1 s
+SIT_TIME = 9.0  # [s] limit of sitting down: several times the 2 s of a rise
 
 
 @dataclass

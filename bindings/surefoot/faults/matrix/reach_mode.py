@@ -7,10 +7,11 @@ from surefoot.faults.matrix.scenario import Scenario
 from surefoot.sim import Push
 
 RISE_REQUESTED = "rise requested"  # mode that ends with the request to rise
-RISE_FRACTION = 0.4  # share of the rise at which a fault begins
-RISE_TIME = 15.0  # [s] limit of a rise
-SETTLE_TIME = 1.5  # [s] of standing before the fault or the push
-PUSH_FRACTION = 0.4  # of the LIP push limit
+# Chosen by hand; docs/faults.md states them.
+RISE_FRACTION = 0.4  # share of the rise at which a fault begins: legs carry the body, not yet up
+RISE_TIME = 15.0  # [s] limit of a rise; get-ups take 7 to 10 s in the median (benchmarks/get_up.py)
+SETTLE_TIME = 1.5  # [s] of standing before the fault or the push: the fade (0.25 s) is over
+PUSH_FRACTION = 0.4  # of the LIP push limit: survived in place without a fault
 PUSH_TIME, PUSH_LEAD = 0.1, 0.05  # [s] duration of the push; part of it before the fault
 
 

@@ -20,7 +20,7 @@ from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings
 from surefoot.sim.settings import COARSE_DT
 
-PERIOD = 0.002  # [s] control period
+PERIOD = 0.002  # [s] control period, as in command_monitor.py
 
 
 class Scenario:
@@ -128,6 +128,7 @@ class Scenario:
 
         A robot that stands first sinks with damping motors, for up to three seconds.
         """
+        # [s] limit, chosen: sinking for 3 s, arming_time of 1 s, and a margin.
         for _ in range(round(6.0 / PERIOD)):
             if self.supervisor.arm() == RequestStatus.ACCEPTED:
                 self.step()

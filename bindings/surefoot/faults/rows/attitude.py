@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from surefoot.faults.case import Row, case
 from surefoot.faults.expectation import WATCH, table_expectation
-from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.signals import AttitudeFault, RandomAttitudeFault, SignalFault
 
 NO_ATTITUDE, BAD_QUATERNION = table_expectation("attitude"), table_expectation("quaternion")
 intermittent = inject.intermittent
 
+# Sizes are on both sides of the limits of imu_monitor.cpp (0.1 rad, 20 ms) and of
+# has_unit_quaternion() (5 %).
 ROWS = (
     Row(
         "quaternion",

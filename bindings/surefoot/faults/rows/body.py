@@ -10,8 +10,12 @@ from surefoot.faults.kinds.world_faults import LiftFault, PushFault
 RISING, LYING = ("rising",), ("lying",)
 # Any fault may damp: a push may trip the power protection before the tilt is detected.
 FALL = expect_damp(table_expectation("tilt").within)
-LANDING_LEVEL = 10  # power protection level: a landing takes more power than the default allows
+# Power protection level, the SDK's greatest: landings took up to 552 W in
+# benchmarks/external_lifts.py.
+LANDING_LEVEL = 10
 
+# Sizes, chosen: payloads and grounds with which a robot must go on, a payload above its limit.
+# Delays [s] in table_expectation() are those until the robot stands or the effect begins.
 MODEL = (
     Row(
         "model_mismatch",

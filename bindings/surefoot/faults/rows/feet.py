@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from surefoot.faults.case import STANDING_MODES, Row, case
 from surefoot.faults.expectation import WATCH, table_expectation
-from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.fault import CombinedFault, Fault
 from surefoot.faults.kinds.signals import SignalFault
 from surefoot.faults.kinds.world_faults import LiftFault, WorkingFootSensors
@@ -25,6 +25,8 @@ def _foot_at_60() -> Fault:
     return _feet(inject.constant(60), inject.constant(60), 0)
 
 
+# Sizes [N] and counts, chosen: 300 is more than the weight of a small robot, 60 more than the
+# load of its foot, 32767 the largest int16.
 ROWS = (
     Row(
         "foot_sensor",

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from surefoot.faults.case import Row, case
 from surefoot.faults.expectation import WATCH, table_expectation
-from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.joint_faults import JointOutsideLimits
 from surefoot.faults.kinds.signals import SignalFault
 
 KNEE = 5  # FL_2
 intermittent = inject.intermittent
 
+# Sizes: JointMonitor allows 0.08 rad; no motor turns faster than 31 rad/s (models/*.toml), and
+# check_low_state() refuses speeds beyond twice that. Noise of 1 rad/s is 20 times the encoders'.
 ROWS = (
     Row(
         "joint_limit",

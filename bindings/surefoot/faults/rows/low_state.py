@@ -6,7 +6,7 @@ import math
 
 from surefoot.faults.case import Row, case
 from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation, watch_unless
-from surefoot.faults.kinds import injections as inject
+from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.fault import CombinedFault
 from surefoot.faults.kinds.signals import AllSensorsFault, SignalFault
 
@@ -25,6 +25,7 @@ def _leg() -> CombinedFault:
     return CombinedFault(*(SignalFault(name, inject.stuck(), LEG) for name in ("q", "dq")))
 
 
+# Rates: 50 Hz is the slowest at which a robot is known to send new values (RepeatedSample).
 ROWS = (
     Row(
         "nan_in_state",

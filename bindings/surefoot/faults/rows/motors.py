@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from surefoot.faults.case import Case, Row, case
 from surefoot.faults.expectation import WATCH, table_expectation, watch_unless
-from surefoot.faults.kinds import injections as inject
 from surefoot.faults.kinds import motor_faults as motor
+from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.signals import SignalFault
 
 THIGH, KNEE = 4, 5  # FL_1, FL_2
@@ -38,6 +38,8 @@ def _heat(change: inject.Change) -> SignalFault:
     return SignalFault("temperature", change, THIGH)
 
 
+# Sizes are on both sides of the tolerances of motor_faults.cpp. temperature_warning is 60,
+# temperature_stop 80 deg C, which the ramp from 40 reaches in 8 s.
 ROWS = (
     Row(
         "tau_mismatch",

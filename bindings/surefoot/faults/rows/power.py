@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from surefoot.faults.case import Row, case
 from surefoot.faults.expectation import WATCH, expect_refusal, table_expectation
-from surefoot.faults.kinds import injections as inject
 from surefoot.faults.kinds import motor_faults as motor
+from surefoot.faults.kinds import signal_faults as inject
 from surefoot.faults.kinds.joint_faults import JointOutsideLimits, PowerOverload
 from surefoot.faults.kinds.signals import SignalFault
 
 intermittent = inject.intermittent
 LOW = table_expectation("battery")
 
+# PowerProtect needs a net six samples above its level, so 2 of 10 must pass. battery_low is 10 %,
+# which the ramp from 20 % reaches in 1 s.
 ROWS = (
     Row(
         "power_trip",

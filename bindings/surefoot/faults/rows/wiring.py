@@ -9,9 +9,7 @@ from surefoot.faults.kinds import initial_faults as setup
 KNEE, HIP = 5, 3  # FL_2, FL_0
 LYING, RISING = ("lying",), ("rising",)
 WRONG_ORDER, WRONG_ROBOT = expect_stay_down("wiring"), expect_stay_down("wrong_robot")
-ARMING_REFUSAL = expect_refusal(
-    1.5
-)  # [s] above arming_time (1 s), when arming succeeds without a fault
+ARMING_REFUSAL = expect_refusal(1.5)  # [s] above arming_time, after which a sound robot is armed
 
 ROWS = (
     Row(

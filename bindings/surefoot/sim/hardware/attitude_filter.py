@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from surefoot import _plant
 
-# [1/s] Chosen: the vendor's gain is not published. Above: a push tilts the estimate by the gain times
-# the horizontal velocity over g; below: a gyro bias tilts it by bias / MAHONY_GAIN.
+# [1/s] Chosen: the vendor's gain is not published. Above: a push tilts the estimate, by the gain
+# times the horizontal velocity over g; below: a gyro bias tilts it by bias / MAHONY_GAIN.
 MAHONY_GAIN = 0.5
 
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from surefoot import _plant
 
-# The vendor publishes no figures. Offsets are those of unloaded feet in public logs of one Go1, 8 to
-# 48 counts; all others are assumed. Tests: test_plant_sensors.py.
+# The vendor publishes no figures. Offsets are those of unloaded feet in public logs of one Go1, 8
+# to 48 counts; all others are assumed. Tests: test_plant_sensors.py.
 FORCE_NOISE = 3.0  # [N] standard deviation of footForceEst
 COUNT_NOISE = 2.0  # counts, standard deviation of footForce
 COUNT_OFFSET = (5.0, 50.0)  # counts of an unloaded foot, uniform

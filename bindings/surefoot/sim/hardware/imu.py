@@ -9,9 +9,9 @@ from surefoot.geometry.rotations import Array
 from surefoot.sim.flaws import Flaws, draw_bias
 from surefoot.sim.hardware.attitude_filter import MAHONY_GAIN
 
-# Assumed: Unitree names no IMU and no data sheet. Above: the arming checks' 0.05 rad/s and 5 % of g,
-# which healthy robots pass. Public logs of a Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2; see
-# benchmarks/estimation for larger biases.
+# Assumed: Unitree names no IMU and no data sheet. Above: the arming checks' 0.05 rad/s and 5 % of
+# g, which healthy robots pass. Public logs of a Go1 have accelerometer offsets of 0.1 to 0.2 m/s^2;
+# benchmarks/estimation has larger biases.
 GYRO_NOISE = 0.005  # [rad/s] standard deviation of a sample
 GYRO_BIAS = 0.005  # [rad/s] constant, uniform in +- this value
 ACCELEROMETER_NOISE = 0.05  # [m/s^2] standard deviation of a sample
@@ -19,7 +19,7 @@ ACCELEROMETER_BIAS = 0.05  # [m/s^2] constant, uniform in +- this value
 SAMPLE_PERIOD = 0.001  # [s] of the real IMU and its attitude filter: LowState comes at 1 kHz
 
 
-def draw_imu_flaws(
+def draw_imu_errors(
     flaws: Flaws, dt: float, rng: np.random.Generator
 ) -> tuple[_plant.ImuErrorModel, Array]:
     """Draw the errors of one IMU.
@@ -36,7 +36,7 @@ def draw_imu_flaws(
     gyro_bias = draw_bias(flaws.gyro_bias, GYRO_BIAS, rng)
     accelerometer_bias = draw_bias(flaws.accelerometer_bias, ACCELEROMETER_BIAS, rng)
     steps = max(1, round(SAMPLE_PERIOD / dt))
-    imu_flaws = _plant.ImuErrorModel(
+    imu_errors = _plant.ImuErrorModel(
         gyro_bias,
         accelerometer_bias,
         GYRO_NOISE,
@@ -45,4 +45,4 @@ def draw_imu_flaws(
         steps * dt,
         MAHONY_GAIN,
     )
-    return imu_flaws, np.concatenate([gyro_bias, accelerometer_bias])
+    return imu_errors, np.concatenate([gyro_bias, accelerometer_bias])

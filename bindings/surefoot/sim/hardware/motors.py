@@ -14,8 +14,8 @@ from surefoot.sim.flaws import Flaws
 
 SERVO_MODE = 0x0A  # as in the SDK's comm.h
 DAMPING_MODE = 0x00
-# [N.m.s/rad] damping of a motor that is not in servo mode. The vendor publishes none; this is the Kd
-# of unitree_guide's passive state, and the default of Gains.damping_kd.
+# [N.m.s/rad] damping of a motor that is not in servo mode. The vendor publishes none; this is the
+# Kd of unitree_guide's passive state, and the default of Gains.damping_kd.
 BRAKE_KD = 3.0
 
 MotorLaw = _plant.MotorLaw

@@ -9,7 +9,7 @@ from surefoot import _plant
 from surefoot._core import Robot
 from surefoot.sim.hardware.encoders import IdealEncoders, RealEncoders
 from surefoot.sim.hardware.foot_sensors import FootSensors
-from surefoot.sim.hardware.imu import draw_imu_flaws
+from surefoot.sim.hardware.imu import draw_imu_errors
 from surefoot.sim.hardware.wire_format import WireFormat, default_low_state
 from surefoot.sim.model.mujoco_handles import Handles
 from surefoot.sim.settings import PlantSettings
@@ -52,7 +52,7 @@ class Sensors(_plant.Sensors):
         self.imu_bias, flaws = np.zeros(6), None
         encoders: IdealEncoders | RealEncoders = IdealEncoders()
         if settings.real:
-            flaws, self.imu_bias = draw_imu_flaws(settings.flaws, settings.physics_dt, imu_rng)
+            flaws, self.imu_bias = draw_imu_errors(settings.flaws, settings.physics_dt, imu_rng)
             encoders = RealEncoders(settings.physics_dt, encoder_rng)
         super().__init__(
             mujoco_state(data, handles),

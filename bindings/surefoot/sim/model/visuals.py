@@ -16,9 +16,9 @@ from surefoot.sim.model.collada import Faces, read_collada
 from surefoot.sim.model.urdf import find_mesh
 
 VISUAL_GROUP = 2  # of geoms; MuJoCo shows groups 0 .. 2
-HIDDEN_GROUP = 3
-# Cells along a mesh's diagonal when its vertices are merged. Chosen: below, visible steps; above, all
-# 440,000 triangles of go1 and b1, which load slowly.
+HIDDEN_GROUP = 3  # not shown
+# Cells along a mesh's diagonal when its vertices are merged. Chosen: below, visible steps; above,
+# all 440,000 triangles of go1 and b1, which load slowly.
 MERGE_CELLS = 250
 _LINK_COLOURS = {  # key: a part of the link's name
     "hip": (0.20, 0.21, 0.23, 1.0),

@@ -12,9 +12,8 @@ from surefoot.sim.physics.hanging import hanging_height
 from surefoot.sim.settings import PlantSettings
 
 # Chosen by hand; test: test_feet_of_a_position_controlled_robot_creep_below_0_1_mm.
-SETTLE_TIME = (
-    0.8  # [s] in position mode before the first LowState: many of HOLD_KD / HOLD_KP = 32 ms
-)
+# [s] in position mode before the first LowState: 25 time constants HOLD_KD / HOLD_KP.
+SETTLE_TIME = 0.8
 HOLD_KP = 25.0  # [N.m/rad] per kilogram of robot: calves sag by about one degree
 HOLD_KD = 0.8  # [N.m.s/rad] per kilogram of robot: the legs settle without swinging
 

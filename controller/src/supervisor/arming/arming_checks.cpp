@@ -85,7 +85,7 @@ void ArmingChecks::check_motors(const LowState& state) noexcept {
   mode.passed = true;
   mode.limit = kModeServo;
   heat = {};
-  heat.value = -300.0;
+  heat.value = -300.0;  // [deg C] below absolute zero
   for (int i = 0; i < kMotors; ++i) {
     const MotorState& motor = state.motorState[i];
     if (motor.mode != kModeServo && mode.passed) {

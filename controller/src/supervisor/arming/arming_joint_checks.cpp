@@ -23,7 +23,7 @@ constexpr double kSwapMargin = 0.2;
 void ArmingChecks::check_joints(const LowState& state) noexcept {
   const RobotConfig& config = robot_.config();
   ArmingCheck worst;
-  worst.value = -1e9;
+  worst.value = -1e9;  // [rad] below every angle
   for (int i = 0; i < kMotors; ++i) {
     const double q = state.motorState[i].q;
     const double outside = std::max(q - config.q_upper[i], config.q_lower[i] - q);

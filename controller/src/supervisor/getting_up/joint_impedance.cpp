@@ -58,8 +58,8 @@ void JointImpedance::read(const LowState& state) noexcept {
 void JointImpedance::reduce_damping(double turn_rate, double dt) noexcept {
   const double falling =
       std::clamp((turn_rate - kFallRateStart) / (kFallRateEnd - kFallRateStart), 0.0, 1.0);
-  const double wanted = (1.0 - (1.0 - kMinDampingShare) * falling) * full_damping_;
-  damping_ += dt / (dt + kSmoothing) * (wanted - damping_);
+  const double desired = (1.0 - (1.0 - kMinDampingShare) * falling) * full_damping_;
+  damping_ += dt / (dt + kSmoothing) * (desired - damping_);
 }
 
 // A released spring with torque tau takes the power (tau - D dq) dq. Its maximum is tau^2 / (4 D),

@@ -12,7 +12,7 @@ namespace {
 constexpr double kRate = 0.5;          // [1/s] of s: slower than RisePlan's 0.8 for all legs
 constexpr double kMinRate = 0.01;      // [1/s] near the goal: s arrives in finite time
 constexpr double kAcceleration = 4.0;  // [1/s^2] kRate in 1/8 s
-constexpr double kWaitTime = 0.3;      // [s] at full extension, for the body to follow
+constexpr double kFollowTime = 0.3;    // [s] at full extension, for the body to follow
 constexpr double kSettleTime = 0.1;    // [s] before the press, for the body to lie still
 
 }  // namespace
@@ -49,7 +49,7 @@ void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, doubl
   const bool diagonal_pair = std::abs(turn.x()) > kMaxRoll && load > kDiagonalLoad;
   const bool wrong_motion = diagonal_pair || turn.y() < -kMaxNoseUp;
   if (wrong_motion) nose_went_down_ = false;
-  if (!nose_went_down_ && !wrong_motion && wait_time_ < kWaitTime) return;
+  if (!nose_went_down_ && !wrong_motion && wait_time_ < kFollowTime) return;
   if (!nose_went_down_ && !wrong_motion && load < kMinLoad) nose_went_down_ = true;
   pressing_ = false;
   ++tries_;
@@ -58,8 +58,8 @@ void RearPressCheck::evaluate(const Quaternion& R_world_base, double load, doubl
 void RearPressCheck::step_path(double dt) noexcept {
   const double goal = pressing_ ? kMaxExtension : 0.0, left = goal - s_;
   const double brake = std::sqrt(kAcceleration * std::abs(left));
-  const double wanted = std::copysign(std::min(kRate, brake), left);
-  ds_ += std::clamp(wanted - ds_, -kAcceleration * dt, kAcceleration * dt);
+  const double desired = std::copysign(std::min(kRate, brake), left);
+  ds_ += std::clamp(desired - ds_, -kAcceleration * dt, kAcceleration * dt);
   const Vector12 before = plan_.joints_at(s_);
   s_ += ds_ * dt;
   if (std::abs(left) <= std::max(std::abs(ds_), kMinRate) * dt && ds_ * left >= 0.0) {

@@ -76,9 +76,9 @@ bool LegFolding::detect_rollover(const JointReference& held, const Vector3& up,
 
 bool LegFolding::folded(int leg, const Vector12& measured) const noexcept {
   const int hip = kLegJoints * leg;
-  const auto wanted = plan_.folded.segment<kLegJoints>(hip);
+  const auto desired = plan_.folded.segment<kLegJoints>(hip);
   const auto off = [&](const Vector12& q) {
-    return (wanted - q.segment<kLegJoints>(hip)).cwiseAbs().maxCoeff();
+    return (desired - q.segment<kLegJoints>(hip)).cwiseAbs().maxCoeff();
   };
   return off(reference_.q) < kReferenceTolerance && off(measured) < kJointTolerance;
 }
@@ -125,8 +125,8 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
     Vector3 target = plan_.folded.segment<kLegJoints>(hip);
     const double left = target[1] - own.q[1];
     // A thigh that is already folded backs out against the folding direction.
-    const double way = std::abs(left) < kJointTolerance ? target[1] : left;
-    const double step = std::copysign(own.catches * kBackOutStep, way);
+    const double displacement = std::abs(left) < kJointTolerance ? target[1] : left;
+    const double step = std::copysign(own.catches * kBackOutStep, displacement);
     target[0] = plan_.hip_outward_max[hip];
     target[1] = std::clamp(own.q[1] - step, plan_.lower[thigh], plan_.upper[thigh]);
     target[2] = std::copysign(kStretchedCalf, target[2]);
@@ -136,9 +136,9 @@ Vector3 LegFolding::target(int leg, const Vector12& measured) const noexcept {
                         {own.time < kDetourTime, rollover_.rolls() > 0});
 }
 
-void LegFolding::step_joint(int joint, double wanted, double measured, double dt) noexcept {
+void LegFolding::step_joint(int joint, double desired, double measured, double dt) noexcept {
   double &q = reference_.q[joint], &dq = reference_.dq[joint];
-  const double left = wanted - q;
+  const double left = desired - q;
   const double lead = legs_[joint / kLegJoints].interfered ? kInterferenceLead : kMaxLead;
   const double ahead = std::copysign(1.0, left) * (q - measured) / lead;
   const double most = kSpeed * std::clamp(2.0 * (1.0 - ahead), 0.0, 1.0);
@@ -170,10 +170,10 @@ const JointReference& LegFolding::step(const Vector12& measured, const Vector3& 
 void LegFolding::step_leg(int leg, const Vector12& measured, double dt) noexcept {
   legs_[leg].time += dt;
   detect_catch(leg, measured, dt);
-  const Vector3 wanted = target(leg, measured);
+  const Vector3 desired = target(leg, measured);
   for (int i = 0; i < kLegJoints; ++i) {
     const int joint = kLegJoints * leg + i;
-    step_joint(joint, wanted[i], measured[joint], dt);
+    step_joint(joint, desired[i], measured[joint], dt);
   }
 }
 

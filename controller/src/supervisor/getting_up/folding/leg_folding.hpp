@@ -83,7 +83,7 @@ class LegFolding {
   bool folded(int leg, const Vector12& measured) const noexcept;
   void detect_catch(int leg, const Vector12& measured, double dt) noexcept;
   Vector3 target(int leg, const Vector12& measured) const noexcept;
-  void step_joint(int joint, double wanted, double measured, double dt) noexcept;
+  void step_joint(int joint, double desired, double measured, double dt) noexcept;
 
   RisePlan plan_;
   JointReference reference_;

@@ -60,7 +60,7 @@ def drifting(per_tick: float) -> Change:
 
 def garbage(size: float, whole: bool = False) -> Change:
     """Return a change to uniform random values from -size to size; `whole` rounds them."""
-    rng = np.random.default_rng(7)
+    rng = np.random.default_rng(7)  # any seed: runs repeat
 
     def change(values: Values, k: int) -> None:
         drawn = rng.uniform(-size, size, values.shape)
