@@ -22,7 +22,7 @@ import numpy as np
 import surefoot
 from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds, seeds_of
 from surefoot import Mode, Start, Status
-from surefoot.cli.environment import write_json
+from surefoot.cli.output_files import write_json
 from surefoot.sim import Lift, Plant, PlantSettings
 from surefoot.sim.truth import has_fallen
 

@@ -21,7 +21,7 @@ import numpy as np
 import surefoot
 from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds
 from surefoot import BodyReference, FaultReaction, Mode
-from surefoot.cli.environment import write_json
+from surefoot.cli.output_files import write_json
 from surefoot.robot.power_level import power_level
 from surefoot.sim import Plant, PlantSettings, Push
 

@@ -22,7 +22,7 @@ import numpy as np
 from monitored_robot import MonitoredRobot
 from seed_runs import ROBOTS, Job, RunOutcome, add_seed_options, run_seeds, seeds_of
 from surefoot import Error, Mode, RequestStatus, Status
-from surefoot.cli.environment import write_json
+from surefoot.cli.output_files import write_json
 from surefoot.robot.power_level import power_level
 
 MAX_ARMING_TIME = 20.0  # [s] until arming is ready; some robots sink slowly before that

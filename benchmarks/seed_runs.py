@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from surefoot import Error, available_robots
-from surefoot.cli.environment import check_output_path
+from surefoot.cli.output_files import check_output_path
 from surefoot.cli.progress import report_kept_results
 from surefoot.files.result_store import open_result_store
 from surefoot.robot.loading import package_digest

@@ -7,11 +7,11 @@ from surefoot import Robot
 
 from estimation.calibration import calibration_error
 from estimation.contact_transitions import TransitionScore, score_transitions
+from estimation.degraded_foot_sensors import CONDITIONS, apply_condition, normal_forces
 from estimation.log_rows import Log
 from estimation.metrics import Result, Values
 from estimation.recording import sample_rate
 from estimation.replay import replay
-from estimation.sensor_conditions import CONDITIONS, apply_condition, normal_forces
 
 
 def contact(robot: Robot, logs: dict[str, Log], seed: int) -> Result:

@@ -6,13 +6,13 @@ import numpy as np
 from surefoot import Robot
 
 from estimation.contact_transitions import score_transitions
+from estimation.degraded_foot_sensors import CONDITIONS, apply_condition, normal_forces
 from estimation.errors import compute_errors, rms
 from estimation.log_rows import Log
 from estimation.metrics import Result, Values
 from estimation.recording import sample_rate
 from estimation.replay import Estimates, replay
 from estimation.row_selection import SETTLING_TIME, rows_after
-from estimation.sensor_conditions import CONDITIONS, apply_condition, normal_forces
 
 Logs = dict[str, Log]
 

@@ -10,11 +10,16 @@ import surefoot
 from surefoot.bench import BenchSettings, peers, record
 from surefoot.bench.peers import RATIOS, PeerError, PeerOptions, cpp_program, run_peers
 from surefoot.bench.peers.environment import Environment
-from surefoot.bench.peers.implementation import SOLVED, StateToTorque, WholeTick, tick_width
 from surefoot.bench.peers.paired_run_setup import PACKAGE_FOLDER
 from surefoot.bench.peers.peer import OUR_PROGRAM, PEERS, Peer
 from surefoot.bench.peers.problem import make_problem
 from surefoot.bench.peers.problem_files import write_problem
+from surefoot.bench.peers.surefoot_implementations import (
+    SOLVED,
+    StateToTorque,
+    WholeTick,
+    tick_width,
+)
 from surefoot.bench.peers.worker import Worker
 from surefoot.cli import main
 from surefoot.robot.description import describe_robot

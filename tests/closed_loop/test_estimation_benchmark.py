@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from estimation import evaluation
 from estimation.contact_transitions import score_transitions, true_transitions
+from estimation.degraded_foot_sensors import CONDITIONS, apply_condition, normal_forces
 from estimation.errors import compute_errors
 from estimation.evaluation import CASES, Task
 from estimation.log_rows import Log
@@ -23,7 +24,6 @@ from estimation.recording import Scenario, record
 from estimation.replay import replay
 from estimation.report import Row, summarise
 from estimation.scenarios import SCENARIOS, push60
-from estimation.sensor_conditions import CONDITIONS, apply_condition, normal_forces
 
 pytestmark = pytest.mark.slow
 

@@ -16,7 +16,7 @@ from surefoot.stand import FIELDS, StandSettings, parse_push, run_stand, summari
 from surefoot.stand.foot_frame import foot_positions, pose_from_feet
 from surefoot.stand.settling import settle_time, settled_ticks
 from surefoot.stand.simulation_loop import is_torque_mode
-from surefoot.stand.text import push_line
+from surefoot.stand.summary_text import push_line
 
 
 def with_push(log, time=1.0):

@@ -5,6 +5,7 @@
 #include "pushed_robot.hpp"
 #include "wbc/condensed_qp.hpp"
 #include "wbc/qp_terms_writer.hpp"
+#include "wbc/qp_units.hpp"
 
 using namespace surefoot;
 

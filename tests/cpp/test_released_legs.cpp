@@ -5,6 +5,7 @@
 #include "capture_point_robot.hpp"
 #include "surefoot/whole_body_controller.hpp"
 #include "wbc/qp_layout.hpp"
+#include "wbc/qp_units.hpp"
 #include "wbc/released_legs.hpp"
 
 using namespace surefoot;

@@ -3,7 +3,7 @@
 
 #include "pushed_robot.hpp"
 #include "wbc/form_selector.hpp"
-#include "wbc/qp_layout.hpp"
+#include "wbc/qp_units.hpp"
 
 // A quadruped with joint limits so wide that they do not act in these tests.
 inline surefoot::Robot wide_range_quadruped() {

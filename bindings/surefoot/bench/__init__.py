@@ -2,9 +2,9 @@
 
 from surefoot.bench.recording import Recording, record
 from surefoot.bench.report import write_bench_report
+from surefoot.bench.result_text import bench_text
 from surefoot.bench.run import run_bench
 from surefoot.bench.settings import BenchSettings
-from surefoot.bench.text import bench_text
 
 __all__ = [
     "BenchSettings",

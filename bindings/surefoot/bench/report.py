@@ -12,8 +12,8 @@ import numpy as np
 from matplotlib import style
 from matplotlib.figure import Figure
 
+from surefoot.bench.result_text import bench_text
 from surefoot.bench.run import WHOLE_CALLS, Bench
-from surefoot.bench.text import bench_text
 from surefoot.reports.plots import BLUE, GREY, ORANGE, STYLE
 
 _COLOURS = dict(zip(WHOLE_CALLS, (BLUE, ORANGE, GREY), strict=True))

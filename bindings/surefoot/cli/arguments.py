@@ -15,15 +15,15 @@ from surefoot.cli.estimate_options import add_estimate_options
 from surefoot.cli.export import export
 from surefoot.cli.faults import add_faults_options, faults
 from surefoot.cli.replay import add_replay_options, replay
-from surefoot.cli.robot import robot
 from surefoot.cli.robot_choice import add_file_options, add_robot_options
-from surefoot.cli.robot_options import add_virtual_robot_options
 from surefoot.cli.run import run
 from surefoot.cli.run_options import add_run_options
 from surefoot.cli.stand import stand
 from surefoot.cli.stand_options import add_stand_options
 from surefoot.cli.tables import list_gains, list_robots
 from surefoot.cli.tune import add_tune_options
+from surefoot.cli.virtual_robot import robot
+from surefoot.cli.virtual_robot_options import add_virtual_robot_options
 from surefoot.robot.robot_toml import suggest
 
 

@@ -9,12 +9,12 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from surefoot.cli.environment import (
+from surefoot.cli.graphics import choose_graphics
+from surefoot.cli.missing_module import missing_module
+from surefoot.cli.output_files import (
     check_json_path,
     check_output_path,
     check_report_folder,
-    choose_graphics,
-    missing_module,
     write_json,
 )
 from surefoot.cli.progress import progress_bar, report_kept_results

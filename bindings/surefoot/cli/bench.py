@@ -9,7 +9,9 @@ from pathlib import Path
 from surefoot.cli.bench_export import bench_export
 from surefoot.cli.bench_options import check_options
 from surefoot.cli.bench_solvers import bench_solvers
-from surefoot.cli.environment import check_json_path, choose_graphics, missing_module, write_json
+from surefoot.cli.graphics import choose_graphics
+from surefoot.cli.missing_module import missing_module
+from surefoot.cli.output_files import check_json_path, write_json
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.cli.stand import read_form
 from surefoot.cli.stand_options import add_form_option

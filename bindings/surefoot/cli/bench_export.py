@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 from surefoot.cli.bench_options import requested_forms
-from surefoot.cli.environment import missing_module
+from surefoot.cli.missing_module import missing_module
 from surefoot.cli.robot_choice import chosen_robot
 
 

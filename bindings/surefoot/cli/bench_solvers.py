@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from surefoot.cli.bench_options import requested_forms
-from surefoot.cli.environment import check_json_path, missing_module, write_json
+from surefoot.cli.missing_module import missing_module
+from surefoot.cli.output_files import check_json_path, write_json
 
 if TYPE_CHECKING:
     from surefoot.bench.problems import QpSequence

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from surefoot.cli.environment import (
+from surefoot.cli.output_files import (
     check_json_path,
     check_report_folder,
     check_table_path,
@@ -14,7 +14,7 @@ from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.stand import read_gains
 from surefoot.estimate import read_log, run_estimator, summarise, write_trajectory
-from surefoot.estimate.text import summary_text
+from surefoot.estimate.summary_text import summary_text
 from surefoot.robot.loading import build_robot
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from dataclasses import asdict
 
-from surefoot.cli.environment import check_json_path, write_json
+from surefoot.cli.output_files import check_json_path, write_json
 from surefoot.cli.progress import progress_bar
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.replay import Recording, Replay, play, read_recording

@@ -16,7 +16,7 @@ from surefoot._core import (
     StandRunner,
     Start,
 )
-from surefoot.cli.environment import check_json_path, write_json
+from surefoot.cli.output_files import check_json_path, write_json
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.cli.run_log import LOG_TIME, check_log, write_run_log
 from surefoot.cli.run_monitor import supervise

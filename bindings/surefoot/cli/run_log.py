@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from surefoot._core import Error, FaultId, Mode, RunLog
-from surefoot.cli.environment import check_output_path
+from surefoot.cli.output_files import check_output_path
 from surefoot.estimate import SensorLog, write_log
 from surefoot.messages.low_cmd_layout import LOW_CMD
 from surefoot.messages.low_state_layout import MOTOR_COUNT

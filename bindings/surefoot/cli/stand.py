@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error, Gains, QpForm
-from surefoot.cli.environment import (
+from surefoot.cli.graphics import choose_graphics
+from surefoot.cli.missing_module import missing_module
+from surefoot.cli.output_files import (
     check_json_path,
     check_report_folder,
     check_table_path,
-    choose_graphics,
-    missing_module,
     write_json,
 )
 from surefoot.cli.progress import progress_bar
@@ -39,7 +39,7 @@ def stand(arguments: argparse.Namespace) -> int:
     choose_graphics()
     try:
         from surefoot.stand import SensorRecorder, run_stand, stand_recording, summarise
-        from surefoot.stand.text import summary_text
+        from surefoot.stand.summary_text import summary_text
     except ModuleNotFoundError as problem:
         raise missing_module("stand", problem) from None
     settings = read_settings(arguments)

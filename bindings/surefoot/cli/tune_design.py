@@ -6,7 +6,7 @@ import argparse
 import shlex
 from pathlib import Path
 
-from surefoot.cli.environment import (
+from surefoot.cli.output_files import (
     check_json_path,
     check_output_path,
     check_report_folder,

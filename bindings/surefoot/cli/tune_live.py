@@ -10,7 +10,8 @@ import webbrowser
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error, Gains
-from surefoot.cli.environment import choose_graphics, missing_module
+from surefoot.cli.graphics import choose_graphics
+from surefoot.cli.missing_module import missing_module
 from surefoot.cli.robot_choice import add_robot_options, chosen_robot
 from surefoot.protocol import default_generation
 from surefoot.robot.description import RobotDescription

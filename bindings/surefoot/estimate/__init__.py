@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from surefoot.estimate.estimate_result import Estimate
-from surefoot.estimate.fields import FIELDS
 from surefoot.estimate.run import run_estimator
 from surefoot.estimate.summary import summarise
+from surefoot.estimate.summary_fields import FIELDS
 from surefoot.estimate.trajectory import trajectory, write_trajectory
 from surefoot.reports.summary_field import Field
 from surefoot.sensor_log.column_definitions import COLUMNS, Column

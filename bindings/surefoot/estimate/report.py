@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from surefoot.estimate.estimate_result import Estimate
-from surefoot.estimate.page import render_page
 from surefoot.estimate.plots import PLOTS
+from surefoot.estimate.report_html import render_page
 from surefoot.reports.plots import draw_plots
 
 

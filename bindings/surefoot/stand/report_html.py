@@ -8,7 +8,7 @@ from typing import Any
 from surefoot.reports.page import page_html, plots_html, summary_table_html, tiles_html
 from surefoot.stand.plots import PLOTS
 from surefoot.stand.summary_fields import FIELDS
-from surefoot.stand.text import (
+from surefoot.stand.summary_text import (
     conditions_line,
     outcome_sentence,
     push_line,

@@ -6,8 +6,8 @@
 
 #include "surefoot/arming.hpp"
 #include "surefoot/fault.hpp"
-#include "surefoot/mode.hpp"
 #include "surefoot/stand_controller.hpp"
+#include "surefoot/supervisor_enums.hpp"
 
 namespace surefoot {
 

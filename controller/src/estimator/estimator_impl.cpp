@@ -7,14 +7,25 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRateFilterTime = 0.005;  // [s] time constant behind the angular acceleration
-constexpr double kMinTravelSpeed = 0.05;   // [m/s] slower motion is noise, not travel
-constexpr double kVelocitySigma = 1.0;     // [m/s] added when all stance feet are rejected
-constexpr double kStanceConfidence = 0.9;  // contact confidence of a stance foot
-constexpr double kRestRate = 0.2;          // [rad/s] upper bound of a body at rest
-// A robot is supported when its feet carry this share of its weight ...
+// [s] Time constant behind the angular acceleration. Equal to LegForces::kFilterTime.
+constexpr double kRateFilterTime = 0.005;
+// [m/s] Slower motion is noise, not travel. Chosen. Below: velocity noise of a robot at rest;
+// above: slow travel must count, because it makes the variance of the position grow (leg_scale).
+constexpr double kMinTravelSpeed = 0.05;
+// [m/s] Added when all stance feet are rejected. Chosen: larger than the velocity error after a
+// blow that saturates the accelerometer; test_estimate_recovers_from_a_saturated_accelerometer.
+constexpr double kVelocitySigma = 1.0;
+// Contact confidence of a stance foot. Chosen. Below: 0.5, reached half-way through contact_dwell;
+// above: 1, which a foot with one dissenting source may never reach.
+constexpr double kStanceConfidence = 0.9;
+// [rad/s] Upper bound of a body at rest. Chosen. Below: bias and noise of the gyroscope (0.02 and
+// 0.01 rad/s by default); above: a rotation with centripetal acceleration.
+constexpr double kRestRate = 0.2;
+// A robot is supported when its feet carry this share of its weight (chosen: 0 in the air, 1 at
+// rest)
 constexpr double kSupportedShare = 0.4;
-constexpr double kMinContactSum = 2.5;  // ... and their contact confidences add up to this
+// and their contact confidences add up to this: derived, half-way between two feet and three.
+constexpr double kMinContactSum = 2.5;
 
 }  // namespace
 

@@ -9,10 +9,18 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMinTiltSigma = 0.05;  // [rad] smallest initial standard deviation of the tilt
-constexpr double kRestTolerance = 0.1;  // share of g by which the specific force at rest may differ
-constexpr double kMaxTiltDifference = 0.05;  // [rad] quaternion and accelerometer agree below this
-constexpr double kAlignedTiltSigma = 0.035;  // [rad] biases are estimated below this
+// [rad] Smallest initial standard deviation of the tilt. Chosen: the 3 deg of kMaxTiltDifference.
+constexpr double kMinTiltSigma = 0.05;
+// Share of g by which the specific force at rest may differ. Chosen. Below: bias and scale error of
+// an accelerometer (start_accelerometer_bias is 0.01 g); above: accelerations of a robot that
+// moves.
+constexpr double kRestTolerance = 0.1;
+// [rad] Quaternion and accelerometer agree below this, 3 deg. Chosen. Below: 0.6 deg, the tilt that
+// a bias of 0.1 m/s^2 causes; above: kMaxTiltDifference of QuaternionCheck, 5 deg.
+constexpr double kMaxTiltDifference = 0.05;
+// [rad] 2 deg: biases are estimated below this. Chosen: below kMinTiltSigma, so that alignment
+// always takes place; above the 0.6 deg that the accelerometer's bias leaves unobservable.
+constexpr double kAlignedTiltSigma = 0.035;
 
 // Remove the heading: the world frame has the heading of the base at the first sample.
 Quaternion remove_yaw(const Quaternion& R) noexcept {

@@ -5,7 +5,7 @@
 
 #include "common/clock.hpp"
 #include "run/latency_histogram.hpp"
-#include "run/real_time.hpp"
+#include "run/real_time_thread.hpp"
 #include "run/snapshot_publisher.hpp"
 #include "run/stand_loop.hpp"
 #include "surefoot/error.hpp"

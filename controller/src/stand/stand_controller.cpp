@@ -85,7 +85,7 @@ void StandController::set_gains(const Gains& gains) {
   if (gains == this->gains()) return;
   s.gain_ramp.start(s.controller.gains(), gains);
   if (s.pose_latches == 0 || s.command_hold.latched())
-    s.apply_gains(s.gain_ramp.step(GainRamp::kRampTime));
+    s.apply_gains(s.gain_ramp.step(GainChangeRamp::kRampTime));
 }
 
 void StandController::reset() noexcept {
@@ -100,7 +100,7 @@ void StandController::reset() noexcept {
   s.fallback_chain.reset();
   s.torque_command.reset();
   s.command_hold.reset();
-  if (s.gain_ramp.moving()) s.apply_gains(s.gain_ramp.step(GainRamp::kRampTime));
+  if (s.gain_ramp.moving()) s.apply_gains(s.gain_ramp.step(GainChangeRamp::kRampTime));
   s.time_since_estimate = 0.0;
   s.pose_latches = 0;
   s.status = Status::kWaiting;

@@ -54,7 +54,7 @@ const LowCmd& StandController::Impl::tick(const LowState& low_state) noexcept {
   fallback_level = FallbackLevel::kHold;  // until this tick computes a command
   if (command_hold.latched()) {
     status = Status::kDamping;
-    if (gain_ramp.moving()) apply_gains(gain_ramp.step(GainRamp::kRampTime));
+    if (gain_ramp.moving()) apply_gains(gain_ramp.step(GainChangeRamp::kRampTime));
   } else if (step >= 0.0 && !(robot_timed_out && command_hold.in_control())) {
     status = estimate_and_solve(low_state, std::min(time_since_estimate, TickClock::kMaxStep));
   }

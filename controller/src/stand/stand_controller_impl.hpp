@@ -5,10 +5,10 @@
 #include "reference/usable_friction.hpp"
 #include "safety/command_hold.hpp"
 #include "safety/fallback_chain.hpp"
-#include "safety/gain_ramp.hpp"
 #include "safety/tick_clock.hpp"
 #include "safety/torque_command.hpp"
 #include "stand/delay_predictor.hpp"
+#include "stand/gain_change_ramp.hpp"
 #include "surefoot/stand_controller.hpp"
 #include "surefoot/state_estimator.hpp"
 #include "surefoot/whole_body_controller.hpp"
@@ -36,7 +36,7 @@ struct StandController::Impl {
   FallbackChain fallback_chain;
   TorqueCommand torque_command;
   CommandHold command_hold;
-  GainRamp gain_ramp;
+  GainChangeRamp gain_ramp;
   double time_since_estimate = 0.0;  // [s]
   int pose_latches = 0;
   Status status = Status::kWaiting;

@@ -2,6 +2,7 @@
 #include "wbc/condensed_qp.hpp"
 
 #include "wbc/force_rows.hpp"
+#include "wbc/qp_units.hpp"
 
 namespace surefoot {
 

@@ -6,6 +6,7 @@
 #include "wbc/condensation.hpp"
 #include "wbc/qp_layout.hpp"
 #include "wbc/qp_terms.hpp"
+#include "wbc/qp_units.hpp"
 
 namespace surefoot {
 

@@ -3,6 +3,7 @@
 
 #include "dynamics/dynamics.hpp"
 #include "wbc/force_rows.hpp"
+#include "wbc/qp_units.hpp"
 
 namespace surefoot {
 

@@ -5,6 +5,7 @@
 #include "surefoot/qp_problem.hpp"
 #include "wbc/qp_layout.hpp"
 #include "wbc/qp_terms.hpp"
+#include "wbc/qp_units.hpp"
 
 namespace surefoot {
 

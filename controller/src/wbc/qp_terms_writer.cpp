@@ -14,7 +14,7 @@
 #include "tasks/foot_task.hpp"
 #include "tasks/momentum_task.hpp"
 #include "tasks/posture_task.hpp"
-#include "wbc/braking_axes.hpp"
+#include "wbc/edge_braking_axes.hpp"
 #include "wbc/hold_down.hpp"
 #include "wbc/released_legs.hpp"
 #include "wbc/support_edge.hpp"
@@ -98,7 +98,7 @@ void QpTermsWriter::write_body(const Gains& gains, const Dynamics& dynamics,
                   : com_task(gains, desired.a, state.f_external, robot_.mass());
   const auto edge_factor = [fade](double at_edge) { return fade + (1.0 - fade) * at_edge; };
   position.weight[2] *= edge_factor(gains.edge_height);
-  braking_axes(dynamics, state, reference, robot_.mass()).apply_to(position);
+  edge_braking_axes(dynamics, state, reference, robot_.mass()).apply_to(position);
   position.scale = base ? units_.scale_base : units_.scale_com;
   orientation = base_orientation_task(gains, desired.alpha, dynamics);
   orientation.scale = units_.scale_angular;

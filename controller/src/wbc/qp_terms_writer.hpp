@@ -3,8 +3,8 @@
 
 #include "dynamics/dynamics.hpp"
 #include "tasks/body_acceleration.hpp"
-#include "wbc/qp_layout.hpp"
 #include "wbc/qp_terms.hpp"
+#include "wbc/qp_units.hpp"
 
 namespace surefoot {
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "wbc/qp_units.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include "dynamics/dynamics.hpp"
 #include "surefoot/error.hpp"
 #include "wbc/condensation.hpp"
-#include "wbc/qp_layout.hpp"
 
 namespace surefoot {
 

@@ -15,7 +15,7 @@ namespace surefoot {
 //   the desired body acceleration is bounded, so that the feet keep load (bound_at_edge());
 //   legs with unloaded feet are released (released_legs.hpp).
 // Independent of edge_fade(), braking across the edge comes before braking along it
-// (braking_axes.hpp).
+// (edge_braking_axes.hpp).
 
 /// Compute the edge fade: clamp(margin / edge_margin, 0, 1), with the capture point's distance
 /// inside the support polygon as margin. 1 also with fewer than three stance feet.

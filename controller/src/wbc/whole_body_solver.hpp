@@ -6,6 +6,7 @@
 #include "wbc/elastic_solver.hpp"
 #include "wbc/form_selector.hpp"
 #include "wbc/general_qp.hpp"
+#include "wbc/qp_units.hpp"
 
 namespace surefoot {
 

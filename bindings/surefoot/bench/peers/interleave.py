@@ -9,8 +9,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from surefoot.bench.peers.implementation import Implementation, Ticks
 from surefoot.bench.peers.options import PeerError
+from surefoot.bench.peers.surefoot_implementations import Implementation, Ticks
 
 
 def interleave(

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from surefoot.bench.peers.implementation import Implementation, Ticks
 from surefoot.bench.peers.interleave import interleave
 from surefoot.bench.peers.options import PeerError
 from surefoot.bench.peers.peer import Peer
+from surefoot.bench.peers.surefoot_implementations import Implementation, Ticks
 
 ImplementationFactory = Callable[[], Implementation]
 

@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from surefoot.bench.peers.implementation import StateToTorque, WholeTick, tick_width
 from surefoot.bench.peers.options import PeerError, PeerOptions
 from surefoot.bench.peers.paired_run import PairedRun
 from surefoot.bench.peers.peer import OUR_PROGRAM, OUR_TICKS, Peer
 from surefoot.bench.peers.problem import Problem
+from surefoot.bench.peers.surefoot_implementations import StateToTorque, WholeTick, tick_width
 from surefoot.bench.peers.worker import worker_factory
 from surefoot.bench.recording import Recording
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from surefoot.bench.peers.implementation import CPU
 from surefoot.bench.peers.paired_run import PairedResult
 from surefoot.bench.peers.peer import OUR_TICKS, Peer
+from surefoot.bench.peers.surefoot_implementations import CPU
 from surefoot.bench.peers.tick_comparison import (
     SAME_ANSWER,
     compare_answers,

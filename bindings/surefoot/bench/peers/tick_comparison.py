@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from surefoot.bench.peers.implementation import CPU, FORCES, SOLVED, TORQUES, WALL, Ticks
+from surefoot.bench.peers.surefoot_implementations import CPU, FORCES, SOLVED, TORQUES, WALL, Ticks
 from surefoot.bench.timing_statistics import distribution
 
 FORCE_TOLERANCE = 0.03  # of the weight: allowed difference of a foot force before the first push

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from surefoot.bench.peers.environment import clean_environment
-from surefoot.bench.peers.implementation import Ticks
 from surefoot.bench.peers.options import PeerError
+from surefoot.bench.peers.surefoot_implementations import Ticks
 
 
 class Worker:

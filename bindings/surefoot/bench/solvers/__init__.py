@@ -2,6 +2,6 @@
 
 from surefoot.bench.solvers.run import run_solvers
 from surefoot.bench.solvers.solver_build import SOLVERS
-from surefoot.bench.solvers.text import solvers_text
+from surefoot.bench.solvers.solver_table import solvers_text
 
 __all__ = ["SOLVERS", "run_solvers", "solvers_text"]

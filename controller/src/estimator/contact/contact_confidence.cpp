@@ -8,19 +8,35 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMaxLoadDifference = 0.15;  // share of the weight: two sources agree below this
-constexpr double kDetectionTime = 0.3;       // [s] of contradiction before footForceEst is excluded
-constexpr double kRecoveryRate = 0.25;       // speed of its recovery, relative to that of detection
-constexpr double kNoForceTime = 0.5;  // [s] without force votes before forces are unavailable
-constexpr double kMovingSpeed = 0.3;  // [m/s] a loaded foot does not move this fast for long
-constexpr double kRestSpeed = 0.1;    // [m/s] a slower foot is at rest
-constexpr double kClearanceThreshold = 0.006;  // [m] a loaded foot rises less: soft ground
-constexpr double kSlideVote = 0.33;            // vote of a fast foot, weak: a loaded foot may slide
-constexpr double kMotionWeight = 2.0;  // a rising foot is off the ground, whatever force it carries
-constexpr double kBalancedWeight = 1.12;  // weight of torques that match the accelerometer
-constexpr double kConfirmingVote = 0.5;   // vote with which a source confirms footForceEst
-constexpr double kMinAgreement = 0.04;    // smallest mean vote that changes the confidence
-constexpr double kAgreementGain = 3.0;    // a mean vote of 1/3 (two sources of three): full speed
+// Chosen; covered by test_contact.cpp and benchmarks/estimation. docs/estimation.md, Contact.
+// Share of the weight: two sources agree below this. Below: noise and model errors of the torques;
+// above: 0.25, the load of a foot.
+constexpr double kMaxLoadDifference = 0.15;
+// [s] of contradiction before footForceEst is excluded. Equal to ForceSourceCheck's.
+constexpr double kDetectionTime = 0.3;
+constexpr double kRecoveryRate = 0.25;  // speed of its recovery, relative to that of detection
+// [s] Without force votes before forces are unavailable. Below: the pauses of kDetectionTime;
+// above: a foot whose sensors are dead stays out of contact.
+constexpr double kNoForceTime = 0.5;
+// [m/s] A loaded foot does not move this fast for long. Below: twice slip_speed (0.15); above: a
+// swing.
+constexpr double kMovingSpeed = 0.3;
+constexpr double kRestSpeed = 0.1;  // [m/s] a slower foot is at rest: below slip_speed (0.15)
+// [m] A loaded foot rises less. Below: soft ground gives way by as much; above: the lift of a foot
+// is detected at twice this.
+constexpr double kClearanceThreshold = 0.006;
+constexpr double kSlideVote = 0.33;  // vote of a fast foot, weak: a loaded foot may slide
+// A rising foot is off the ground, whatever force it carries: more than one source (1), not more
+// than two.
+constexpr double kMotionWeight = 2.0;
+// Weight of torques that match the accelerometer: above 1 it breaks a tie, by 0.06, slowly.
+constexpr double kBalancedWeight = 1.12;
+constexpr double kConfirmingVote = 0.5;  // vote with which a source confirms footForceEst
+// Smallest mean vote that changes the confidence: below the 0.06 by which kBalancedWeight breaks a
+// tie.
+constexpr double kMinAgreement = 0.04;
+// Derived: full speed at a mean vote of 1/3, two sources of three.
+constexpr double kAgreementGain = 3.0;
 
 constexpr int kEst = static_cast<int>(ContactSource::kFootForceEst);
 constexpr int kCount = static_cast<int>(ContactSource::kFootForce);

@@ -31,7 +31,9 @@ class StuckDetector {
   bool is_unchanged() const noexcept { return unchanged_time_ > kMinUnchangedTime; }
 
  private:
-  static constexpr double kMinUnchangedTime = 0.003;  // [s] see is_unchanged()
+  // [s] See is_unchanged(). Chosen: more than one period at 500 Hz, less than two; a working
+  // sensor's noise changes every sample.
+  static constexpr double kMinUnchangedTime = 0.003;
   int last_ = 0;
   bool started_ = false, ever_nonzero_ = false;
   double unchanged_time_ = 0.0, min_load_ = 0.0, max_load_ = 0.0;

@@ -6,13 +6,23 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRestSpeed = 0.03;      // [m/s] a slower foot is at rest
-constexpr double kRestTimeDecay = 20.0;  // motion reduces the time of rest this much faster
-constexpr double kMinSwingTime = 0.03;   // [s] no foot is lifted and put down faster
-constexpr double kLandingTime = 0.05;    // [s] three feet must be loaded this long to form a plane
-constexpr double kNewStanceTime = 1.0;   // [s] of rest before the stance height follows the foot
-constexpr double kFollowTime = 0.2;      // [s] time constant of following
-constexpr double kStanceConfidence = 0.5;  // contact confidence of a stance foot
+// Chosen; covered by test_contact.cpp. Bounds below and above:
+// [m/s] A slower foot is at rest. Velocity noise of the joints; a foot that is lifted.
+constexpr double kRestSpeed = 0.03;
+// Motion reduces the time of rest this much faster. One noisy sample must not; 50 ms of motion
+// must.
+constexpr double kRestTimeDecay = 20.0;
+// [s] No foot is lifted and put down faster. Wrong samples (contact_dwell, 10 ms); a step.
+constexpr double kMinSwingTime = 0.03;
+// [s] Three feet must be loaded this long to form a plane. Bounces at touchdown; delay of the vote.
+constexpr double kLandingTime = 0.05;
+// [s] of rest before the stance height follows the foot. A foot that a person holds; drift of
+// height.
+constexpr double kNewStanceTime = 1.0;
+// [s] Time constant of following. Vibration; it is reached soon after kNewStanceTime.
+constexpr double kFollowTime = 0.2;
+constexpr double kStanceConfidence =
+    0.5;  // contact confidence of a stance foot: more likely than not
 }  // namespace
 
 void FootClearance::update(const Dynamics& dynamics, const InvariantFilter& filter,

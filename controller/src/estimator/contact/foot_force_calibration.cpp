@@ -7,18 +7,31 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFilterTime = 0.02;  // [s] low-pass, so that noise does not count as a load change
-constexpr double kOffsetTime = 5.0;   // [s] time constant of the offset
-constexpr double kNoiseSamples = 500.0;   // samples over which the noise is averaged
-constexpr double kScaleTime = 2.0;        // [s] of changing load: time constant of the scale
-constexpr double kMinLoadChange = 0.04;   // share of the weight: smaller load changes are ignored
-constexpr double kMinFitTime = 0.1;       // [s] of changing load before the fit is used
-constexpr double kMinExplained = 0.5;     // smallest r^2 of a good fit
-constexpr double kMaxUncorrelated = 0.2;  // largest r^2 of counts that do not follow the load
-constexpr double kRangeTime = 10.0;       // [s] time constant with which the range shrinks
-constexpr double kRangeNoise = 8.0;       // smallest range, in standard deviations of the noise ...
-constexpr double kMinRange = 5.0;         // ... and in counts
-constexpr double kLoadAtMaxCount = 0.4;   // share of the weight assumed at the top of the range
+// Fit of counts = offset + scale load. Chosen; covered by test_contact.cpp. Bounds below and above:
+// [s] Low-pass, so that noise does not count as a load change. Single samples; a step.
+constexpr double kFilterTime = 0.02;
+// [s] Time constant of the offset. Load changes; drift of counts by the minute.
+constexpr double kOffsetTime = 5.0;
+constexpr double kNoiseSamples = 500.0;  // samples over which the noise is averaged: 1 s at 500 Hz
+// [s] of changing load: time constant of the scale. Noise of the fit; drift.
+constexpr double kScaleTime = 2.0;
+// Share of the weight: smaller load changes are ignored. Noise of the torques; contact_force_off,
+// 0.06.
+constexpr double kMinLoadChange = 0.04;
+constexpr double kMinFitTime =
+    0.1;  // [s] of changing load before the fit is used: five kFilterTime
+// r^2 of a good fit, and of counts that do not follow the load; in between the verdict is
+// kUnjudged.
+constexpr double kMinExplained = 0.5;
+constexpr double kMaxUncorrelated = 0.2;
+constexpr double kRangeTime = 10.0;  // [s] with which the range shrinks: twice kOffsetTime
+// Smallest range: in standard deviations of the noise (4 to either side) and in counts
+// (quantisation).
+constexpr double kRangeNoise = 8.0;
+constexpr double kMinRange = 5.0;
+// Share of the weight assumed at the top of the range. Between a foot that stands (0.25) and one
+// that stands with its diagonal alone (0.5).
+constexpr double kLoadAtMaxCount = 0.4;
 }  // namespace
 
 ContactEvidence FootForceCalibration::update(const Gains& gains, int count, double load,

@@ -7,15 +7,20 @@
 namespace surefoot {
 
 namespace {
-constexpr double kSwitchTime = 0.1;  // [s] before footForceEst counts as working, or as failed
-// Shares of the weight:
+// [s] Before footForceEst counts as working, or as failed. Chosen. Below: impacts and stray samples
+// (test_stray_count_does_not_revive_a_dead_foot_force); above: contact by a dead source.
+constexpr double kSwitchTime = 0.1;
+// Shares of the weight, chosen: standing feet carry 1, lifted feet 0, and a dead sensor shows 0.
 constexpr double kUnloadedShare = 0.25;  // a smaller footForceEst contradicts a loaded robot
 constexpr double kSupportedShare = 0.5;  // a larger load shows that the feet carry the robot
 constexpr double kMaxLoad = 2.0;         // larger loads do not occur in standing
-// Shares of the load that the accelerometer implies:
+// Shares of the load that the accelerometer implies. Chosen: one foot carries a quarter; between
+// the two values the check keeps its verdict.
 constexpr double kBalanceTolerance = 0.25;  // largest error of a source that matches
 constexpr double kTorqueErrorShare = 0.5;   // smallest error of wrong torques
-constexpr double kDetectionTime = 0.3;      // [s] before torques count as wrong, or as right again
+// [s] Before torques count as wrong, or as right again. Chosen. Below: a push, 0.1 s, during which
+// torques and accelerometer differ; above: contact by wrong torques.
+constexpr double kDetectionTime = 0.3;
 }  // namespace
 
 void ForceSourceCheck::update(const ForceSums& sums, double dt) noexcept {

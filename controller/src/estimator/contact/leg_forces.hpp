@@ -21,7 +21,10 @@ Vector12 joint_stops(const RobotConfig& config, const Vector12& q) noexcept;
 /// contact force. Real-time: yes.
 class LegForces {
  public:
-  static constexpr double kFilterTime = 0.005;  ///< [s] time constant
+  /// [s] Time constant of the momentum observer (De Luca, Mattone 2003). Chosen. Below: encoder
+  /// noise in the momentum; above: contact_dwell, 10 ms. surefoot/tune/design/loop_model.py repeats
+  /// it.
+  static constexpr double kFilterTime = 0.005;
 
   /// Process one tick.
   /// @param dynamics updated with the angular velocity of the base and without linear velocity

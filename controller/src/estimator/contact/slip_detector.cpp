@@ -7,11 +7,20 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFilterTime = 0.01;       // [s] low-pass of the velocities
-constexpr double kSettlingTime = 0.03;     // [s] after touchdown in which a foot may still move
-constexpr double kDetectionTime = 0.02;    // [s] of slipping in which slip() rises from 0 to 1
-constexpr double kRecoveryTime = 0.5;      // [s] without slipping in which it falls from 1 to 0
-constexpr double kLoadedConfidence = 0.5;  // contact confidence of a loaded foot
+// Chosen times; docs/estimation.md, Slip; covered by test_contact.cpp.
+// [s] Low-pass of the velocities. Below: encoder noise; above: kDetectionTime.
+constexpr double kFilterTime = 0.01;
+// [s] After touchdown, in which a foot may still move. Below: contact_dwell, 10 ms; above: the
+// robot relies on the friction of a foot that slips.
+constexpr double kSettlingTime = 0.03;
+// [s] of slipping in which slip() rises from 0 to 1. Below: single samples; above: a foot at
+// slip_speed moves by 3 mm in it.
+constexpr double kDetectionTime = 0.02;
+// [s] without slipping in which it falls from 1 to 0. Below: friction that returns within a push
+// slips again; above: the robot needs the friction for the next push.
+constexpr double kRecoveryTime = 0.5;
+constexpr double kLoadedConfidence =
+    0.5;  // contact confidence of a loaded foot: more likely than not
 }  // namespace
 
 void SlipDetector::update(const Gains& gains, const FeetMatrix& v_contact,

@@ -4,8 +4,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kStuckTime = 0.1;  // [s] of a constant tauEst while other fields change
-}
+// [s] of a constant tauEst while other fields change. Chosen as kStuckTime in contact_evidence.cpp.
+constexpr double kStuckTime = 0.1;
+}  // namespace
 
 // Twelve torques of exactly zero mean that the robot does not fill the field.
 void TorqueCheck::update(const Vector12& tau_est, bool others_changed, double dt) noexcept {

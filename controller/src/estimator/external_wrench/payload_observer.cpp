@@ -7,8 +7,12 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kRestSpeed = 0.1;  // [m/s] a slower centre of mass is at rest
-constexpr double kMaxLever = 0.1;   // [m] lever of the largest force: bounds the moment
+// [m/s] A slower centre of mass is at rest. Chosen. Below: velocity noise of a standing robot;
+// above: the velocity after a push.
+constexpr double kRestSpeed = 0.1;
+// [m] Lever of the largest force: bounds the moment. Chosen: a payload within 0.1 m of the centre
+// of mass (docs/estimation.md, payload_max).
+constexpr double kMaxLever = 0.1;
 
 Vector3 limit_norm(const Vector3& value, double max_force) noexcept {
   const double size = value.norm();

@@ -6,14 +6,20 @@
 namespace surefoot {
 
 namespace {
-// [push_dead_band] Innovations up to this level are noise and model errors.
+// [push_dead_band] Innovations up to this level (1.5 m/s^2 by default) are noise and model errors.
+// Chosen, with the next two, by pushes from 16 directions (git a0e3774): go1 97.5 -> 100 % of its
+// limit.
 constexpr double kNoiseLevel = 3.0;
 constexpr double kFastLevel = 1.0;  // [push_dead_band] excess that halves the time constant
-// [push_time] Shortest time constant; keeps a single wrong sample from being adopted in full.
+// [push_time] Shortest time constant, 6 ms by default. Measured: at 4 ms the torques of a b1
+// exceeded the supervisor's rate (git e0f1814); above 1 it has no effect. One wrong sample counts
+// by a quarter.
 constexpr double kMinTimeScale = 3.0 / 8.0;
 // [s] Longest time of large innovations with a shorter time constant: both ends of a push.
+// Measured: without a bound, a body with 16 ms of unknown delay swayed for ever (git ff9d8bc).
 constexpr double kMaxInnovationTime = 0.05;
-constexpr double kInnovationTimeDecay = 0.05;  // [s/s] recovery of that time afterwards
+// [s/s] Recovery of that time afterwards. Derived: kMaxInnovationTime in 1 s.
+constexpr double kInnovationTimeDecay = 0.05;
 }  // namespace
 
 // Only horizontal innovations shorten the time constant, because only horizontal pushes can topple

@@ -7,13 +7,19 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFilterTime = 0.01;     // [s] low-pass against encoder noise
-constexpr double kNoisePeriod = 0.002;   // [s] sample period that the noise gains refer to
-constexpr double kSwingSpeed = 3.0;      // [m/s] assumed speed of a foot off the ground ...
-constexpr double kSwingShare = 3.0;      // ... plus this multiple of its speed relative to the base
-constexpr double kSwingTime = 0.1;       // [s] for which this speed persists
-constexpr double kUnloadedShare = 0.03;  // share of the weight; less loaded feet slide easily
-constexpr double kUnloadedSpeed = 0.5;   // [m/s] slip speed of a foot without load
+// [s] Low-pass against encoder noise. Chosen. Below: some samples at 500 Hz; above: kSwingTime.
+constexpr double kFilterTime = 0.01;
+// [s] Sample period that the noise gains refer to, by convention 500 Hz.
+constexpr double kNoisePeriod = 0.002;
+// Assumed speed of a foot off the ground. Chosen so large that this foot has no weight in the
+// filter: against 0.0005 m/s (noise_foot_slip) of a stance foot.
+constexpr double kSwingSpeed = 3.0;  // [m/s]
+constexpr double kSwingShare = 3.0;  // additional multiple of its speed relative to the base
+constexpr double kSwingTime = 0.1;   // [s] for which this speed persists
+// Less loaded feet slide easily. Chosen (git 1c1a73e). Share of the weight: half of
+// contact_force_off (0.06), at which contact ends; evenly loaded feet carry 0.25.
+constexpr double kUnloadedShare = 0.03;
+constexpr double kUnloadedSpeed = 0.5;  // [m/s] slip speed of a foot without load
 }  // namespace
 
 void FootMotionModel::update_velocity(const Dynamics& dynamics, double dt) noexcept {

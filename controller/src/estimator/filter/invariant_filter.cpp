@@ -9,12 +9,19 @@ namespace surefoot {
 using namespace error_index;
 
 namespace {
-constexpr double kMinFootVariance = 1e-12;      // [m^2] keeps the innovation covariance invertible
-constexpr double kVarianceTolerance = 1e-6;     // rounding errors of zero variances
-constexpr double kMaxSpeed = 20.0;              // [m/s] larger is implausible
-constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s] larger is implausible
-constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2] larger is implausible
-constexpr double kRelinearisationAngle = 0.01;  // [rad] rotation that renews a linearisation point
+// [m^2] Keeps the innovation covariance invertible. Numerical: below the square of
+// FootNoise::kMinSigma.
+constexpr double kMinFootVariance = 1e-12;
+// Numerical tolerance against rounding errors of zero variances, in the unit of each.
+constexpr double kVarianceTolerance = 1e-6;
+// Larger values are implausible. Chosen: beyond what any of the robots does. The biases are a tenth
+// and a fifth of the sensors' full scale (35 rad/s, 157 m/s^2).
+constexpr double kMaxSpeed = 20.0;              // [m/s]
+constexpr double kMaxGyroscopeBias = 3.0;       // [rad/s]
+constexpr double kMaxAccelerometerBias = 30.0;  // [m/s^2]
+// [rad] Rotation that renews a linearisation point. Chosen. Below: noise of the estimate, which
+// made the tilt drift at rest (test_estimator_rest.cpp); above: the error of the linearisation.
+constexpr double kRelinearisationAngle = 0.01;
 
 double square(double x) noexcept { return x * x; }
 

@@ -104,6 +104,9 @@ class InvariantFilter {
   }
 
  private:
+  // [gate_foot] Innovations beyond it are rejected; below it they get less weight. Chosen: a foot
+  // that slips slowly must still be used, one that is off by 20 sigma must not
+  // (docs/estimation.md).
   static constexpr double kRejectionRatio = 5.0;
   using Error = Eigen::Matrix<double, ErrorCovariance::kPaddedSize, 1>;
   void correct_foot(int leg, const Vector3& z, double variance, double gate, const Vector3& lever,

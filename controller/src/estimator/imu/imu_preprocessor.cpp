@@ -8,19 +8,35 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kHeldRateDrift = 50.0;    // [rad/s^2] assumed change while a rate is held
-constexpr double kHeldForceDrift = 500.0;  // [m/s^3] the same for a held specific force
-// [sigma^2] Three times the squared change that noise alone causes on three axes.
+// [rad/s^2], [m/s^3] Assumed change while a rate or a specific force is held. Chosen: over the 20
+// ms of a 50 Hz sensor they reach 1 rad/s (kUnmeasuredRateNoise) and 10 m/s^2 (1 g).
+constexpr double kHeldRateDrift = 50.0;
+constexpr double kHeldForceDrift = 500.0;
+// [sigma^2] Three times the squared change that noise alone causes on three axes (2 sigma^2 each).
 constexpr double kNoiseOnlyChange = 18.0;
-constexpr double kMeanUncertainty = 0.25;      // error of a tick's mean, as a share of its change
-constexpr double kQuaternionRateNoise = 0.05;  // [rad/s] sigma of a rate from the IMU quaternion
-constexpr double kLegRateNoise = 0.2;          // [rad/s] sigma of a rate from the legs
-constexpr double kMaxQuaternionRate = 35.0;    // [rad/s] beyond it the quaternion has jumped
-// [rad/s] The gyroscope is rejected if it differs from the legs by more than this ...
+// Error of a tick's mean, as a share of its change. Chosen close to 1 / sqrt(12) = 0.29, the
+// standard deviation if the mean lies anywhere between the two samples.
+constexpr double kMeanUncertainty = 0.25;
+// [rad/s] Standard deviations of a rate from the IMU quaternion and from the legs. Chosen: both
+// above noise_gyroscope (0.01), because they replace the gyroscope only when it fails; the legs' is
+// larger because feet slip. Tests frozen_gyroscope_is_replaced_by_quaternion_or_leg_rates and
+// below.
+constexpr double kQuaternionRateNoise = 0.05;
+constexpr double kLegRateNoise = 0.2;
+// [rad/s] Beyond it the quaternion has jumped. Derived: full scale of the gyroscope, 2000 deg/s.
+constexpr double kMaxQuaternionRate = 35.0;
+// [rad/s] The gyroscope is rejected if it differs from the legs by more than this. Chosen. Below:
+// five times kLegRateNoise; above: an error of 3 rad/s for 0.1 s made a go1 fall
+// (docs/estimation.md).
 constexpr double kMinContradiction = 1.0;
-constexpr double kAgreementRatio = 0.5;  // ... and the quaternion by less than this share of it
-constexpr double kUnmeasuredRateNoise = 1.0;   // [rad/s] sigma without any measurement
-constexpr double kUnmeasuredForceNoise = 3.0;  // [m/s^2] the same for the specific force
+// ... and the quaternion differs from the legs by less than this share of it. Chosen: the two are
+// then closer to each other than to the gyroscope; test
+// legs_and_quaternion_outvote_a_wrong_gyroscope.
+constexpr double kAgreementRatio = 0.5;
+// [rad/s], [m/s^2] Standard deviations without any measurement: the body does not rotate and is not
+// accelerated. Chosen as what a standing body does: 1 rad/s, 0.3 g.
+constexpr double kUnmeasuredRateNoise = 1.0;
+constexpr double kUnmeasuredForceNoise = 3.0;
 
 double square(double x) noexcept { return x * x; }
 

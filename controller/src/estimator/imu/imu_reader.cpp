@@ -6,7 +6,8 @@
 namespace surefoot {
 
 namespace {
-constexpr double kForceRange = 156.0;  // [m/s^2] full scale: 16 g
+// [m/s^2] Derived: just below 16 g (156.9), the assumed full scale of the accelerometer.
+constexpr double kForceRange = 156.0;
 }  // namespace
 
 void ImuReader::StuckVectorDetector::update(const Vector3& value, bool joints_changed,

@@ -27,8 +27,11 @@ struct ImuReading {
 /// values change has stopped. Real-time: yes.
 class ImuReader {
  public:
-  static constexpr double kRateRange = 34.8;     ///< [rad/s] just below full scale, 2000 deg/s
-  static constexpr double kMaxHoldTime = 0.022;  ///< [s] a 50 Hz sensor holds for 20 ms
+  /// [rad/s] Derived: just below 2000 deg/s (34.9), the assumed full scale of the gyroscope.
+  static constexpr double kRateRange = 34.8;
+  /// [s] Derived: a 50 Hz sensor holds for 20 ms, plus one tick at 500 Hz. Test
+  /// sensor_is_constant_after_22_ms_of_joint_motion.
+  static constexpr double kMaxHoldTime = 0.022;
 
   /// Process one sample.
   /// @param joints values that change with every new sample, such as q + dq

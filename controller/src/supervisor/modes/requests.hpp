@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "surefoot/mode.hpp"
+#include "surefoot/supervisor_enums.hpp"
 
 namespace surefoot {
 

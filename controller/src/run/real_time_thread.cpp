@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/real_time.hpp"
+#include "run/real_time_thread.hpp"
 
 #include <pthread.h>
 #include <sched.h>

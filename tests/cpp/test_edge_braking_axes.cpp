@@ -4,14 +4,16 @@
 #include "capture_point_robot.hpp"
 #include "reference/capture_margin.hpp"
 #include "surefoot/whole_body_controller.hpp"
-#include "wbc/braking_axes.hpp"
+#include "wbc/edge_braking_axes.hpp"
 
 using namespace surefoot;
 
 namespace {
 
 struct PushedStance : CapturePointRobot {
-  BrakingAxes axes() const { return braking_axes(dynamics, state, reference, robot.mass()); }
+  EdgeBrakingAxes axes() const {
+    return edge_braking_axes(dynamics, state, reference, robot.mass());
+  }
   // Push so that `share` = 1 moves the capture point to the front edge, if the push lasts 0.08 s.
   void push(double degrees, double share) {
     const double angle = degrees / 180.0 * M_PI;
@@ -34,7 +36,7 @@ BOOST_FIXTURE_TEST_CASE(all_directions_have_equal_weight_inside_the_support, Pus
 
 BOOST_FIXTURE_TEST_CASE(push_over_the_front_edge_brakes_forward_motion_first, PushedStance) {
   push(15.0, 1.5);
-  const BrakingAxes found = axes();
+  const EdgeBrakingAxes found = axes();
   BOOST_TEST((found.R.row(0) - Eigen::RowVector3d(1, 0, 0)).norm() < 1e-9);
   BOOST_TEST((found.R.row(1) - Eigen::RowVector3d(0, 1, 0)).norm() < 1e-9);
   BOOST_TEST(found.along < 0.05);
@@ -43,7 +45,7 @@ BOOST_FIXTURE_TEST_CASE(push_over_the_front_edge_brakes_forward_motion_first, Pu
 
 BOOST_FIXTURE_TEST_CASE(push_over_the_side_edge_brakes_lateral_motion_first, PushedStance) {
   push(90.0, 1.5);
-  const BrakingAxes found = axes();
+  const EdgeBrakingAxes found = axes();
   BOOST_TEST((found.R.row(0) - Eigen::RowVector3d(0, 1, 0)).norm() < 1e-9);
   BOOST_TEST(found.along < 0.05);
 }
@@ -57,7 +59,7 @@ BOOST_FIXTURE_TEST_CASE(push_over_a_corner_keeps_weight_on_both_edges, PushedSta
 // The weight stays continuous as the capture point crosses an edge, and as it goes round a corner.
 BOOST_FIXTURE_TEST_CASE(braking_weight_is_continuous_across_edges_and_corners, PushedStance) {
   const auto weight = [&] {  // weight of each direction, as a matrix
-    const BrakingAxes found = axes();
+    const EdgeBrakingAxes found = axes();
     return Matrix3(found.R.transpose() * Vector3(1.0, found.along, 1.0).asDiagonal() * found.R);
   };
   for (const bool round : {false, true}) {
@@ -78,7 +80,7 @@ BOOST_FIXTURE_TEST_CASE(rotated_task_rows_request_the_same_acceleration, PushedS
   rows.weight << 2.0, 2.0, 3.0;
   const BodyRows as_given = rows;
   push(22.5, 1.5);
-  const BrakingAxes found = axes();
+  const EdgeBrakingAxes found = axes();
   found.apply_to(rows);
   BOOST_TEST((found.R.transpose() * rows.b - as_given.b).norm() < 1e-12);
   BOOST_TEST((found.R.transpose() * rows.A_force - as_given.A_force).norm() < 1e-12);

@@ -16,7 +16,7 @@ namespace surefoot {
 /// sideways, one front leg carries most of the weight, and the other has no load and no friction.
 /// Motion along the edge has room and can be braked later. At a corner both edges count. Elsewhere
 /// each edge counts by how far the capture point is beyond it.
-struct BrakingAxes {
+struct EdgeBrakingAxes {
   Matrix3 R = Matrix3::Identity();  ///< rows: edge normal (outward), along the edge, up; world axes
   double along = 1.0;               ///< weight factor of the row along the edge, 0.01 .. 1
 
@@ -29,7 +29,7 @@ struct BrakingAxes {
 /// for another 0.08 s. Returns world axes if the point is inside all edges by 3 cm or more, or if
 /// fewer than three feet stand. Real-time: yes.
 /// @param mass of the robot [kg]
-BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
-                         const Reference& reference, double mass) noexcept;
+EdgeBrakingAxes edge_braking_axes(const Dynamics& dynamics, const RobotState& state,
+                                  const Reference& reference, double mass) noexcept;
 
 }  // namespace surefoot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "wbc/braking_axes.hpp"
+#include "wbc/edge_braking_axes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ namespace surefoot {
 namespace {
 
 // Chosen by hand. `surefoot assess` measured the effect of the axes: 5 points more survival on go1
-// and go2 at 22.5 degrees off forward and backward. Tests: test_braking_axes.cpp.
+// and go2 at 22.5 degrees off forward and backward. Tests: test_edge_braking_axes.cpp.
 // [s] for which the external force is expected to last. Below: the push would not be seen to cross
 // an edge; above: the 0.1 s of the standard push, part of which is over when it is detected.
 constexpr double kPushDuration = 0.08;
@@ -21,7 +21,7 @@ constexpr double kMinAlongShare = 0.01;  // above zero: the body would drift alo
 
 }  // namespace
 
-void BrakingAxes::apply_to(BodyRows& position) const noexcept {
+void EdgeBrakingAxes::apply_to(BodyRows& position) const noexcept {
   if (along == 1.0) return;
   position.A_base = (R * position.A_base).eval();
   position.A_force = (R * position.A_force).eval();
@@ -29,9 +29,9 @@ void BrakingAxes::apply_to(BodyRows& position) const noexcept {
   position.weight[1] *= along;
 }
 
-BrakingAxes braking_axes(const Dynamics& dynamics, const RobotState& state,
-                         const Reference& reference, double mass) noexcept {
-  BrakingAxes axes;
+EdgeBrakingAxes edge_braking_axes(const Dynamics& dynamics, const RobotState& state,
+                                  const Reference& reference, double mass) noexcept {
+  EdgeBrakingAxes axes;
   const SupportPolygon polygon = support_polygon(dynamics, reference);
   const Eigen::Vector2d capture = capture_point(dynamics, kPushDuration / mass * state.f_external);
   std::array<double, kLegs> edge_proximity = {};  // 0 inside, 1 at the edge, larger outside

@@ -11,7 +11,7 @@ namespace surefoot {
 ///
 /// The ranges of the gains are convex, so gains between valid gains are valid up to rounding.
 /// Real-time: yes.
-class GainRamp {
+class GainChangeRamp {
  public:
   static constexpr double kRampTime = 0.1;  ///< [s] many ticks, but short for an operator
 

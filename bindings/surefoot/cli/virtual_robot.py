@@ -7,7 +7,9 @@ import sys
 from typing import TYPE_CHECKING
 
 from surefoot._core import Error
-from surefoot.cli.environment import check_json_path, choose_graphics, missing_module, write_json
+from surefoot.cli.graphics import choose_graphics
+from surefoot.cli.missing_module import missing_module
+from surefoot.cli.output_files import check_json_path, write_json
 from surefoot.cli.robot_choice import chosen_robot
 from surefoot.system.terminal import LinePrinter
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from surefoot.bench.text import machine_line
+from surefoot.bench.result_text import machine_line
 
 HEADER: tuple[str, ...] = (
     "[us]",

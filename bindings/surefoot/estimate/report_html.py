@@ -5,9 +5,15 @@ from __future__ import annotations
 from html import escape
 from typing import Any
 
-from surefoot.estimate.fields import FIELDS
 from surefoot.estimate.plots import PLOTS
-from surefoot.estimate.text import bad_sensors, headline, log_line, values_with_std, warning_lines
+from surefoot.estimate.summary_fields import FIELDS
+from surefoot.estimate.summary_text import (
+    bad_sensors,
+    headline,
+    log_line,
+    values_with_std,
+    warning_lines,
+)
 from surefoot.reports.page import page_html, plots_html, summary_table_html, tiles_html
 
 MAX_LIST_LINES = 20  # lines of a list on the page; summary.json has all entries

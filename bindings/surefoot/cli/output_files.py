@@ -1,8 +1,7 @@
-"""Checks of the machine before a command runs: graphics, Python modules, output paths."""
+"""Files that a command writes: checks before the run, and writing afterwards."""
 
 from __future__ import annotations
 
-import ctypes.util
 import importlib
 import json
 import os
@@ -11,34 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from surefoot._core import Error
+from surefoot.cli.missing_module import missing_module
 from surefoot.files.atomic_write import write_text_atomically
 from surefoot.files.tables import check_table_name
-
-
-def choose_graphics() -> None:
-    """Choose how MuJoCo renders on a machine without a screen; call before MuJoCo is imported."""
-    if os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or sys.platform != "linux":
-        return
-    # With MUJOCO_GL=egl but without the library, importing MuJoCo fails. A run without a film
-    # needs no graphics.
-    library = ctypes.util.find_library("EGL")
-    os.environ.setdefault("MUJOCO_GL", "egl" if library else "disable")
-
-
-def missing_module(command: str, problem: ModuleNotFoundError, *more: str) -> Error:
-    """Return the error that says how to install a missing module.
-
-    Args:
-        command: Subcommand that needs the module, without "surefoot".
-        problem: Import error, which names the module.
-        more: Extras that the command needs besides "sim".
-    """
-    extras = ("sim", *more)
-    names = " and ".join(f"'{extra}'" for extra in extras)
-    return Error(
-        f"module '{problem.name}' not found: surefoot {command} needs the "
-        f"extra{'s' if more else ''} {names}; run: pip install 'surefoot[{','.join(extras)}]'"
-    )
 
 
 def check_json_path(place: str | None) -> None:

@@ -1,0 +1,21 @@
+"""Message for a module that is not installed."""
+
+from __future__ import annotations
+
+from surefoot._core import Error
+
+
+def missing_module(command: str, problem: ModuleNotFoundError, *more: str) -> Error:
+    """Return the error that says how to install a missing module.
+
+    Args:
+        command: Subcommand that needs the module, without "surefoot".
+        problem: Import error, which names the module.
+        more: Extras that the command needs besides "sim".
+    """
+    extras = ("sim", *more)
+    names = " and ".join(f"'{extra}'" for extra in extras)
+    return Error(
+        f"module '{problem.name}' not found: surefoot {command} needs the "
+        f"extra{'s' if more else ''} {names}; run: pip install 'surefoot[{','.join(extras)}]'"
+    )
